@@ -225,7 +225,7 @@ STRICT = {  # modes of JAX that a user may have set for all programs
 }
 
 
-def plain_rows(kind: str, positions, rings, degree, layout) -> laplacian.Rows:
+def plain_rows(kind: str, positions, rings, degree, layout) -> laplacian.LaplacianRows:
     """`laplacian.assemble`."""
     return laplacian.assemble(kind, positions, rings, degree, layout)
 

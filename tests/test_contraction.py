@@ -29,7 +29,7 @@ from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, normal_equations, relaxed
-from msf_jax.device.laplacian import Rows
+from msf_jax.device.laplacian import LaplacianRows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
 
@@ -142,7 +142,7 @@ def chain():
     buffers = Buffers(
         positions, rings, jnp.array([1.0, 2, 1]), jnp.array([0.0, 1, 1]), positions, 0 * one, jnp.zeros(()), one
     )
-    return buffers, Rows(rings.is_used.astype(float), rings.is_used.astype(float))
+    return buffers, LaplacianRows(rings.is_used.astype(float), rings.is_used.astype(float))
 
 
 def test_chain_with_a_fixed_end_by_hand():

@@ -234,11 +234,13 @@ def test_one_ring_areas():
 
 def test_limit_bounds_entries_and_stops_their_gradient():
     entries = jnp.array([0.0, 1.5, 19.0, 20.5, 1e9])
-    limited = laplacian.limit(laplacian.Rows(entries, entries[::-1]))
+    limited = laplacian.limit(laplacian.LaplacianRows(entries, entries[::-1]))
     np.testing.assert_array_equal(limited.out, [0, 1.5, 19, 20, 20])
     np.testing.assert_array_equal(limited.into, [20, 20, 19, 1.5, 0])
-    np.testing.assert_array_equal(laplacian.limit(laplacian.Rows(entries, entries), 2.0).out, [0, 1.5, 2, 2, 2])
-    slope = jax.grad(lambda x: laplacian.limit(laplacian.Rows(x, 0 * x)).out.sum())(entries)
+    np.testing.assert_array_equal(
+        laplacian.limit(laplacian.LaplacianRows(entries, entries), 2.0).out, [0, 1.5, 2, 2, 2]
+    )
+    slope = jax.grad(lambda x: laplacian.limit(laplacian.LaplacianRows(x, 0 * x)).out.sum())(entries)
     np.testing.assert_array_equal(slope, [1, 1, 1, 0, 0])
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from msf_jax.base.writing import write_whole
 
-Row = dict[str, Any]
+TableRow = dict[str, Any]
 Stamps = dict[str, tuple[int, ...]]  # of each file of a row: they change when it is replaced
 
 
@@ -28,7 +28,7 @@ class Manifest:
 
     def __init__(self, file: Path, rows: Path, own: Mapping[str, tuple[str, str]]) -> None:
         self.file, self._folder, self._own = file, rows, own
-        self._known: dict[str, tuple[tuple[int, ...], Row | None]] = {}  # rows that were read, with their stamps
+        self._known: dict[str, tuple[tuple[int, ...], TableRow | None]] = {}  # rows that were read, with their stamps
 
     def write(self) -> None:
         """Write the table of the rows that are there now."""
@@ -53,7 +53,7 @@ class Manifest:
         rows = [row for name, stamp in stamps.items() if (row := self._row(name, stamp)) and self._is_due(name, row)]
         write_whole(self.file, text_of(rows))
 
-    def _row(self, name: str, stamp: tuple[int, ...]) -> Row | None:
+    def _row(self, name: str, stamp: tuple[int, ...]) -> TableRow | None:
         """The row in a file; None if it is damaged."""
         if name not in self._known or self._known[name][0] != stamp:
             try:
@@ -64,7 +64,7 @@ class Manifest:
             self._known[name] = stamp, row
         return self._known[name][1]
 
-    def _is_due(self, name: str, row: Row) -> bool:
+    def _is_due(self, name: str, row: TableRow) -> bool:
         """Whether a row is in the table: its curve is there, or else its error, and its mesh."""
         key, curve = self._own.get(name, (row["key"], row["output"]))
         if row["error"]:
@@ -72,7 +72,7 @@ class Manifest:
         return row["key"] == key and os.path.exists(curve)
 
 
-def text_of(rows: list[Row]) -> str:
+def text_of(rows: list[TableRow]) -> str:
     """The rows as comma-separated text, sorted by path; lists are joined by semicolons."""
     ordered = sorted(rows, key=lambda row: row["path"])
     columns = list(dict.fromkeys(name for row in ordered for name in row if name not in ("key", "figures")))

@@ -26,7 +26,7 @@ from msf_jax.base.options import Solver
 from msf_jax.device import cg
 from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
 from msf_jax.device.cg import SolveReport
-from msf_jax.device.laplacian import Rows
+from msf_jax.device.laplacian import LaplacianRows
 
 
 class Energy(NamedTuple):
@@ -89,7 +89,7 @@ class Gram:
 
 def relaxed(
     buffers: Buffers,
-    rows: Rows,
+    rows: LaplacianRows,
     energy: Energy,
     layout: Layout,
     solver: Solver,
@@ -106,7 +106,7 @@ def relaxed(
     return buffers.positions + buffers.free[:, None] * displacement, report
 
 
-def normal_equations(buffers: Buffers, rows: Rows, energy: Energy, layout: Layout) -> tuple[Gram, jax.Array]:
+def normal_equations(buffers: Buffers, rows: LaplacianRows, energy: Energy, layout: Layout) -> tuple[Gram, jax.Array]:
     """The operator, and the right-hand side (n, 3), of the displacement that minimises ``energy``; see the module.
 
     Differentiable in: buffers.positions, buffers.poles, rows, energy.

@@ -14,7 +14,7 @@ from msf_jax.device import cg, laplacian
 from msf_jax.device.buffers import Buffers
 from msf_jax.device.cg import SolveReport
 from msf_jax.device.contraction import Energy, Gram, contracting, normal_equations, relaxed, smoothing
-from msf_jax.device.laplacian import Rows
+from msf_jax.device.laplacian import LaplacianRows
 
 
 class Moved(NamedTuple):
@@ -71,7 +71,7 @@ def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout
     return contracting(w_L, w_H, w_M * buffers.pull), smoothing(weights.smoothing * one)
 
 
-def _rows(buffers: Buffers, settings: StepSettings, layout: Layout) -> Rows:
+def _rows(buffers: Buffers, settings: StepSettings, layout: Layout) -> LaplacianRows:
     """The Laplacian of the surface in ``buffers``, with limited entries."""
     rows = laplacian.assemble(settings.laplacian, buffers.positions, buffers.rings, buffers.degree, layout)
     return rows if settings.laplacian in laplacian.BOUNDED else laplacian.limit(rows)

@@ -22,7 +22,7 @@ FLATTEST = 0.3
 LARGEST = 20.0  # largest entry in the flow, without unit, see `limit`; a regular mesh has 1.2
 
 
-class Rows(NamedTuple):
+class LaplacianRows(NamedTuple):
     """L in slots: (L x)_i = sum over slots of out (x_j - x_i); ``into`` is the weight L[j, i] of the same edge."""
 
     out: jax.Array  # (S,)
@@ -30,16 +30,16 @@ class Rows(NamedTuple):
 
 
 @partial(jax.jit, static_argnames=("kind", "layout"), inline=True)
-def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """Weights of the Laplacian named ``kind``, dimensionless, for positions (n, 3), rings (S,) each, degree (n,).
 
     Differentiable in: positions (finite everywhere, degenerate triangles included).
     """
     rows = WEIGHTS[kind](positions, rings, degree, layout)
-    return Rows(*(jnp.where(rings.is_used, weight, 0.0) for weight in rows))
+    return LaplacianRows(*(jnp.where(rings.is_used, weight, 0.0) for weight in rows))
 
 
-def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """(tan(alpha / 2) + tan(beta / 2)) / length, for the angles at i beside the edge (article Eq. 4).
 
     Rows are multiplied by the mean length of their one-ring edges, so that they have no unit.
@@ -52,20 +52,20 @@ def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
     sides = jnp.stack([positions[rings.after], positions[rings.before]])[None] - ends[:, None]
     tangents = _half_angle_tangent(edge[:, None], sides).sum(1)
     means = jnp.stack([at_rows(layout, mean_length), mean_length[rings.neighbour]])
-    return Rows(*(tangents / length[None] * means))
+    return LaplacianRows(*(tangents / length[None] * means))
 
 
-def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """(cot(alpha) + cot(beta)) / 2 for the angles opposite the edge, or 0 if that is negative."""
     del degree
     at_i = at_rows(layout, positions)
     edge, after, before = (positions[corner] - at_i for corner in (rings.neighbour, rings.after, rings.before))
     weight = 0.5 * (_cotangent(after, after - edge) + _cotangent(before, before - edge))
     weight = jnp.maximum(weight, 0.0)
-    return Rows(weight, weight)
+    return LaplacianRows(weight, weight)
 
 
-def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """(cot(alpha) + cot(beta)) / 2, which may be negative: L x is the gradient of the area.
 
     A flat triangle with collinear corners then keeps its middle corner between the outer two. It does not pull the
@@ -76,14 +76,14 @@ def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, la
     square = _square(at_j - at_i)
     after, before = positions[rings.after], positions[rings.before]
     weight = 0.5 * (_flattened(after - at_i, after - at_j, square) + _flattened(before - at_i, before - at_j, square))
-    return Rows(weight, weight)
+    return LaplacianRows(weight, weight)
 
 
-def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """1 for every edge."""
     del degree, layout
     weight = jnp.ones(rings.is_used.shape, positions.dtype)
-    return Rows(weight, weight)
+    return LaplacianRows(weight, weight)
 
 
 # By the names of `base.options.LAPLACIANS`. `assemble` overwrites the values of unused slots.
@@ -96,7 +96,7 @@ WEIGHTS = {
 BOUNDED = ("signed_cotangent",)  # kinds that are bounded without `limit`, which would break their symmetry
 
 
-def limit(rows: Rows, largest: float = LARGEST) -> Rows:
+def limit(rows: LaplacianRows, largest: float = LARGEST) -> LaplacianRows:
     """The same rows with entries of at most ``largest``.
 
     Two vertices that nearly coincide, or a flat triangle, make arbitrarily large entries. Their only effect is to keep
@@ -105,7 +105,7 @@ def limit(rows: Rows, largest: float = LARGEST) -> Rows:
     and the CG steps.
     Differentiable in: rows; the gradient of a limited entry is 0.
     """
-    return Rows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
+    return LaplacianRows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
 
 
 def _cross(a: jax.Array, b: jax.Array) -> jax.Array:

@@ -6,7 +6,6 @@ point of the solid. The middles of the fronts' rings, about a radius apart, are 
 closes a loop.
 """
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -14,12 +13,11 @@ from scipy import spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside import balls, thickness
+from msf_jax.inside.roadmap import Test
 from msf_jax.limbs.levels import Levels, levels
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import repeated, unit, vertex_normals
 from msf_jax.topology import graphs
-
-Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
 COARSE = 1.0  # radii: median edge length of a limb with six sides; longer edges mean fewer sides
 ROUND = 3.0  # largest median perimeter of the rings, over that of a circle; a plate has far longer rings

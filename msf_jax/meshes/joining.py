@@ -16,7 +16,7 @@ import numpy as np
 from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
-from msf_jax.meshes.untangling import Mesh, Untangled, arrays_of, solid_of, untangled
+from msf_jax.meshes.untangling import MeshArrays, Untangled, arrays_of, solid_of, untangled
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, unit, vertex_normals
 
@@ -89,7 +89,7 @@ class ClosedSurface:
         return float(self.shape.ray_lengths(point[None] + TOUCH * inward, inward, np.array([4 * self.radius]))[0]) / 2
 
 
-def joined(parts: Sequence[Mesh], reach: float) -> Joined:
+def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
     """Join ``parts``, closed surfaces oriented outwards: ``(vertices (n, 3), faces (m, 3))`` each.
 
     Parts that overlap become one; their cavities, wound inwards, stay. Gaps are bridged up to ``reach``, in diagonals

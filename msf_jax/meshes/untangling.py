@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 MARGINS = (0.1, 0.3, 1.0)  # sizes of the place: by which its box is larger on each side; the first that serves is taken
 MOST_PLACES = 100  # places of a part that are tried; each costs some unions
 
-Mesh = tuple[np.ndarray, np.ndarray]
+MeshArrays = tuple[np.ndarray, np.ndarray]
 
 
 class Untangled(NamedTuple):
@@ -62,7 +62,7 @@ def solid_of(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
     return Manifold(Mesh64(np.ascontiguousarray(vertices), np.ascontiguousarray(faces, dtype=np.uint64)))
 
 
-def arrays_of(solid: "Manifold") -> Mesh:
+def arrays_of(solid: "Manifold") -> MeshArrays:
     mesh = solid.to_mesh64()
     return np.array(mesh.vert_properties)[:, :3], np.array(mesh.tri_verts).astype(np.int64)
 

@@ -18,7 +18,7 @@ KINDS = "char uchar short ushort int uint float double int8 uint8 int16 uint16 i
 TYPES: dict[str, str] = dict(zip(KINDS.split(), 2 * ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"], strict=True))
 WIDEST = 256  # numbers in a row that are read by column
 CORNERS = ("vertex_indices", "vertex_index")  # names of the list of a face's corners
-Columns = dict[str, Any]
+ElementColumns = dict[str, Any]
 
 
 class Property(NamedTuple):
@@ -29,7 +29,7 @@ class Property(NamedTuple):
     length: str
 
 
-def tables(content: bytes, *, only_text: bool = False) -> dict[str, Columns]:
+def tables(content: bytes, *, only_text: bool = False) -> dict[str, ElementColumns]:
     """The columns of each element: (n,) an array, or for a property of lists a list of n arrays or an array (n, c).
 
     Raises:
@@ -134,7 +134,7 @@ class _Source:
         return found
 
 
-def _columns(source: _Source, num: int, properties: list[Property]) -> Columns:
+def _columns(source: _Source, num: int, properties: list[Property]) -> ElementColumns:
     """Those of one element; fast if all lists of a property have one length."""
     if not num or not properties:
         return {one.name: np.empty(0) for one in properties}

@@ -26,7 +26,6 @@ MOST_TIMES = 2  # times that the triangles of a file may be shown, if they are o
 CHUNK = 1 << 16  # bytes that are read at a time
 ROOT = "3d/3dmodel.model"  # the member that says what is shown
 IMAGES = (".png", ".jpg", ".jpeg")
-Mesh = tuple[np.ndarray, np.ndarray]
 
 
 def check(path: Path) -> None:
@@ -39,7 +38,7 @@ def check(path: Path) -> None:
         _read_members(archive, _Elements(), path.stat().st_size)
 
 
-def meshes_of_3mf(path: Path) -> list[Mesh]:
+def meshes_of_3mf(path: Path) -> list[tuple[np.ndarray, np.ndarray]]:
     """Vertices and triangles of each object that the file at ``path`` shows, as it places them.
 
     In 3MF's production extension a component names the member and the id of an object.
@@ -169,7 +168,7 @@ class _Models(_Elements):
 
         check_shown(*total(""), sum(map(own, self.numbers)))
 
-    def placed(self, name: str, matrix: np.ndarray) -> list[Mesh]:
+    def placed(self, name: str, matrix: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
         """The meshes of an object and its parts, turned right side out where ``matrix`` mirrors them."""
         found = []
         if any(self.numbers.get(name, {}).values()):
