@@ -93,7 +93,7 @@ FACTS = [
     ("branches.md", f"Edges are refined to {WORDS[finishing.SPACING]} a radius"),
     ("branches.md", f"a distance of {WORDS[ends.GAP]} of the radius of the limb's end from the surface"),
     ("repair.md", f"keeps the largest {Repair().most_parts} pieces"),
-    ("repair.md", f"gaps up to {repair.REACH} of the diagonal"),
+    ("repair.md", f"gaps up to {repair.LONGEST_GAP} of the diagonal"),
     ("repair.md", f"limbs thinner than {thickness.THIN} of the diagonal"),
     ("repair.md", f"is repeated with {WORDS[stepping.SHORTER]} of `w_L`"),
     ("batches.md", f"A worker is replaced after {batch.TASKS:,} meshes"),

@@ -15,7 +15,7 @@ from msf_jax.topology import graphs
 
 STRAIGHTENINGS = 20  # rounds of `straighten`
 ROUNDINGS = 4  # rounds, each over all corners that are left
-REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
+CORNER_REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
 LEGS = 3  # control points of the Bezier curve on each side of the corner, with the corner itself
 FINE = 65  # points at which the Bezier curve is evaluated, to place its nodes
 EVEN = 0.3  # share of arc length in the spacing of its nodes; the rest is by turning
@@ -212,7 +212,8 @@ def _round_corner(
         return x, nodes
     along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
     low, high = ends[ends < here].max(), ends[ends > here].min()
-    first, last = max(along[low], along[here] - REACH * clearance), min(along[high], along[here] + REACH * clearance)
+    reach = CORNER_REACH * clearance
+    first, last = max(along[low], along[here] - reach), min(along[high], along[here] + reach)
     begin = max(low, np.searchsorted(along, first))  # first of the nodes between; some may coincide with an end
     end = min(high + 1, np.searchsorted(along, last, side="right"))
     has_first = along[begin] <= first + ENDS * (along[here] - first)

@@ -27,7 +27,7 @@ FEWEST_VERTICES = 5  # vertices of a piece, at least, to have a skeleton
 FEWEST_TO_JOIN = 4  # vertices of a piece, at least, to be joined to another
 LARGEST_WELD = 0.01  # median edges: the largest radius of a weld; more would collapse triangles
 MOST_NEIGHBOURS = 50  # vertices at rims within the radius of a weld, on average, at most
-REACH = 0.005  # diagonals: the longest gap that "join" bridges
+LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
 FLATTEST = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
@@ -77,7 +77,7 @@ def as_repair(repair: Any) -> Repair | None:
     if isinstance(repair, Repair):
         return repair
     if isinstance(repair, str) and repair == "join":
-        return Repair(join=REACH)
+        return Repair(join=LONGEST_GAP)
     if not isinstance(repair, bool):
         raise ConfigError(f'repair is {repair!r:.80}: expected True, False, "join" or a msf_jax.Repair')
     return Repair() if repair else None

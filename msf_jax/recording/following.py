@@ -40,7 +40,7 @@ SLIGHT = 0.02  # least weight w of a section; sections of less are left out
 # a cloud. Ratio of the noise of a node's offset to that of the vertices, above which a node needs a cloud.
 FEWEST, FAR, LEVER = 4, 3.0, 0.5
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
-REACH = 1.0  # limb sizes along the branch over which a frame is fitted
+FRAME_REACH = 1.0  # limb sizes along the branch over which a frame is fitted
 FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
 FLATTEST = 1e-6  # eigenvalues of S over the largest: along axes of smaller ones, o stays as recorded
 SMALLEST = {"a": 1e-3, "b": 2e-2}  # shares of a row's largest entry: smaller entries of the smoothings are left out
@@ -102,7 +102,9 @@ def record(
     def matrices(is_lost: np.ndarray) -> tuple[BoundCorners, Any, Any]:
         corners = _with_clouds(surface, edges, found, is_lost)
         a = _smoothing(x, edges, paths, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
-        beta = _smoothing(x, edges, paths, _wide(surface, size, corners), corners, stiffness=0.0, membrane=REACH**2)
+        beta = _smoothing(
+            x, edges, paths, _wide(surface, size, corners), corners, stiffness=0.0, membrane=FRAME_REACH**2
+        )
         a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
         offset = is_free[:, None] * (x - a @ corners.centroid)
         return corners, a, _turning(surface, corners, _pruned(beta, SMALLEST["b"]), offset)

@@ -17,7 +17,7 @@ import numpy as np
 from scipy import interpolate, spatial
 from scipy.stats import qmc
 
-REACH = 2.3  # natural logarithms (a factor of ten): half the width of the box
+HALF_WIDTH = 2.3  # natural logarithms (a factor of ten): half the width of the box
 CANDIDATES = 200  # candidates for each variable
 METHODS = (0.3, 0.6, 0.9, 1.0)  # the weights w, in turn
 FAR = 1.5  # natural logarithms: larger distances to the nearest known point count as this
@@ -45,7 +45,7 @@ class Search:
         self.low, self.high = low, high
         self.points, self.values = np.empty((0, len(low))), np.empty(0)
         known = np.array(given)
-        self.floor, self.ceiling = np.maximum(low, known[-1] - REACH), np.minimum(high, known[-1] + REACH)
+        self.floor, self.ceiling = np.maximum(low, known[-1] - HALF_WIDTH), np.minimum(high, known[-1] + HALF_WIDTH)
         cube = qmc.LatinHypercube(len(low), rng=self.random).random(2 * (len(low) + 1))
         self.waiting = [*known, *(self.floor + cube * (self.ceiling - self.floor))]
         self.spread, self.successes, self.failures, self.turn = FIRST_SPREAD, 0, 0, 0

@@ -22,7 +22,7 @@ from msf_jax.solid.geometry import arc_length, at, unit
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-REACH = 3.0  # mean radii of the parent: length, in one direction, over which directions at an insertion are taken
+INSERTION_REACH = 3.0  # mean radii of the parent: length, in one direction, over which directions are taken
 
 
 class Axis(NamedTuple):
@@ -143,11 +143,11 @@ def _insertion(skeleton: "Skeleton", axes: list[Axis], axis: Axis, size: float) 
     away = spatial.KDTree(mother[near]).query(points)[0]
     outside = np.flatnonzero(away > size + radii)
     begin = float(along[outside[0]]) if len(outside) else 0.0
-    end = min(begin + REACH * size, float(along[-1]))
+    end = min(begin + INSERTION_REACH * size, float(along[-1]))
     base, ahead = at(points, along, np.array([begin, end if end > begin else along[-1]]))
     onward = unit(ahead - base)
     t, foot = _nearest_to_ray(base, -onward, mother, above)
-    reach = REACH * size
+    reach = INSERTION_REACH * size
     before, after = at(mother, above, np.clip([t - reach, t + reach], 0.0, above[-1]))
     angle = np.degrees(np.arccos(np.clip(onward @ unit(after - before), -1.0, 1.0)))
     return t, float(angle), float(along[-1] - begin + np.linalg.norm(base - foot))

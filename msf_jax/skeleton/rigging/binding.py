@@ -24,7 +24,7 @@ from msf_jax.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
 STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round
-REACH = 1.3  # ratio of d to the distance from the curve
+HEAT_REACH = 1.3  # ratio of d to the distance from the curve
 LOOSER = 1.5  # factor on d in each round, where edges stretch too much
 LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
 LEAST = 1e-6  # weights below this count as 0
@@ -72,7 +72,7 @@ class Heat:
         )
         self.area = np.maximum(area, 1e-6 * area.mean())
         count = np.bincount(self.of_given, minlength=num)
-        self.away = REACH * np.bincount(self.of_given, away, num) / count
+        self.away = HEAT_REACH * np.bincount(self.of_given, away, num) / count
         self._factor: Any = None
 
     def spread(self, bone: np.ndarray, num_bones: int) -> np.ndarray:
