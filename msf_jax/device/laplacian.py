@@ -18,7 +18,7 @@ SHORTEST = 1e-7  # diagonals: least length of an edge
 STEEPEST = 1e4  # largest tan(alpha / 2) and cot(alpha): angles within a hundredth of a degree of pi and 0
 # Height over longest edge: flatter triangles have their cotangents reduced, see `_signed_cotangents`. With 0.001
 # vertices at the tips of limbs diverge along the limbs; with 0.1 they sometimes do.
-FLATTEST = 0.3
+LEAST_HEIGHT = 0.3
 LARGEST = 20.0  # largest entry in the flow, without unit, see `limit`; a regular mesh has 1.2
 
 
@@ -161,14 +161,14 @@ def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
 def _flattened(a: jax.Array, b: jax.Array, square: jax.Array) -> jax.Array:
     """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``.
 
-    The divisor is at least FLATTEST times the square of the longest edge. So all three cotangents of a flat triangle
-    are reduced by the same factor, and its energy, an area, is never negative.
+    The divisor is at least LEAST_HEIGHT times the square of the longest edge. So all three cotangents of a flat
+    triangle are reduced by the same factor, and its energy, an area, is never negative.
     """
     longest2 = jnp.maximum(jnp.maximum(_square(a), _square(b)), square)
     is_point = longest2 < SHORTEST**4
     unit = jnp.sqrt(jnp.where(is_point, 1.0, longest2))[..., None]
     a, b = a / unit, b / unit
-    return jnp.where(is_point, 0.0, (a * b).sum(-1) / jnp.maximum(_norm(_cross(a, b)), FLATTEST))
+    return jnp.where(is_point, 0.0, (a * b).sum(-1) / jnp.maximum(_norm(_cross(a, b)), LEAST_HEIGHT))
 
 
 def _square(vector: jax.Array) -> jax.Array:

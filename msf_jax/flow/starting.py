@@ -20,7 +20,7 @@ from msf_jax.solid.frame import RESOLUTION, UnitFrame, frame_of, sort_mesh
 from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
-FLATTEST = 1e-9  # diagonals cubed: the least volume of a component whose coordinates are rounded to the frame's grid
+LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rounded to the frame's grid
 MOST_REFINED = 8_000  # vertices: refining stops at about this many
 LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, refining changes no limb or hole
 MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
@@ -47,7 +47,7 @@ def init(
     meso.weights = None if weights is None else weights[order]
     with clock.stage("thickness"):
         meso.scale = clock.call(thickness.scales, meso.positions, faces)
-    if abs(meso.volume()) < FLATTEST:
+    if abs(meso.volume()) < LEAST_VOLUME:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
             f"{RESOLUTION:.0e} of its diagonal; expected a solid"

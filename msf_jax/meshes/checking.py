@@ -14,7 +14,7 @@ from scipy import spatial
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import joining
 from msf_jax.meshes.reading import OR_REPAIR, count, enough_memory, read
-from msf_jax.meshes.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired, with_volume
+from msf_jax.meshes.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, NO_VOLUME, Repair, as_repair, repaired, with_volume
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.solid.solid import nested
@@ -339,7 +339,7 @@ def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) 
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     size = float((high - low).max())
     volume = signed_volume((vertices - (low + high) / 2) / size, faces) if size > 0 else 0.0
-    if not abs(volume) > FLATTEST:
+    if not abs(volume) > NO_VOLUME:
         raise MeshError(
             f"{name} encloses no volume ({volume:.3g} of the cube of its extent, {size:.3g}): expected a solid"
         )

@@ -28,7 +28,7 @@ FEWEST_TO_JOIN = 4  # vertices of a piece, at least, to be joined to another
 LARGEST_WELD = 0.01  # median edges: the largest radius of a weld; more would collapse triangles
 MOST_NEIGHBOURS = 50  # vertices at rims within the radius of a weld, on average, at most
 LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
-FLATTEST = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
+NO_VOLUME = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
 @dataclass(frozen=True)
@@ -254,7 +254,7 @@ def with_volume(
         low, high = vertices[used].min(axis=0), vertices[used].max(axis=0)
         extent = float((high - low).max())
         centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
-        is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= FLATTEST
+        is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= NO_VOLUME
         is_few = len(used) < fewest
         is_flat = not is_few and (extent == 0 or is_hollow)
         diagonal[piece] = np.linalg.norm(high - low)

@@ -42,7 +42,7 @@ FEWEST, FAR, LEVER = 4, 3.0, 0.5
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
 FRAME_REACH = 1.0  # limb sizes along the branch over which a frame is fitted
 FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
-FLATTEST = 1e-6  # eigenvalues of S over the largest: along axes of smaller ones, o stays as recorded
+LEAST_EIGENVALUE = 1e-6  # eigenvalues of S over the largest: along axes of smaller ones, o stays as recorded
 SMALLEST = {"a": 1e-3, "b": 2e-2}  # shares of a row's largest entry: smaller entries of the smoothings are left out
 NOTHING = 1e-6  # entries of a solved block below this are left out at once, to save memory
 
@@ -327,7 +327,7 @@ def _turning(surface: BoundSurface, corners: BoundCorners, beta: Any, offset: np
     for i in range(3):
         for j in range(3):
             moments[:, i, j] = np.bincount(row, weight.data * away[:, i] * away[:, j], minlength=len(offset))
-    lever = np.einsum("nij,nj->ni", np.linalg.pinv(moments, rcond=FLATTEST, hermitian=True), offset)
+    lever = np.einsum("nij,nj->ni", np.linalg.pinv(moments, rcond=LEAST_EIGENVALUE, hermitian=True), offset)
     omega = sparse.coo_matrix((weight.data * np.einsum("ci,ci->c", away, lever[row]), (row, corner)), weight.shape)
     ends = sparse.coo_matrix(
         (

@@ -18,7 +18,7 @@ from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import ComponentRecord, FoundPoles, Step
 from msf_jax.recording.stretches import Capacity, Planned, merged, record_steps, rung, size_for, stretches_of
 
-FLATTEST = 1e-5  # least volume of a tetrahedron over the product of three edges, for a well-conditioned circumcentre
+LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
 
 
 class Capacities(NamedTuple):
@@ -177,7 +177,7 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
     a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
     square = [np.einsum("ij,ij->i", edge, edge) for edge in (a, b, c)]
     determinant = np.einsum("ij,ij->i", a, np.cross(b, c))
-    has_volume = np.abs(determinant) > FLATTEST * np.sqrt(square[0] * square[1] * square[2])
+    has_volume = np.abs(determinant) > LEAST_DETERMINANT * np.sqrt(square[0] * square[1] * square[2])
     is_firm = found.is_inside & has_volume
     sum_ = sum(s[:, None] * n for s, n in zip(square, (np.cross(b, c), np.cross(c, a), np.cross(a, b)), strict=True))
     centre = corner[:, 0] + sum_ / (2 * np.where(is_firm, determinant, 1.0))[:, None]

@@ -16,7 +16,7 @@ SEARCHES = 3  # searches for the nearest loop, each three times as far as the on
 NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)  # radii: reach of the first and of the last search
 LONGEST_LOOP = 20_000  # triangles after which a loop is given up
 CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
-FLATTEST = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
+ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
 
 class Corners(NamedTuple):
@@ -122,7 +122,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     leans = -np.einsum("ci,ci->c", shape.normals[corners.triangle], normals[loop])
     sums = np.zeros((len(points), 19))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
-    walks.measures(places, leans, normals, ends, loop[ends - 1], FLATTEST, sums)
+    walks.measures(places, leans, normals, ends, loop[ends - 1], ADDED_SINE, sums)
     area2, angle, perimeter = sums[:, 3], sums[:, 4], np.maximum(sums[:, 5], 1e-300)
     is_found = area2 > 0
     size, radius = (np.where(is_found, column, 0.0) / perimeter for column in (area2, sums[:, 6]))

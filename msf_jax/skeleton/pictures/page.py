@@ -27,7 +27,7 @@ GREY = "#8c9eb8"  # colour of the surface
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
 SLOPE = np.tan(np.radians(22.5))  # tangent of half of plotly's angle of view
 LANDSCAPE = 1.3  # width over height of a notebook's cell; a page measures its own
-FLATTEST = 0.01  # least ratio of the scene's extents: plotly divides by the cube root of their product
+LEAST_EXTENT = 0.01  # least ratio of the scene's extents: plotly divides by the cube root of their product
 
 
 def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "Figure":
@@ -133,7 +133,7 @@ def _scene(traces: list[Any]) -> dict[str, Any]:
     faces = np.stack([traces[0][corner] for corner in "ijk"], axis=1) if traces[0].type == "mesh3d" else None
     seen = looking(parts[0], faces)
     middle, half = (points.max(axis=0) + points.min(axis=0)) / 2, np.ptp(points, axis=0) / 2
-    half = np.maximum(half, FLATTEST * (float(half.max()) or 1.0))
+    half = np.maximum(half, LEAST_EXTENT * (float(half.max()) or 1.0))
     reach = np.abs((points - middle) @ np.stack([seen.right, seen.up, seen.towards], axis=1)).max(axis=0)
     wide, high, deep = (reach / np.cbrt(2 * half).prod() / (SLOPE, SLOPE, 1.0)).tolist()
     axes = {
