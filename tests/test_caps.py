@@ -276,7 +276,7 @@ def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
 
 @pytest.mark.parametrize("name", ["tee", "plus"])
 def test_few_triangles_do_not_hide_limbs(name):
-    """`FEWEST`: solids of bars with 16 to 32 vertices."""
+    """`SPLIT_BELOW`: solids of bars with 16 to 32 vertices."""
     bars = [(6, 1, 1), (1, 6, 1)] if name == "plus" else [(6, 1, 1)]
     body = manifold3d.Manifold.batch_boolean(
         [manifold3d.Manifold.cube(bar, True) for bar in bars], manifold3d.OpType.Add

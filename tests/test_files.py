@@ -117,7 +117,7 @@ def test_a_scene_is_read_with_its_transforms(tmp_path: Path, suffix):
 def test_an_archive_that_unpacks_to_too_much_is_refused(tmp_path: Path, monkeypatch):
     (tmp_path / "box.3mf").write_bytes(trimesh.creation.box().export(file_type="3mf"))
     assert len(reading.read(tmp_path / "box.3mf")[0]) == 8
-    monkeypatch.setattr(unpacking, "LARGEST", 100)
+    monkeypatch.setattr(unpacking, "LARGEST_UNPACKED", 100)
     with pytest.raises(MeshError, match=r"unpacks to \d+ bytes: expected at most 100"):
         reading.read(tmp_path / "box.3mf")
 

@@ -24,7 +24,7 @@ from device_cases import (
 
 from msf_jax.base.options import Config, Weights
 from msf_jax.device.iteration import move
-from msf_jax.device.laplacian import LARGEST
+from msf_jax.device.laplacian import LARGEST_ENTRY
 
 
 @pytest.fixture(scope="module")
@@ -177,11 +177,11 @@ def test_iteration_contracts_and_then_smooths_with_fresh_rows(case, follows_area
     )
 
     L = reference_laplacian("mean_value", case.vertices, case.faces)
-    assert L.max() > 2 * LARGEST
-    L = reference_laplacian("mean_value", case.vertices, case.faces, LARGEST)
+    assert L.max() > 2 * LARGEST_ENTRY
+    L = reference_laplacian("mean_value", case.vertices, case.faces, LARGEST_ENTRY)
     w_H = w_H * np.sqrt(first_area / ring_areas(case.vertices, case.faces)) if follows_area else w_H
     middle = dense_contract(L, case.vertices, case.poles, case.is_fixed, w_L, w_H, w_M * case.has_pole)
-    L = reference_laplacian("mean_value", middle, case.faces, LARGEST)
+    L = reference_laplacian("mean_value", middle, case.faces, LARGEST_ENTRY)
     end = dense_smooth(L, middle, case.is_fixed, strength)
     assert np.abs(end - middle).max() > 1e-3
     np.testing.assert_allclose(case.to_vertices(moved.positions), end, atol=1e-8)

@@ -19,7 +19,7 @@ STEEPEST = 1e4  # largest tan(alpha / 2) and cot(alpha): angles within a hundred
 # Height over longest edge: flatter triangles have their cotangents reduced, see `_signed_cotangents`. With 0.001
 # vertices at the tips of limbs diverge along the limbs; with 0.1 they sometimes do.
 LEAST_HEIGHT = 0.3
-LARGEST = 20.0  # largest entry in the flow, without unit, see `limit`; a regular mesh has 1.2
+LARGEST_ENTRY = 20.0  # largest entry in the flow, without unit, see `limit`; a regular mesh has 1.2
 
 
 class LaplacianRows(NamedTuple):
@@ -96,7 +96,7 @@ WEIGHTS = {
 BOUNDED = ("signed_cotangent",)  # kinds that are bounded without `limit`, which would break their symmetry
 
 
-def limit(rows: LaplacianRows, largest: float = LARGEST) -> LaplacianRows:
+def limit(rows: LaplacianRows, largest: float = LARGEST_ENTRY) -> LaplacianRows:
     """The same rows with entries of at most ``largest``.
 
     Two vertices that nearly coincide, or a flat triangle, make arbitrarily large entries. Their only effect is to keep

@@ -33,7 +33,7 @@ SETTLED = 0.02  # share of the first volume: a flow that has settled may leave t
 MEMBRANES = 0.1  # share of the first volume: it may leave this much in thin membranes between fixed vertices
 THINNED = 1 / 3  # membranes are at most this part as thick as the solid was (ratio of volume share to area share)
 PROGRESS = 0.1  # share of the area: a flow that loses less in a period of the threshold has settled
-FEWEST = 20  # iterations: shorter periods of the threshold count as this long
+SHORTEST_PERIOD = 20  # iterations: shorter periods of the threshold count as this long
 STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a default period is shorter
 
 
@@ -163,7 +163,7 @@ def is_settled(history: list[Iteration], config: Config) -> bool:
     Membranes between fixed vertices do not contract further: their edges are split as fast as they collapse. A curve
     is extracted from membranes as from any thin surface.
     """
-    period = max(fixing.num_periods(config.t_min, config.t_step, config.t_max), FEWEST)
+    period = max(fixing.num_periods(config.t_min, config.t_step, config.t_max), SHORTEST_PERIOD)
     volume = abs(history[-1].volume)
     is_thin = volume <= MEMBRANES and volume <= THINNED * history[-1].area
     if len(history) <= period or not (is_thin or volume <= SETTLED):

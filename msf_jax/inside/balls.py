@@ -19,7 +19,7 @@ from msf_jax.inside.voronoi import Poles
 from msf_jax.solid.geometry import unit, vertex_normals
 
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
-LARGEST = 1.0  # largest radius, likewise
+LARGEST_RADIUS = 1.0  # largest radius, likewise
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
 ROUNDS = 60  # queries for each ball, at most
 EMPTY = 1 - 1e-9  # a point counts as inside if it is nearer to the centre than this share of the radius
@@ -87,7 +87,7 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
     normals = unit(vertex_normals(sites, faces))
     extent = float(np.ptp(sites, axis=0).max())
     every = np.arange(len(sites))
-    found = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, LARGEST * extent, every)
+    found = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, LARGEST_RADIUS * extent, every)
     centre = sites - found.radius[:, None] * normals
     box = sites if box is None else box
     is_found = (found.touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)

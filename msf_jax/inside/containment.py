@@ -183,7 +183,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     _, triangle = shape.nearest(points)
     corner, normal = shape.triangles[triangle], shape.normals[triangle]
     entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
-    depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, balls.LARGEST).radius
+    depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, balls.LARGEST_RADIUS).radius
     shallower = 0.5 ** np.arange(SHALLOWER)
     choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
     clearance = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))

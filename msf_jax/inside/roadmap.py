@@ -314,7 +314,7 @@ def inner_balls(
         asked = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))
         points, normals = points[asked], normals[asked]
     tree = shape.sample_tree()
-    radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST).radius
+    radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST_RADIUS).radius
     left = np.arange(len(points))
     for _ in range(CORRECTIONS):  # large triangles can be nearer than any sample
         foot = shape.feet(points[left] - radius[left, None] * normals[left])

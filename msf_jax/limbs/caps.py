@@ -37,14 +37,14 @@ NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
 LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
-LARGEST = 0.25  # of the surface: caps of limbs that only stand out
+LARGEST_CAP = 0.25  # of the surface: caps of limbs that only stand out
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
 # Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
 # plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
 CORNER = (0.0, 0.083, 0.105, 0.13), (0.6, 0.5, 0.39, 0.6)
 TRIANGLES = 48  # fewest of a limb that only stands out
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
-FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
+SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
 MOST_AREA = 100.0  # surfaces of a component: area of all its discs together; then no further tip of it is tried
 
@@ -89,7 +89,7 @@ class Caps:
 
     def __init__(self, shape: Enclosure, detail: float = 0.5):
         self.detail = detail
-        while len(shape.vertices) < FEWEST:
+        while len(shape.vertices) < SPLIT_BELOW:
             split = trimesh.remesh.subdivide(shape.vertices, shape.faces)
             shape = Enclosure(split[0], split[1])
         self.shape = shape
@@ -257,17 +257,18 @@ class Caps:
             if left[self._component[tip]] <= 0:
                 self.was_hit = True
                 continue
-            rows, _ = self.grown(tip, others, np.inf, LARGEST, 0.0)
+            rows, _ = self.grown(tip, others, np.inf, LARGEST_CAP, 0.0)
             if not len(rows):
                 continue
             left[self._component[tip]] -= 2 * rows[-1, 2] / self._total[tip]
             value, after = rows[:, 0], np.minimum.accumulate(rows[::-1, 0])[::-1]
-            is_last = rows[-1, 2] < LARGEST * self._total[tip] / RATIO**2  # it ends at another tip, or around a handle
+            # It ends at another tip, or around a handle.
+            is_last = rows[-1, 2] < LARGEST_CAP * self._total[tip] / RATIO**2
             is_counted = np.append(after[1:], -np.inf if is_last else np.inf) <= DROP * value
             best = int(np.where(is_counted, value, -1.0).argmax())
             need = least * float(np.interp(rows[best, 6] / rows[best, 2] ** 1.5, *CORNER))
             score = min(height / RAISED, value[best] / need)
-            region = self.grown(tip, others, float(value[best]), LARGEST, 0.0)[1]
+            region = self.grown(tip, others, float(value[best]), LARGEST_CAP, 0.0)[1]
             if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
                 cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
                 raised.append(Raised(max(1.0 - score / 2, 0.01), cap))

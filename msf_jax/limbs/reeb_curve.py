@@ -44,7 +44,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     # Whether the solid is thin is decided by balls of limited size, which are found fast.
     if np.median(balls.shrinking_balls(*asked, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
         return None
-    radius = balls.shrinking_balls(*asked, balls.LARGEST, np.arange(len(x))).radius
+    radius = balls.shrinking_balls(*asked, balls.LARGEST_RADIUS, np.arange(len(x))).radius
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)

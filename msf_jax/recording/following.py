@@ -38,7 +38,7 @@ from msf_jax.topology import graphs
 SLIGHT = 0.02  # least weight w of a section; sections of less are left out
 # Vertices: least number in a cloud. Limb sizes: distance along the curve from every section, beyond which a node needs
 # a cloud. Ratio of the noise of a node's offset to that of the vertices, above which a node needs a cloud.
-FEWEST, FAR, LEVER = 4, 3.0, 0.5
+FEWEST_IN_CLOUD, FAR, LEVER = 4, 3.0, 0.5
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
 FRAME_REACH = 1.0  # limb sizes along the branch over which a frame is fitted
 FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
@@ -224,7 +224,7 @@ def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: BoundCorners, 
     component = graphs.labels(num, *edges.T)
     went = sparse.csr_matrix((np.ones(many), (surface.node, np.arange(many))), shape=(num, many))
     went = sparse.csr_matrix((graph + graph.T + sparse.eye(num)) @ went)
-    lost = np.flatnonzero(is_lost & (np.diff(went.indptr) >= FEWEST))
+    lost = np.flatnonzero(is_lost & (np.diff(went.indptr) >= FEWEST_IN_CLOUD))
     clouds = [(node, np.sort(went[node].indices)) for node in lost]
     count = np.bincount(component[np.r_[found.node, lost]], minlength=component.max() + 1)
     for number in np.flatnonzero(count < 2):

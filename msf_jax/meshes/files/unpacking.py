@@ -16,8 +16,9 @@ import numpy as np
 
 IN_XML = {"3dxml", "xaml"}  # mesh formats of XML that trimesh reads; the first is an archive
 # Limits of the unpacked bytes: ratio to the packed bytes; bytes always allowed; largest unpacked size of any archive.
-LARGEST_RATIO, SMALL, LARGEST = 50, 10_000_000, 2**29
-MESH_ELEMENTS, FEWEST = {"vertex": "xyz", "triangle": ("v1", "v2", "v3")}, 3  # elements of a mesh, their attributes
+LARGEST_RATIO, SMALL, LARGEST_UNPACKED = 50, 10_000_000, 2**29
+MESH_ELEMENTS = {"vertex": "xyz", "triangle": ("v1", "v2", "v3")}  # elements of a mesh, their attributes
+FEWEST_ATTRIBUTES = 3  # of each of these elements, at least
 MOST_ELEMENTS = 100_000  # other elements, at most
 # Of the parts, at most: triangles of all instances, instances, and levels of parts in parts. Two million triangles with
 # normals, colours and texture coordinates take up to 0.8 GB.
@@ -57,7 +58,7 @@ def _read_members(archive: zipfile.ZipFile, elements: "_Elements", size: int) ->
     """Parse the members of an ``archive`` of ``size`` bytes."""
     members = archive.infolist()
     unpacked = sum(member.file_size for member in members)
-    most = min(max(LARGEST_RATIO * size, SMALL), LARGEST)
+    most = min(max(LARGEST_RATIO * size, SMALL), LARGEST_UNPACKED)
     if unpacked > most:
         raise ValueError(f"it unpacks to {unpacked} bytes: expected at most {most}")
     for member in members:
@@ -96,8 +97,8 @@ class _Elements:
     def begun(self, name: str, attributes: dict[str, str]) -> None:
         """An element begins."""
         if name in MESH_ELEMENTS:
-            if len(attributes) < FEWEST:
-                raise ValueError(f"a {name} has {len(attributes)} numbers: expected at least {FEWEST}")
+            if len(attributes) < FEWEST_ATTRIBUTES:
+                raise ValueError(f"a {name} has {len(attributes)} numbers: expected at least {FEWEST_ATTRIBUTES}")
             return
         self.num_others += 1
         if self.num_others > MOST_ELEMENTS:

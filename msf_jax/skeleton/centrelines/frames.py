@@ -12,7 +12,7 @@ import numpy as np
 from msf_jax.solid.geometry import arc_length, cross, repeated, unit
 
 FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
-FEWEST = 3  # nodes in each direction that a fit uses at least, if the branch has them
+FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
 STRAIGHT = 0.02  # curvature times reach: below it, torsion is 0, because a straight line has none
 NEGLIGIBLE = 1e-9  # share of the largest eigenvalue of a fit: smaller ones, of too few nodes, count as 0
 
@@ -29,7 +29,7 @@ def frames_of(points: np.ndarray, radii: np.ndarray) -> Frames:
     """The frames of a branch through ``points`` (n, 3), n >= 2, in a limb of ``radii`` (n,)."""
     num, along = len(points), arc_length(points)
     index = np.arange(num)
-    first, last = np.maximum(index - FEWEST, 0), np.minimum(index + FEWEST, num - 1)
+    first, last = np.maximum(index - FEWEST_FITTED, 0), np.minimum(index + FEWEST_FITTED, num - 1)
     reach = np.maximum(FIT_REACH * radii, np.maximum(along - along[first], along[last] - along))
     reach = np.maximum(1.001 * reach, 1e-12 * max(along[-1], 1e-300))
     begin = np.searchsorted(along, along - reach)

@@ -27,7 +27,7 @@ KIND = "skeleton"  # of the file, see `archive`
 VERSION = 2  # of the format
 WITHOUT_DIGEST = 1  # older version of the format that can be read, too
 
-LARGEST = 1e150  # coordinate or radius: squares of larger ones overflow
+LARGEST_NUMBER = 1e150  # coordinate or radius: squares of larger ones overflow
 ROUNDED = 1e-9  # over 1 that a fraction may be
 FRACTIONS = ("inside", "in_sheets", "unexplained", "jumping")  # of a report
 
@@ -103,8 +103,10 @@ def checked_curve(held: Mapping[str, Any]) -> dict[str, Any]:
         found[name] = np.array(found[name], dtype=np.float64)
     if not num or not all(np.isfinite(values).all() for values in found.values()):
         raise ValueError(f"it has {num} nodes, not all finite: expected at least one, with numbers")
-    if (largest := max(float(np.abs(values).max()) for values in found.values())) > LARGEST:
-        raise ValueError(f"it has numbers up to {largest:.3g}: expected none over {LARGEST:g}; choose another unit")
+    if (largest := max(float(np.abs(values).max()) for values in found.values())) > LARGEST_NUMBER:
+        raise ValueError(
+            f"it has numbers up to {largest:.3g}: expected none over {LARGEST_NUMBER:g}; choose another unit"
+        )
     if (found["radii"] < 0).any():
         node = int(found["radii"].argmin())
         raise ValueError(f"node {node} has a negative radius, {found['radii'][node]:.6g}: expected 0 or more")

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SIDES = 6  # sides of the tubes that edges are drawn as
 THICKNESS = 0.004  # diagonals: radius of these tubes
 PRUNED = (0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
-LARGEST = 1e30  # coordinates above this, in the caller's units, are written in float64
+LARGEST_FLOAT32 = 1e30  # coordinates above this, in the caller's units, are written in float64
 GREY = "#8c9eb8"  # colour of the surface
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
 SLOPE = np.tan(np.radians(22.5))  # tangent of half of plotly's angle of view
@@ -121,7 +121,7 @@ def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) ->
 
 def _short(points: np.ndarray) -> np.ndarray:
     """Coordinates as float32, for a smaller page, unless they are too large for that."""
-    return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST else np.float64)
+    return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST_FLOAT32 else np.float64)
 
 
 def _scene(traces: list[Any]) -> dict[str, Any]:

@@ -28,7 +28,7 @@ HEAT_REACH = 1.3  # ratio of d to the distance from the curve
 LOOSER = 1.5  # factor on d in each round, where edges stretch too much
 LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
 LEAST = 1e-6  # weights below this count as 0
-LARGEST = 1e4  # bound on cotangents of angles
+LARGEST_COTANGENT = 1e4  # bound on cotangents of angles
 
 
 class Tree(NamedTuple):
@@ -56,7 +56,7 @@ class Heat:
             u, v = corner[:, (k + 1) % 3] - corner[:, k], corner[:, (k + 2) % 3] - corner[:, k]
             sine = np.linalg.norm(cross(u, v), axis=1)
             cotangent = np.einsum("ij,ij->i", u, v) / np.maximum(sine, 1e-300)
-            weight.append(np.clip(cotangent, -LARGEST, LARGEST) / 2)
+            weight.append(np.clip(cotangent, -LARGEST_COTANGENT, LARGEST_COTANGENT) / 2)
             ends.append(corners[:, [(k + 1) % 3, (k + 2) % 3]])
         pair, value = np.concatenate(ends), np.concatenate(weight)
         is_edge = pair[:, 0] != pair[:, 1]

@@ -70,7 +70,7 @@ def bones_of(
         ConfigError: a biped was asked for, and this is none.
     """
     size = radii if size is None else size
-    held = np.full(len(vertices), cutting.FEWEST) if held is None else held
+    held = np.full(len(vertices), cutting.FEWEST_HELD) if held is None else held
     tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)  # without those that cuts make
     edges = edges[branches.cut_loops(len(vertices), edges, size)]
     plane = mirror.mirror_of(vertices, edges, radii, tips)

@@ -14,7 +14,7 @@ LIMB = 3.0  # radii: a longer limb of a pair has a knee or an elbow
 STRAIGHT = np.radians(15.0)  # a limb that turns by less is cut at the half of its length, where anatomy has the joint
 STEP = 0.2  # share of the way from the hips to the arms between two joints of a spine
 SPINE_JOINTS = 3
-FEWEST = 4  # vertices of a bone, at least
+FEWEST_HELD = 4  # vertices of a bone, at least
 
 
 def cuts_of(
@@ -25,7 +25,7 @@ def cuts_of(
     Branches of which the places are ``fixed`` have those. A spine is cut first. Then the longest bone that is too bent
     or too long is cut, until there is none or there are ``most`` bones. To ``fill`` up to ``most``, bones are cut that
     are neither, as long as they are not too short; those of a spine last. Mirror images are cut together. A cut leaves
-    `FEWEST` vertices on both sides; nodes have ``held`` (N,).
+    `FEWEST_HELD` vertices on both sides; nodes have ``held`` (N,).
     """
     cuts = [[path.begin, 1.0] if path.begin < 1 else [1.0] for path in paths]
     for number, stops in fixed.items():
@@ -53,7 +53,7 @@ def cuts_of(
         *_, number, begin, end, where = heapq.heappop(heap)
         both = [number] if paths[number].image < 0 else [number, paths[number].image]
         pieces = ((paths[each], *piece) for each in both for piece in ((begin, where), (where, end)))
-        if len(both) <= left and all(_held(held, *piece) >= FEWEST for piece in pieces):
+        if len(both) <= left and all(_held(held, *piece) >= FEWEST_HELD for piece in pieces):
             for each in both:
                 cuts[each] = sorted([*cuts[each], where])
             left -= len(both)

@@ -16,7 +16,7 @@ from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, biped, naming
 from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without
-from msf_jax.skeleton.rigging.cutting import FEWEST
+from msf_jax.skeleton.rigging.cutting import FEWEST_HELD
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -241,7 +241,9 @@ def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
     while True:
         count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
         is_only = np.bincount(bones.branch + 1)[bones.branch + 1] == 1
-        is_few = (count < np.where(is_only, 1, FEWEST)) & (bones.parents >= 0) & ~bones.is_spine & (bones.role == "")
+        is_few = (
+            (count < np.where(is_only, 1, FEWEST_HELD)) & (bones.parents >= 0) & ~bones.is_spine & (bones.role == "")
+        )
         if not is_few.any():
             return bones
         bones = _without_pair(bones, int(is_few.argmax()))[0]
