@@ -10,7 +10,7 @@ import trimesh
 from msf_jax.meso import split
 from msf_jax.meso.meso import Meso
 
-SIDES = 32  # sides of a round hole
+HOLE_SIDES = 32  # sides of a round hole
 
 
 def solid_around(
@@ -186,7 +186,7 @@ def _rings(are_linked: bool, num: int) -> tuple[list[np.ndarray], list[np.ndarra
     return [flat, upright + away], [flat, upright], [np.array([0.0, 0, 1]), np.array([0.0, 1, 0])]
 
 
-def _circle(radius: float, sides: int = SIDES) -> np.ndarray:
+def _circle(radius: float, sides: int = HOLE_SIDES) -> np.ndarray:
     angle = np.linspace(0, 2 * np.pi, sides, endpoint=False)
     return radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
 

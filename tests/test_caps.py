@@ -166,7 +166,7 @@ def test_a_part_with_a_handle_is_no_limb():
 
 
 def test_a_small_limb_counts_half():
-    """`SMALL`, `SMALLER`: of a finger on blocks of any size, and a finger of that share is a limb or none."""
+    """`SMALL_CAP`, `SMALLER`: of a finger on blocks of any size, and a finger of that share is a limb or none."""
     length, radius, refined = 0.75, 0.25, 0.1  # three radii long
     finger = manifold3d.Manifold.cylinder(length, radius, radius, 32).refine_to_length(refined)
     own = 2 * np.pi * radius * length + np.pi * radius**2

@@ -182,7 +182,7 @@ def test_a_limb_that_narrows_ends_on_its_axis(name):
     [(box(2, 2, 2), 8.0), (Solid.sphere(1.0, 32), 2 * np.pi), (box(4, 4, 0.4), 8.8), (box(1.03, 1, 0.1), 2.2)],
 )
 def test_a_cube_a_ball_and_a_square_plate_are_halved_by_their_shortest_line(solid, across):
-    """`LONG`, `MOST_LINES`: not through corners, which takes 1.06 to 1.4 times as much."""
+    """`EQUAL_EIGENVALUES`, `MOST_LINES`: not through corners, which takes 1.06 to 1.4 times as much."""
     shape = as_shape(solid, 0.2)
     value, is_long = ends.halves(TURN.apply(shape.vertices), shape.faces)
     assert not is_long
@@ -202,7 +202,7 @@ def test_a_cube_and_a_square_plate_have_a_straight_curve_from_face_to_face(size,
 
 @pytest.mark.parametrize(("solid", "turn"), [(box(3, 1, 1), 0.0), (round_bar(4), 30.0), (box(1.2, 1, 0.1), 70.0)])
 def test_the_halves_of_a_long_solid_are_on_both_sides_of_its_middle(solid, turn):
-    """`LONG`: a plate of 1.2 : 1, too."""
+    """`EQUAL_EIGENVALUES`: a plate of 1.2 : 1, too."""
     shape = as_shape(solid, 0.1)
     x = Rotation.from_euler("xyz", [turn] * 3, degrees=True).apply(shape.vertices)
     value, is_long = ends.halves(x, shape.faces)
@@ -213,7 +213,7 @@ def test_the_halves_of_a_long_solid_are_on_both_sides_of_its_middle(solid, turn)
 
 
 def test_rings_are_half_a_radius_apart():
-    """`STEP`: of a long tube, whose width is its radius."""
+    """`RING_SPACING`: of a long tube, whose width is its radius."""
     shape = as_shape(round_bar(20), 0.3)
     found = axis_of(shape, shape.vertices[:, 0] > -5)
     assert found.width == pytest.approx(1.0, rel=0.05)
@@ -304,8 +304,8 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
 @pytest.mark.parametrize(("length", "sections", "rows"), [(60, 16, 6), (60, 8, 6), (200, 12, 8)])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed):
-    """`AROUND`, `BEHIND`, `ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some that are
-    near its end lie on its side."""
+    """`RING_DEPTH`, `BEHIND`, `LINE_ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some
+    that are near its end lie on its side."""
     half = length / 2
     rings = [(1, z) for z in np.linspace(-half, half, rows)]
     mesh = trimesh.creation.revolve([(0, -half), *rings, (0, half)], sections=sections)

@@ -84,7 +84,7 @@ FACTS = [
     ("weights.md", f"`w_M` ({WEIGHTS.w_M})"),
     ("weights.md", f"`smoothing` ({WEIGHTS.smoothing})"),
     ("branches.md", f"has at least `Config(prune={CONFIG.prune})` is a limb"),
-    ("branches.md", f"less than {percent(caps.SMALL)} of the surface"),
+    ("branches.md", f"less than {percent(caps.SMALL_CAP)} of the surface"),
     ("branches.md", f"must be {WORDS[1 / fronts.SMALLER]} as slender"),
     ("branches.md", f"from {caps.BLUNT} of `prune` on, of a part that is slender"),
     ("branches.md", f"keeps the parts from {caps.BLUNT} of `prune` on"),

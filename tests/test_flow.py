@@ -318,7 +318,7 @@ def test_a_flow_without_jit():
 def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(compilations, monkeypatch):
     """Not for a second mesh, nor for options that a jitted step does not see."""
     monkeypatch.setattr(programs, "_file", lambda key: None)  # what an earlier run of the tests has kept
-    monkeypatch.setattr(layout, "SMALLEST", 256)  # small ones are compiled in less time
+    monkeypatch.setattr(layout, "SMALLEST_CAPACITY", 256)  # small ones are compiled in less time
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
     states = []
     for number, mesh in enumerate((blob(11), torus())):

@@ -105,7 +105,7 @@ def side_branch(astray, num=60):
 
 @pytest.mark.parametrize("astray", [-8.0, 8.0])
 def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
-    """`THIN`, `THICK`, `CLEAR`, `STRETCH`, `FAR`: wherever it ran along the trunk."""
+    """`THIN`, `THICK`, `CLEAR`, `STRETCH`, `AXIS_REACH`: wherever it ran along the trunk."""
     shape, x, edges, first = side_branch(astray)
     held = np.zeros(len(x), dtype=bool)
     found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))

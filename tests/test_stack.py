@@ -16,7 +16,7 @@ import pytest
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
-from msf_jax.base.binding import SMALLEST, capacity_for, padded, unpadded
+from msf_jax.base.binding import SMALLEST_SIZES, capacity_for, padded, unpadded
 
 NAMES = ("straight_coarse", "y_coarse")
 
@@ -259,7 +259,7 @@ def test_curves_of_a_capacity_share_a_program(curves, compilations):
 def test_a_second_batch_takes_the_capacity_of_the_first(curves, batch, compilations, monkeypatch):
     """And compiles nothing, though its largest mesh is smaller."""
     for name, capacity in (("vertices", 256), ("faces", 640)):  # so that the tube has another capacity than the limbs
-        monkeypatch.setitem(SMALLEST, name, capacity)
+        monkeypatch.setitem(SMALLEST_SIZES, name, capacity)
     tube = curves[0][1]
     every_follow(batch.bindings, batch.vertices)
     second = msf_jax.stack([tube, tube], like=batch)

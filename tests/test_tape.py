@@ -17,7 +17,7 @@ from msf_jax.base import layout
 def few_rows():
     """A surface of a few hundred vertices is in as many rows, not in 2048: a replay takes time for each of them."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(layout, "SMALLEST", 256)
+        patch.setattr(layout, "SMALLEST_CAPACITY", 256)
         yield
 
 

@@ -20,11 +20,11 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 
-HEADER = "header"  # name of the entry with everything that is not an array
+HEADER_ENTRY = "header"  # name of the entry with everything that is not an array
 DIGEST = "digest"  # name of the entry with the digest of all other entries
 LONGEST_HEADER = 64_000_000  # bytes: a longer header is refused
 LARGEST_RATIO = 100  # unpacked bytes over bytes of the file: larger files are refused as bombs,
-SMALL = 10_000_000  # bytes: unless they unpack to less than this
+SMALL_ARCHIVE = 10_000_000  # bytes: unless they unpack to less than this
 
 
 def write(
@@ -49,7 +49,7 @@ def packed(
 ) -> bytes:
     """The bytes that `write` writes."""
     text = json.dumps({"format": f"msf_jax {kind}", "version": version, **header})
-    named: dict[str, Any] = {HEADER: np.array(text), **arrays}
+    named: dict[str, Any] = {HEADER_ENTRY: np.array(text), **arrays}
     buffer = io.BytesIO()
     named[DIGEST] = _digest(named)
     (np.savez_compressed if compress else np.savez)(buffer, **named)
@@ -88,7 +88,7 @@ def reading(
         try:
             _check_sizes(stream)
             with np.load(stream, allow_pickle=False) as file:
-                header = json.loads(str(file[HEADER])) if HEADER in file else None
+                header = json.loads(str(file[HEADER_ENTRY])) if HEADER_ENTRY in file else None
                 if not isinstance(header, dict) or header.get("format") != f"msf_jax {kind}":
                     raise ConfigError(f"{name} is no {kind}: {advice}")
                 if header["version"] not in (version, without_digest):
@@ -99,7 +99,7 @@ def reading(
             digest = arrays.pop(DIGEST, None)
             if header["version"] == version and not np.array_equal(digest, _digest(arrays)):
                 raise ValueError("the file was changed: its digest does not fit its content")
-            yield header, {entry: array for entry, array in arrays.items() if entry != HEADER}
+            yield header, {entry: array for entry, array in arrays.items() if entry != HEADER_ENTRY}
         except ConfigError:
             raise
         except Exception as error:  # for a damaged file, zip, zlib, json and NumPy raise exceptions of many types
@@ -114,7 +114,7 @@ def _check_sizes(stream: Any) -> None:
     with zipfile.ZipFile(stream) as archive:
         entries = archive.infolist()
         total = sum(entry.file_size for entry in entries)
-        if total > max(LARGEST_RATIO * size, SMALL):
+        if total > max(LARGEST_RATIO * size, SMALL_ARCHIVE):
             raise ValueError(f"its {size} bytes unpack to {total}")
         for entry in entries:
             with archive.open(entry) as member:
@@ -122,7 +122,7 @@ def _check_sizes(stream: Any) -> None:
                 read = np.lib.format.read_array_header_1_0 if major == 1 else np.lib.format.read_array_header_2_0
                 shape, _, dtype = read(member)
                 needed = int(np.prod([int(count) for count in shape], dtype=object)) * dtype.itemsize
-                most = LONGEST_HEADER if entry.filename == f"{HEADER}.npy" else entry.file_size
+                most = LONGEST_HEADER if entry.filename == f"{HEADER_ENTRY}.npy" else entry.file_size
                 if not 0 <= needed <= min(most, entry.file_size):
                     raise ValueError(f"entry {entry.filename!r} claims {needed} bytes")
     stream.seek(0)

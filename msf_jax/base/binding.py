@@ -19,11 +19,11 @@ import numpy as np
 FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near each other, and so are groups of 64, ...
 # The smallest capacity of each field of `Sizes`. Capacities of the mesh grow by factors of two, those of the curve by
 # factors of four, independently, because a finer mesh has no more nodes. Each pair of capacities is a compiled program.
-SMALLEST = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
-SMALLEST |= {"corners": 6144, "turning": 71680}
+SMALLEST_SIZES = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
+SMALLEST_SIZES |= {"corners": 6144, "turning": 71680}
 MESH = ("vertices", "faces")  # fields that grow with the mesh
 BOTH = ("corners", "turning")  # fields that grow with the nodes, and with the square root of the vertices
-STEP = 64  # rows: all capacities are multiples of it
+CAPACITY_STEP = 64  # rows: all capacities are multiples of it
 
 
 class Sizes(NamedTuple):
@@ -94,7 +94,7 @@ class Binding(NamedTuple):
         nodes, faces = np.shape(self.rest)[-2], np.shape(self.faces)[-2]
         counts = {"nodes": nodes, "faces": faces, "edges": np.shape(self.edges)[-2], "corners": np.shape(self.tail)[-1]}
         counts |= {"sections": np.shape(self.node)[-1], "smoothing": np.shape(self.a_row)[-1]}
-        vertices = faces * SMALLEST["vertices"] // SMALLEST["faces"]
+        vertices = faces * SMALLEST_SIZES["vertices"] // SMALLEST_SIZES["faces"]
         return Sizes(**counts, turning=np.shape(self.b_row)[-1], vertices=vertices)
 
     @property
@@ -125,19 +125,21 @@ def _mask(count: Any, num: int) -> Any:
 
 def capacity_for(*sizes: Sizes) -> Sizes:
     """The smallest capacity for all of ``sizes``, and for the extra node and section that padding is assigned to."""
-    needed = {name: max(getattr(each, name) + (name in ("nodes", "sections")) for each in sizes) for name in SMALLEST}
+    needed = {
+        name: max(getattr(each, name) + (name in ("nodes", "sections")) for each in sizes) for name in SMALLEST_SIZES
+    }
     mesh = curve = 0
     while any(_capacity(name, mesh, 0) < needed[name] for name in MESH):
         mesh += 1
     while any(_capacity(name, mesh, curve) < need for name, need in needed.items()):
         curve += 1
-    return Sizes(**{name: _capacity(name, mesh, curve) for name in SMALLEST})
+    return Sizes(**{name: _capacity(name, mesh, curve) for name in SMALLEST_SIZES})
 
 
 def _capacity(name: str, mesh: int, curve: int) -> int:
     """The capacity of field ``name``, after ``mesh`` steps of the mesh's capacities and ``curve`` of the curve's."""
     rung = mesh if name in MESH else 2 * curve + mesh / 2 if name in BOTH else 2 * curve
-    return -(-int(SMALLEST[name] * 2**rung) // STEP) * STEP
+    return -(-int(SMALLEST_SIZES[name] * 2**rung) // CAPACITY_STEP) * CAPACITY_STEP
 
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:

@@ -10,7 +10,7 @@ its time gathering them.
 
 from typing import NamedTuple
 
-SMALLEST = 2048  # vertices: the smallest capacity; smaller ones would not be faster
+SMALLEST_CAPACITY = 2048  # vertices: the smallest capacity; smaller ones would not be faster
 FINE_FROM = 4096  # vertices: from here on there is also a capacity half-way to the next power of two
 RAGGED_TAIL = 20  # slots of the last level, unless a vertex needs more
 
@@ -61,7 +61,7 @@ def rectangle(capacity: int, largest_degree: int) -> Layout:
 
 def capacity_for(count: int) -> int:
     """The smallest capacity for ``count`` vertices: 2048, 4096, 6144, 8192, 12288, ..."""
-    size = SMALLEST
+    size = SMALLEST_CAPACITY
     while size < count:
         if size >= FINE_FROM and size * 3 // 2 >= count:
             return size * 3 // 2

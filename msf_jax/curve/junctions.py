@@ -31,7 +31,7 @@ CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its ax
 # of its usual radius: with less, a branch is beside its axis; triangles as long as the radius make 0.85 of it
 KEPT = 0.75
 SHARED = 0.5  # radii of a side branch: it begins at a junction of the trunk that is nearer than that
-FAR = 4.0  # of the trunk's radius: largest distance to it from where a side branch is on its axis, 15 degrees from it
+AXIS_REACH = 4.0  # of the trunk's radius: from it, at most, to where a side branch is on its axis, 15 degrees from it
 # Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
@@ -97,7 +97,7 @@ def meeting(side: Side, x: np.ndarray, trunk: np.ndarray, radii: np.ndarray) -> 
     (N,); None if it passes all of it, or is as thick."""
     share, place, off, back = _nearest_on(x[trunk], side.place, -side.heading)
     ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
-    is_near = (side.size < THIN * ball) & (off < OFF * ball) & (back < FAR * ball)
+    is_near = (side.size < THIN * ball) & (off < OFF * ball) & (back < AXIS_REACH * ball)
     if not is_near.any():  # also where all branches end at one junction, and there is no trunk
         return None
     best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
@@ -130,8 +130,8 @@ def bulged(
         along = arc_length(x[nodes])
         start = along[first] + np.linalg.norm(found.place - x[nodes[first]])
         cosine = float(side.heading @ unit(x[nodes[first + 1]] - x[nodes[first]]))
-        sine = max(np.sqrt(max(1 - cosine**2, 0.0)), 1 / FAR)
-        ball = float(radii[nodes[np.abs(along - start) <= FAR * found.ball]].max(initial=found.ball))
+        sine = max(np.sqrt(max(1 - cosine**2, 0.0)), 1 / AXIS_REACH)
+        ball = float(radii[nodes[np.abs(along - start) <= AXIS_REACH * found.ball]].max(initial=found.ball))
         is_aside[nodes[np.abs(along - start - ball * cosine / sine) <= BULGE * side.size / sine]] = True
         is_part[nodes] |= is_aside[nodes].any()
     return trunk, is_aside, is_part

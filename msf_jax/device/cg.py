@@ -26,7 +26,7 @@ from msf_jax.base.options import Solver
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
 WINDOW = 16  # steps whose lengths are compared with those of as many before, see `_distance_left`
 SLOWEST = 0.95  # largest ratio of the two that is believed: an error of 19 times the last steps
-LONG = 4096  # entries: XLA on the CPU has a library for longer reductions
+LONG_REDUCTION = 4096  # entries: XLA on the CPU has a library for longer reductions
 MOST_HALVINGS = 6  # so that the compiled code does not grow with the mesh
 
 
@@ -146,7 +146,7 @@ def dot(x: jax.Array, y: jax.Array) -> jax.Array:
     products = x * y
     for _ in range(MOST_HALVINGS):
         half, is_odd = divmod(len(products), 2)
-        if is_odd or products.size < LONG:
+        if is_odd or products.size < LONG_REDUCTION:
             break
         products = products[:half] + products[half:]
     return products.sum()

@@ -25,7 +25,7 @@ from msf_jax.meso.split import SplitRound
 from msf_jax.recording.records import Step
 
 KIND = "checkpoint"  # of the file, see `archive`
-VERSION = 3  # of the format: files of other versions are refused
+FORMAT_VERSION = 3  # of the format: files of other versions are refused
 RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
 CHANGING = ("meso", "t_c", "w_L_factor", "capacity", "history", "steps", "failure")  # attributes of a `State`
 ADVICE = "choose another path"
@@ -53,7 +53,7 @@ class Checkpoint:
                 f"cannot write a checkpoint to {str(path)!r}: expected a file name in a folder that can be written to"
             )
         if self.path.exists():
-            with archive.reading(self.path, KIND, VERSION, ADVICE) as (header, arrays):
+            with archive.reading(self.path, KIND, FORMAT_VERSION, ADVICE) as (header, arrays):
                 of = dict(header["run"])
                 if other := [what for what in {**of, **run} if of.get(what) != run.get(what)]:
                     raise ConfigError(
@@ -87,7 +87,7 @@ class Checkpoint:
         changing += self.saved[len(states) :]
         header = {"run": self.run, "states": archive.encoded(changing, arrays, RECORDS)}
         try:
-            archive.write(self.path, KIND, VERSION, header, arrays, compress=False)
+            archive.write(self.path, KIND, FORMAT_VERSION, header, arrays, compress=False)
             self.failure = ""
         except OSError as error:
             self.failure = f"the checkpoint {str(self.path)!r} could not be written: {error.strerror or error}"

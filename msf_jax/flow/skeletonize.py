@@ -16,7 +16,7 @@ from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import known
 
 JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex noise in the runs for ``spread``
-STEP = 0.005  # diagonals: spacing of the sample points at which two curves are compared
+SAMPLE_SPACING = 0.005  # diagonals: spacing of the sample points at which two curves are compared
 
 
 def skeletonize(
@@ -82,13 +82,13 @@ def skeletonize(
 def _spread(skeleton: Skeleton, weights: Weights, config: Config, num: int) -> dict[str, float]:
     """How far the curves of ``num`` runs on the mesh with noise are from ``skeleton``."""
     solid, random = known(skeleton.source).solid, np.random.default_rng(0)
-    unit = max(float(np.median(skeleton.radii)), STEP * solid.diagonal)
+    unit = max(float(np.median(skeleton.radii)), SAMPLE_SPACING * solid.diagonal)
     away, leaves = [], []
     for _ in range(num):
         vertices = solid.leave(solid.shape.vertices + random.normal(0, JITTER, solid.shape.vertices.shape))
         other = loop.contract((vertices, solid.shape.faces), weights, config).skeleton
         for one, two in ((skeleton, other), (other, skeleton)):
-            points, length = metrics.sample_curve(one.vertices, one.edges, STEP * solid.diagonal)
+            points, length = metrics.sample_curve(one.vertices, one.edges, SAMPLE_SPACING * solid.diagonal)
             away.append(np.average(metrics.curve_distance(points, two.vertices, two.edges), weights=length))
         leaves.append(abs(other.num_leaves - skeleton.num_leaves))
     return {"spread": float(np.mean(away)) / unit, "spread_leaves": float(max(leaves))}

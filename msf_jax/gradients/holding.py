@@ -28,7 +28,7 @@ UNEXPLAINED = 1.0  # radii: growth of a vertex's distance from all balls that co
 WIDE = 0.25  # share of the recorded distance that the growth must exceed in addition; it is large in sheets
 STRETCHED = 2.5  # ratio of a stretch's length to the recorded one, above which it is strained (1.03)
 SHORTENED = 0.4  # the same ratio, below which it is strained (0.9)
-AROUND = 0.75  # radii: crossings this near to faces that crossed in the recorded mesh are not new
+NEAR_CROSSING = 0.75  # radii: crossings this near to faces that crossed in the recorded mesh are not new
 SLIGHT = 0.005  # diagonals: radii count as at least this, because noise dominates shorter lengths
 HELD = 1e-6  # diagonals: nodes this near to the surface were pinned to it, and are neither inside nor outside
 NEAREST = 4  # nearest centres whose balls are tested, among balls of similar size
@@ -144,7 +144,7 @@ class Holding:
         """Number of pairs of faces that cross away from the faces that crossed in the recorded mesh."""
         pairs, of = self.crossings.found(vertices), self.crossings
         away = self.tangle.query(of.place[pairs])[0]
-        return int((away > np.maximum(AROUND * of.radii[of.node[pairs]], SLIGHT)).any(axis=1).sum())
+        return int((away > np.maximum(NEAR_CROSSING * of.radii[of.node[pairs]], SLIGHT)).any(axis=1).sum())
 
     def _wound(
         self, shape: Enclosure, x: np.ndarray, now: Measured, winding: np.ndarray, is_there: np.ndarray

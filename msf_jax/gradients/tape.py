@@ -30,7 +30,7 @@ from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
 KIND = "tape"  # of the file, see `archive`
-VERSION = 4  # of the format: files of other versions are refused
+FORMAT_VERSION = 4  # of the format: files of other versions are refused
 RECORDS = {  # the types that a file may contain, by name
     kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
 }
@@ -174,7 +174,7 @@ class Tape:
             raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
         arrays: dict[str, np.ndarray] = {}
         header = {"tape": archive.encoded(vars(self), arrays, RECORDS)}
-        archive.write(path, KIND, VERSION, header, arrays, compress=True)
+        archive.write(path, KIND, FORMAT_VERSION, header, arrays, compress=True)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], mesh: Any = None) -> "Tape":
@@ -184,7 +184,7 @@ class Tape:
             ConfigError: the file is no tape, is damaged, or was written by another version.
             MeshError: the tape is of another mesh.
         """
-        with archive.reading(path, KIND, VERSION, "make a tape with contract, and save it with Tape.save") as (
+        with archive.reading(path, KIND, FORMAT_VERSION, "make a tape with contract, and save it with Tape.save") as (
             header,
             arrays,
         ):

@@ -26,7 +26,7 @@ MOST_SEEDS = 20_000  # points of the surface at which balls start
 CORRECTIONS = 4  # corrections of a ball's radius by the triangles between samples
 NEIGHBOURS = 12  # nearest balls of any size that a ball has edges to
 LARGER = 3  # nearest balls of each larger size that a ball has edges to
-FAR = 3.0  # sums of the two radii: balls farther apart have no edge
+LONGEST_EDGE = 3.0  # sums of the two radii: balls farther apart have no edge
 JOINING = 2  # edges of each part that the first round of joining tests; each next round tests twice as many
 MOST_TESTS = 15_000  # tests of edges in joining, for one curve
 MOST_TESTS_FOR_LOOPS = 60_000  # tests of edges in the search for missing loops
@@ -363,7 +363,7 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.
     both = np.unique(both[:, 0] * num + both[:, 1])
     tail, head = both // num, both % num
     apart = np.asarray(spatial.KDTree(centre).query(centre, k=2)[0])[:, 1]
-    reach = FAR * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
+    reach = LONGEST_EDGE * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
     is_near = np.linalg.norm(centre[tail] - centre[head], axis=1) < reach
     return tail[is_near], head[is_near]
 

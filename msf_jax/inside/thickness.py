@@ -19,7 +19,7 @@ SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose ba
 THINNEST = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
 SAMPLED, MANY = 8, 30_000  # with more than MANY vertices, first only one of SAMPLED vertices is tested
 LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
-AROUND = 16  # nearest samples of the surface whose balls give the thickness at a point
+NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thickness at a point
 MOST_SAMPLES = 20_000  # samples of the surface
 FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
 
@@ -53,7 +53,7 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     """
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree, limit = spatial.KDTree(samples), np.zeros(len(points))
-    for count in (1, min(AROUND, len(samples))):  # the nearest ball is enough at most points
+    for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
         left = np.flatnonzero(limit < longest)
         away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))
         enough, radius = np.zeros((2, len(samples)))

@@ -6,7 +6,7 @@ cuts off a *cap* of area A: the disc, and the smaller parts that its other bound
 
     2 pi A / P^2 - 1 / 2,
 
-and half of that if A is less than `SMALL` of the surface. It is 0 for a flat disc, 1 / 2 for half a ball, and
+and half of that if A is less than `SMALL_CAP` of the surface. It is 0 for a flat disc, 1 / 2 for half a ball, and
 h / radius for a cylinder that sticks out by h from a larger body. Unlike a measure along a curve, it does not depend on
 where the curve runs, and little on the size of the triangles. The smallest cap around a tip that is slender enough is a
 *limb*, unless it overlaps a smaller one. A very small limb must be twice as slender: it has too few triangles in most
@@ -31,7 +31,7 @@ SOURCES = 16  # points, far from each other, whose distances are averaged
 SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
 FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
-SMALL = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts half, see `fronts.SMALLER`
+SMALL_CAP = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts half, see `fronts.SMALLER`
 BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
@@ -118,7 +118,7 @@ class Caps:
         self._found: dict[float, Limbs] = {}
 
     def grown(
-        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL
+        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL_CAP
     ) -> tuple[np.ndarray, np.ndarray]:
         """The caps around ``tip``, one in each row (k, 7), and the vertices (r,) of the slenderest cap.
 
@@ -331,7 +331,7 @@ class Caps:
             if self._left[self._component[tip]] < 0:
                 continue
             best, rows, _ = self._slenderest(tip, others, least, 0.5)
-            own = float(rows[rows[:, 2] >= SMALL * self._total[tip], 0].max(initial=0.0))
+            own = float(rows[rows[:, 2] >= SMALL_CAP * self._total[tip], 0].max(initial=0.0))
             if own >= BLUNT * least and self.grown(best, nothing, least)[0][:, 0].max(initial=0.0) >= least:
                 found.append((own, best))
         limbs = []

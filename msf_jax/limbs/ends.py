@@ -26,9 +26,9 @@ from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import triangle_areas, unit
 
-STEP = 0.5  # widths of a limb between its rings
+RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
-AROUND = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
+RING_DEPTH = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
 BEHIND = 2.0  # widths of a limb: so far behind; more than rings on the end or beside it are apart
 ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
@@ -38,7 +38,7 @@ WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance 
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
 SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
 SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
-LONG = 0.9  # of two eigenvalues: above it they are one, as in a ball, a cube, a square plate; 0.25 for a plate of 2 : 1
+EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, a square plate; 0.25 in a plate of 2 : 1
 MOST_LINES = 200  # that are tried of a solid without a direction
 
 
@@ -99,7 +99,7 @@ def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:
     # Shifted by a part of 1 / area, the order of the first eigenvalues, so that the matrix is not singular.
     value, vector = linalg.eigsh(matrix.tocsc(), 4, mass, sigma=-0.1 / whole, v0=start)
     order = np.argsort(value)[1:]
-    vector = vector[:, order[value[order] * LONG <= value[order[0]]]]
+    vector = vector[:, order[value[order] * EQUAL_EIGENVALUES <= value[order[0]]]]
 
     def length(parts: np.ndarray) -> float:
         return zero_line(vertices, faces, vector @ parts)
@@ -131,7 +131,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     # The radius of a tube of that area and length; a limb that is shorter than three rings has narrower ones.
     longest = max(float(away.max()), 1e-300)
     width = float(triangle_areas(vertices[own]).sum()) / (2 * np.pi * longest)
-    step = min(STEP * width, longest / 3)
+    step = min(RING_SPACING * width, longest / 3)
     found = levels(vertices[near], local.reshape(-1, 3), away + step / 2, step)
     # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
     # as the flanges of a beam, are left out.
@@ -168,7 +168,7 @@ def _around(shape: Enclosure, middles: np.ndarray, size: np.ndarray, width: floa
     ratio = np.minimum(shape.clearance(near) / np.maximum(size[: len(near)], 1e-300), 1.0)
     is_behind = np.linalg.norm(near - near[:, None], axis=2) <= BEHIND * width
     most = np.where(np.triu(is_behind, 1), ratio, 0.0).max(axis=1)
-    return np.pad((ratio > 0) & (ratio >= AROUND * most), (0, len(middles) - len(near)))
+    return np.pad((ratio > 0) & (ratio >= RING_DEPTH * most), (0, len(middles) - len(near)))
 
 
 def _to_end(
@@ -182,7 +182,7 @@ def _to_end(
     first, ball = min(whole, len(middles) - 1), shape.clearance(middles)
     is_around = ball > LEAST * np.append(ball[1:], 0.0)  # a hole in the end has rings outside
     if is_bent:
-        is_around = _around(shape, middles, size, step / STEP)
+        is_around = _around(shape, middles, size, step / RING_SPACING)
     first += int(is_around[first:].argmax())
     first = min(first, max(len(middles) - 2, 0))
     # Half a step on at least: two rings of the underside of a bolt's head have one middle.
@@ -193,7 +193,7 @@ def _to_end(
         return middles[base:]
     if is_bent:
         middles, both = middles.copy(), [first, base]
-        is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= step / STEP
+        is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= step / RING_SPACING
         heading = unit(middles[first] - middles[base + int(is_far.argmax())])
         for _ in range(ROUNDS):
             middles[both] = _centred(shape, middles[both], heading, size[both])
@@ -208,7 +208,7 @@ def _to_end(
     reach = np.array([(2 * whole + 3) * step])
     ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
     # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
-    depth = max(ahead, step / STEP) * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    depth = max(ahead, step / RING_SPACING) * np.linspace(0.0, 1.0, SAMPLES) ** 2
     ball = shape.clearance(middles[base] + (ahead - depth)[:, None] * heading)
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
     end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading

@@ -7,7 +7,8 @@ from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
 
 SMALLER = 0.5  # factor on the slenderness of a cap below the area that is given: it must be twice as slender
 LEAST_COUNT = 6  # vertices in a disc: below it, a disc is noise of the tessellation
-AROUND = 1.5  # a disc that cuts off no cap while its radius grows by this factor goes around a handle or a large limb
+# A disc that cuts off no cap while its radius grows by this factor goes around a handle or a large limb.
+HANDLE_GROWTH = 1.5
 
 
 class FrontSurface(NamedTuple):
@@ -288,7 +289,7 @@ def cap(
             for number in range(count):
                 for at in range(surface.first[front.order[number]], surface.first[front.order[number] + 1]):
                     front.ring[surface.around[at]] = -1
-            if whole[0] > most or level > AROUND * last:
+            if whole[0] > most or level > HANDLE_GROWTH * last:
                 goes_on = False
             elif goes_on and num >= 0 and best[0] > 0:
                 slenderness, volume = 2 * pi * whole[0] / (best[0] * best[0]) - 0.5, whole[4]

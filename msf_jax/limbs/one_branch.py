@@ -14,7 +14,7 @@ from scipy.sparse import csgraph
 from msf_jax.inside.containment import is_inside
 from msf_jax.limbs import pruning
 from msf_jax.limbs.caps import Caps
-from msf_jax.limbs.ends import STEP, LimbAxis
+from msf_jax.limbs.ends import RING_SPACING, LimbAxis
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.topology import graphs
@@ -127,7 +127,7 @@ def grown(
             axis = caps.axis(shape, limbs, number)
             first = beginning(shape, vertices, radius, axis.places[-1])
             places = np.concatenate([axis.places, vertices[[first]]])
-            x, edges = relaid(x, edges, [], first, places, STEP * axis.width)
+            x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
     return x, edges
 
 
@@ -159,13 +159,13 @@ def laid(
             one, other = sides[0][1], sides[1][1]
             places = np.concatenate([one.places, other.places[::-1]])
             x[path[-1]] = places[-1]
-            x, edges = relaid(x, edges, nodes[:-1], nodes[-1], places, STEP * min(one.width, other.width))
+            x, edges = relaid(x, edges, nodes[:-1], nodes[-1], places, RING_SPACING * min(one.width, other.width))
             continue
         for part, axis, number in sides:
             stop = vertices[part[number]]
             near = max(1, int(np.linalg.norm(axis.places - stop, axis=1).argmin()))
             places = np.concatenate([axis.places[:near], stop[None]])
-            x, edges = relaid(x, edges, part[:number].tolist(), int(part[number]), places, STEP * axis.width)
+            x, edges = relaid(x, edges, part[:number].tolist(), int(part[number]), places, RING_SPACING * axis.width)
     return x, edges
 
 

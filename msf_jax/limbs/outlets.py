@@ -6,7 +6,7 @@ import numpy as np
 
 from msf_jax.inside.containment import is_inside
 from msf_jax.limbs import one_branch
-from msf_jax.limbs.ends import STEP
+from msf_jax.limbs.ends import RING_SPACING
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.openings import JUST_INSIDE, Lid, is_end, lids_of
 from msf_jax.solid.solid import Solid
@@ -51,7 +51,7 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
                 continue
         ends.append(old[0] if old else len(x))
         places = np.stack([lid.middle, x[stop]])
-        x, edges = one_branch.relaid(x, edges, old, stop, places, STEP * lid.radius())
+        x, edges = one_branch.relaid(x, edges, old, stop, places, RING_SPACING * lid.radius())
         led.append(lid.faces)
     moved = np.concatenate([nodes, solid.leave(x[num:])])
     is_moved = (x[:num] != start).any(axis=1)

@@ -29,7 +29,7 @@ from msf_jax.meshes.decoding import decoded
 from msf_jax.meshes.files import gltf, obj, off, ply, stl, unpacking
 from msf_jax.topology import graphs
 
-SMALLEST = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
+SMALLEST_EXTENT = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # refused: they can unpack to more than memory
 VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # formats that need pyvista
 SAME_CORNER = 2.0**-22  # ratio to the largest coordinate: corners within a few of float32's last bits are one vertex
@@ -103,7 +103,7 @@ def _without_doubles(triangles: np.ndarray) -> trimesh.Trimesh:
     """The mesh of ``triangles`` (T, 3, 3) with coincident corners merged to one vertex, in the order of the file."""
     corners, faces = triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)
     largest = float(np.abs(corners).max())
-    if not largest <= 1 / SMALLEST:  # or not finite
+    if not largest <= 1 / SMALLEST_EXTENT:  # or not finite
         return trimesh.Trimesh(corners, faces, process=False)
     places, first, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
     pairs = spatial.KDTree(places).query_pairs(SAME_CORNER * largest, output_type="ndarray")
@@ -298,10 +298,10 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     with np.errstate(over="ignore"):
         extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
     largest = float(np.abs(sound).max(initial=0.0))
-    if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
+    if 0 < extent < SMALLEST_EXTENT or largest > 1 / SMALLEST_EXTENT:
         raise MeshError(
             f"the mesh has an extent of {extent:.3g}, and coordinates up to {largest:.3g}: expected an extent of "
-            f"{SMALLEST:g} or more, and no coordinate over {1 / SMALLEST:g}; choose another unit"
+            f"{SMALLEST_EXTENT:g} or more, and no coordinate over {1 / SMALLEST_EXTENT:g}; choose another unit"
         )
     return array
 

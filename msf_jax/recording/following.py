@@ -38,12 +38,13 @@ from msf_jax.topology import graphs
 SLIGHT = 0.02  # least weight w of a section; sections of less are left out
 # Vertices: least number in a cloud. Limb sizes: distance along the curve from every section, beyond which a node needs
 # a cloud. Ratio of the noise of a node's offset to that of the vertices, above which a node needs a cloud.
-FEWEST_IN_CLOUD, FAR, LEVER = 4, 3.0, 0.5
+FEWEST_IN_CLOUD, FAR_FROM_SECTIONS, LEVER = 4, 3.0, 0.5
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
 FRAME_REACH = 1.0  # limb sizes along the branch over which a frame is fitted
 FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
 LEAST_EIGENVALUE = 1e-6  # eigenvalues of S over the largest: along axes of smaller ones, o stays as recorded
-SMALLEST = {"a": 1e-3, "b": 2e-2}  # shares of a row's largest entry: smaller entries of the smoothings are left out
+# Shares of a row's largest entry: smaller entries of the smoothings are left out.
+SMALLEST_ENTRIES = {"a": 1e-3, "b": 2e-2}
 NOTHING = 1e-6  # entries of a solved block below this are left out at once, to save memory
 
 
@@ -105,9 +106,9 @@ def record(
         beta = _smoothing(
             x, edges, paths, _wide(surface, size, corners), corners, stiffness=0.0, membrane=FRAME_REACH**2
         )
-        a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
+        a = _pruned(sparse.diags(is_free) @ a, SMALLEST_ENTRIES["a"])
         offset = is_free[:, None] * (x - a @ corners.centroid)
-        return corners, a, _turning(surface, corners, _pruned(beta, SMALLEST["b"]), offset)
+        return corners, a, _turning(surface, corners, _pruned(beta, SMALLEST_ENTRIES["b"]), offset)
 
     is_lost = _far(x, edges, size, found.node)
     corners, a, b = matrices(is_lost)
@@ -212,7 +213,7 @@ def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -
     if not len(node):
         return np.ones(len(x), dtype=bool)
     graph = graphs.weighted(len(x), *edges.T, weight=graphs.lengths(x, edges))
-    return csgraph.dijkstra(graph, directed=False, indices=node, min_only=True) > FAR * size
+    return csgraph.dijkstra(graph, directed=False, indices=node, min_only=True) > FAR_FROM_SECTIONS * size
 
 
 def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: BoundCorners, is_lost: np.ndarray) -> BoundCorners:

@@ -14,7 +14,7 @@ from msf_jax.topology import graphs
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-AROUND = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
+SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
 STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
 THICK = 4.0  # least ratio of a soma's radius to the median radius
 
@@ -32,7 +32,7 @@ class Soma(NamedTuple):
 def soma_of(vertices: np.ndarray, balls: np.ndarray) -> Soma:
     """The soma of a curve with nodes ``vertices`` (N, 3) and ``balls`` (N,), the radii of inscribed balls."""
     node = int(balls.argmax())
-    is_elsewhere = np.linalg.norm(vertices - vertices[node], axis=1) > AROUND * balls[node]
+    is_elsewhere = np.linalg.norm(vertices - vertices[node], axis=1) > SOMA_REACH * balls[node]
     radius, elsewhere = float(balls[node]), float(balls[is_elsewhere].max(initial=0.0))
     contrast = radius / elsewhere if elsewhere > 0 else np.inf
     is_sure = bool(elsewhere > 0 and contrast >= STANDS_OUT and radius >= THICK * np.median(balls))

@@ -35,7 +35,7 @@ GROWTH = 1.6  # factor on the box after an accepted proposal
 SHRINKAGE = 0.35  # factor on the box after rejected ones
 SEARCH_TOLERANCE = 1e-8  # relative residual of the solves in a replay, sufficient for a direction
 TIMID = 0.1  # share of the box: a minimum closer to the start is not proposed
-SIDES = (-1, 1)  # the lower and the upper side of the box
+BOX_SIDES = (-1, 1)  # the lower and the upper side of the box
 # The kinds of proposals from a tape, tried in turn until one is accepted. The tape's minimum may be an artefact of the
 # tape, so a step down the slope follows. Small triangles can make the tape's slope the opposite of the flow's, so a
 # step up the slope comes last.
@@ -163,7 +163,7 @@ def proposal(
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
         return {name: np.clip(np.asarray(point[name]), low[name], high[name]) for name in here}
 
-    around = tuple(clipped({name: here[name] + side * box for name in here}) for side in SIDES)
+    around = tuple(clipped({name: here[name] + side * box for name in here}) for side in BOX_SIDES)
     found, slope = first = _mean_value(objective, here, weights, tapes)
     steepest = max(float(np.abs(part).max()) for part in slope.values())
     if not np.isfinite(found) or not np.isfinite(steepest):

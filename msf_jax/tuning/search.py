@@ -20,7 +20,7 @@ from scipy.stats import qmc
 HALF_WIDTH = 2.3  # natural logarithms (a factor of ten): half the width of the box
 CANDIDATES = 200  # candidates for each variable
 METHODS = (0.3, 0.6, 0.9, 1.0)  # the weights w, in turn
-FAR = 1.5  # natural logarithms: larger distances to the nearest known point count as this
+LARGEST_DISTANCE = 1.5  # natural logarithms: larger distances to the nearest known point count as this
 FIRST_SPREAD = 0.5  # natural logarithms: first standard deviation of candidates around the best point
 SMALLEST_SPREAD = 0.03  # natural logarithms: its least value
 LARGEST_SPREAD = 1.2  # natural logarithms: its largest value
@@ -105,7 +105,7 @@ class Search:
         known = np.concatenate([self.points, np.reshape(chosen, (-1, size))])
         away = np.asarray(spatial.KDTree(known).query(candidates)[0])
         hoped = np.zeros(num) if model is None else model(candidates)
-        score = weight * _scaled(hoped) + (1 - weight) * (1 - _scaled(np.minimum(away, FAR)))
+        score = weight * _scaled(hoped) + (1 - weight) * (1 - _scaled(np.minimum(away, LARGEST_DISTANCE)))
         score[away < SMALLEST_SPREAD / 10] = np.inf  # too close to a known point
         return candidates[np.argmin(score)]
 

@@ -73,9 +73,10 @@ def with_an_array_changed(content: bytes, random: np.random.Generator, *, forge:
     """One array, or one number of the header, is another; the digest is made anew if it is to be forged."""
     with np.load(io.BytesIO(content)) as file:
         arrays: dict[str, Any] = {name: file[name] for name in file.files}
-    digest, names = arrays.pop(archive.DIGEST), [name for name in arrays if name not in (archive.HEADER, "report")]
-    name = str(random.choice([*names, archive.HEADER]))
-    if name == archive.HEADER:
+    digest = arrays.pop(archive.DIGEST)
+    names = [name for name in arrays if name not in (archive.HEADER_ENTRY, "report")]
+    name = str(random.choice([*names, archive.HEADER_ENTRY]))
+    if name == archive.HEADER_ENTRY:
         header = json.loads(str(arrays[name]))
         _change_a_number(header, random)
         arrays[name] = np.array(json.dumps(header))
@@ -83,7 +84,7 @@ def with_an_array_changed(content: bytes, random: np.random.Generator, *, forge:
         arrays[name] = _changed(arrays[name], random)
         if arrays[name] is None:
             del arrays[name]
-    header = json.loads(str(arrays.pop(archive.HEADER)))
+    header = json.loads(str(arrays.pop(archive.HEADER_ENTRY)))
     kind, version = header.pop("format").removeprefix("msf_jax "), header.pop("version")
     made = archive.packed(kind, version, header, arrays, compress=False)
     if forge:

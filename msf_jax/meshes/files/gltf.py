@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from msf_jax.meshes.decoding import decoded
-from msf_jax.meshes.files.unpacking import MOST_INSTANCES, SMALL, check_shown
+from msf_jax.meshes.files.unpacking import MOST_INSTANCES, SMALL_ARCHIVE, check_shown
 
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks
 MOST_OBJECTS = 1_000_000  # objects and lists of the JSON, each of which takes some hundred bytes
 FLOAT = 5126
 SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, FLOAT: 4}  # bytes of each component type
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
-MOST_TIMES = 4  # times that the bytes of all buffers may be read, over SMALL
+MOST_TIMES = 4  # times that the bytes of all buffers may be read, over SMALL_ARCHIVE
 FAN = 6  # mode of a primitive
 WITH_VERTICES = "export it with plain vertices"
 # Extensions that change the triangles, and what to do about each.
@@ -103,7 +103,7 @@ def _check_bytes(document: dict[str, Any], folder: Path, binary: int | None) -> 
             if end > view["byteLength"]:
                 raise ValueError(f"accessor {number} has {view['byteLength']} bytes: expected {end}")
     for what, size in (("views", sum(view["byteLength"] for view in views)), ("accessors", total)):
-        if size > MOST_TIMES * sum(held) + SMALL:
+        if size > MOST_TIMES * sum(held) + SMALL_ARCHIVE:
             raise ValueError(f"its {what} have {size} bytes, but its buffers {sum(held)}")
 
 

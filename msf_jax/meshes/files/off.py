@@ -12,7 +12,7 @@ from msf_jax.meshes.decoding import lines_of
 from msf_jax.meshes.filling import cap
 
 PLAIN = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
-HEADER = re.compile(r"\s*(ST)?(C)?(N)?(4)?(n)?OFF\b", re.IGNORECASE)
+OFF_HEADER = re.compile(r"\s*(ST)?(C)?(N)?(4)?(n)?OFF\b", re.IGNORECASE)
 
 
 def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
@@ -24,7 +24,7 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
     if (found := _plain(text)) is not None:
         return found
     lines = [words for words in (line.split("#")[0].split() for line in lines_of(text)) if words]
-    found = HEADER.match(" ".join(lines[0])) if lines else None
+    found = OFF_HEADER.match(" ".join(lines[0])) if lines else None
     if found is None:
         raise ValueError("it does not begin with OFF")
     if found.group(4) or found.group(5):

@@ -13,7 +13,7 @@ import numpy as np
 from msf_jax.meshes.decoding import decoded, has_mark, lines_of
 from msf_jax.meshes.files.off import triangulated
 
-HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
+PLY_HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
 KINDS = "char uchar short ushort int uint float double int8 uint8 int16 uint16 int32 uint32 float32 float64"
 TYPES: dict[str, str] = dict(zip(KINDS.split(), 2 * ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"], strict=True))
 WIDEST = 256  # numbers in a row that are read by column
@@ -36,7 +36,7 @@ def tables(content: bytes, *, only_text: bool = False) -> dict[str, ElementColum
         ValueError: it is no PLY, or is damaged; the message says where.
     """
     content = decoded(content).encode() if has_mark(content) else content
-    head = HEADER.match(content)
+    head = PLY_HEADER.match(content)
     form, elements = _header(decoded(head[1] if head else content[:10_000]), only_text)
     if head is None:
         raise ValueError("its header has no end_header")

@@ -6,7 +6,7 @@ import numpy as np
 
 from msf_jax.meshes.decoding import decoded
 
-HEADER, ROW = 84, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+HEADER_BYTES, ROW = 84, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 WORDS, VERTICES = 21, (7, 11, 15)  # of a facet in text: how many, and where "vertex" is
 FIXED = {0: "facet", 5: "outer", 6: "loop", **dict.fromkeys(VERTICES, "vertex"), 19: "endloop", 20: "endfacet"}
 ONE_LINE = re.IGNORECASE | re.MULTILINE
@@ -18,13 +18,12 @@ def solids(content: bytes) -> list[np.ndarray]:
     Raises:
         ValueError: the file is cut off, or a facet is no triangle.
     """
-    num = int.from_bytes(content[HEADER - 4 : HEADER], "little")
-    if len(content) >= HEADER and len(content) == HEADER + num * ROW.itemsize:
-        return [np.frombuffer(content, ROW, offset=HEADER)["corners"].astype(np.float64)] if num else []
+    num = int.from_bytes(content[HEADER_BYTES - 4 : HEADER_BYTES], "little")
+    expected = HEADER_BYTES + num * ROW.itemsize
+    if len(content) >= HEADER_BYTES and len(content) == expected:
+        return [np.frombuffer(content, ROW, offset=HEADER_BYTES)["corners"].astype(np.float64)] if num else []
     if b"\0" in content and content[:2] not in (b"\xff\xfe", b"\xfe\xff"):
-        raise ValueError(
-            f"it is cut off, or no STL: {num} triangles need {HEADER + num * ROW.itemsize} bytes, it has {len(content)}"
-        )
+        raise ValueError(f"it is cut off, or no STL: {num} triangles need {expected} bytes, it has {len(content)}")
     text = decoded(content)
     pieces = re.split(r"^[ \t]*endsolid\b.*$", text, flags=ONE_LINE)
     if re.search(r"^\s*solid\b", pieces[-1], ONE_LINE):

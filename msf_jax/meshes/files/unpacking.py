@@ -16,7 +16,7 @@ import numpy as np
 
 IN_XML = {"3dxml", "xaml"}  # mesh formats of XML that trimesh reads; the first is an archive
 # Limits of the unpacked bytes: ratio to the packed bytes; bytes always allowed; largest unpacked size of any archive.
-LARGEST_RATIO, SMALL, LARGEST_UNPACKED = 50, 10_000_000, 2**29
+LARGEST_RATIO, SMALL_ARCHIVE, LARGEST_UNPACKED = 50, 10_000_000, 2**29
 MESH_ELEMENTS = {"vertex": "xyz", "triangle": ("v1", "v2", "v3")}  # elements of a mesh, their attributes
 FEWEST_ATTRIBUTES = 3  # of each of these elements, at least
 MOST_ELEMENTS = 100_000  # other elements, at most
@@ -58,7 +58,7 @@ def _read_members(archive: zipfile.ZipFile, elements: "_Elements", size: int) ->
     """Parse the members of an ``archive`` of ``size`` bytes."""
     members = archive.infolist()
     unpacked = sum(member.file_size for member in members)
-    most = min(max(LARGEST_RATIO * size, SMALL), LARGEST_UNPACKED)
+    most = min(max(LARGEST_RATIO * size, SMALL_ARCHIVE), LARGEST_UNPACKED)
     if unpacked > most:
         raise ValueError(f"it unpacks to {unpacked} bytes: expected at most {most}")
     for member in members:

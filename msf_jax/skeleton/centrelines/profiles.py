@@ -11,7 +11,7 @@ from msf_jax.solid.geometry import cross, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
-LONG = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
+LONGEST_FACE = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
 MOST_PARTS = 64  # parts along a side of a face, at most
 MOST_FACES = 300_000  # faces after splitting, about; bounds memory
 DIRECTIONS = 48  # directions in half a turn in which a section's width is measured, to an error of 0.1 %
@@ -99,7 +99,7 @@ def volumes_of(
     corners, node = shape.triangles, node_of_vertex[shape.faces]
     longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     with np.errstate(divide="ignore"):
-        parts = np.minimum(np.ceil(longest / (LONG * radii[node].max(axis=1))), MOST_PARTS)
+        parts = np.minimum(np.ceil(longest / (LONGEST_FACE * radii[node].max(axis=1))), MOST_PARTS)
     parts = np.maximum(np.floor(parts / max(np.sqrt((parts**2).sum() / MOST_FACES), 1.0)), 1).astype(int)
     found, tree = np.zeros(len(branches)), spatial.KDTree(nodes)
     for num in np.unique(parts).tolist():

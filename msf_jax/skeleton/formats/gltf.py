@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_JOINTS = 65535  # joints that the format can number
-FAR = 100  # bounding-box diagonals from the origin: beyond, coordinates are relative to the mesh's centre
+FAR_FROM_ORIGIN = 100  # bounding-box diagonals from the origin: beyond, coordinates are relative to the mesh's centre
 AT_ONCE = 4  # influences in one set of attributes of the format
 FLOAT, USHORT = 5126, 5123  # component types of the format
 ARRAY_BUFFER = 34962  # buffer target of the format
@@ -53,7 +53,7 @@ def of_rig(rig: "Rig", mesh: Any) -> bytes:
     points = np.concatenate([part.vertices for part in parts])
     points = points[np.isfinite(points).all(axis=1)]
     low, high = points.min(axis=0), points.max(axis=0)
-    is_far = np.linalg.norm(low + high) / 2 > FAR * np.linalg.norm(high - low)
+    is_far = np.linalg.norm(low + high) / 2 > FAR_FROM_ORIGIN * np.linalg.norm(high - low)
     middle = (low + high) / 2 if is_far else np.zeros(3)
     for part in parts:
         part.vertices = np.where(np.isfinite(part.vertices), part.vertices, middle)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 KIND = "skeleton"  # of the file, see `archive`
-VERSION = 2  # of the format
+FORMAT_VERSION = 2  # of the format
 WITHOUT_DIGEST = 1  # older version of the format that can be read, too
 
 LARGEST_NUMBER = 1e150  # coordinate or radius: squares of larger ones overflow
@@ -50,7 +50,7 @@ def npz(skeleton: "Skeleton") -> bytes:
         if source.input_of_vertex is not None:
             arrays["input_of_vertex"] = source.input_of_vertex
     arrays["report"] = np.array(json.dumps(skeleton.report.to_dict()))
-    return archive.packed(KIND, VERSION, {}, arrays, compress=True)
+    return archive.packed(KIND, FORMAT_VERSION, {}, arrays, compress=True)
 
 
 def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Source | None]":
@@ -60,7 +60,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         ConfigError: the file is of another kind, is damaged, or was written by another version.
     """
     advice = "save the skeleton anew"
-    with archive.reading(path, KIND, VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
+    with archive.reading(path, KIND, FORMAT_VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
         texts = {name: str(held[name]) for name in ("radius_of", "units") if name in held}
         curve = checked_curve({**held, **texts})
         mesh_map = curve["mesh_map"]
@@ -180,7 +180,7 @@ def plain_json(skeleton: "Skeleton") -> str:
     """All of a skeleton but its surface, by name, as JSON."""
     content = {
         "format": f"msf_jax {KIND}",
-        "version": VERSION,
+        "version": FORMAT_VERSION,
         "vertices": skeleton.vertices.tolist(),
         "edges": skeleton.edges.tolist(),
         "radii": skeleton.radii.tolist(),
@@ -198,7 +198,7 @@ def read_json(name: str, text: str) -> tuple[dict[str, Any], Report]:
     """The curve that `plain_json` wrote, and its report; a ConfigError for anything else."""
     try:
         content = json.loads(text)
-        if content["format"] != f"msf_jax {KIND}" or content["version"] != VERSION:
+        if content["format"] != f"msf_jax {KIND}" or content["version"] != FORMAT_VERSION:
             raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
         held = content | {key: _array(content[key], (int, float), np.float64) for key in ("vertices", "radii")}
         held["edges"] = _array(held["edges"], (int,), np.int64)

@@ -7,7 +7,7 @@ import numpy as np
 EVEN = np.diag([0.02, 0.0, 0.01])  # share of the variance added on x, y, z, to break ties between equal axes
 STEEPEST = 89.9  # degrees: the largest elevation; at 90 the up direction is not defined
 ALONG = 0.85  # cosine above which a principal axis counts as an axis of the file
-LONG = 1.7  # ratio of length to width above which a shape has a direction of its own
+ELONGATED = 1.7  # ratio of length to width above which a shape has a direction of its own
 STANDS = 1.5  # ratio of height to width above which a shape stands; people have 2 to 4, animals less than 1
 ASIDE = np.radians(18.0)  # radians: turn to the side, because from the front one half of a shape can hide the other
 ABOVE = np.radians(8.0)  # radians: turn upwards
@@ -64,7 +64,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
         upright = of_file - (of_file @ towards) * towards
         upright /= np.linalg.norm(upright)
         is_askew = ALONG > abs(upright @ longest) > np.sqrt(1 - ALONG**2)
-        if not (is_askew and values[2] > LONG**2 * values[1]):
+        if not (is_askew and values[2] > ELONGATED**2 * values[1]):
             up = upright
     nearest = int(np.abs(up).argmax())
     up = up * np.sign(up[nearest])

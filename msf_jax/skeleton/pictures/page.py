@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-SIDES = 6  # sides of the tubes that edges are drawn as
+TUBE_SIDES = 6  # sides of the tubes that edges are drawn as
 THICKNESS = 0.004  # diagonals: radius of these tubes
 PRUNED = (0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
 LARGEST_FLOAT32 = 1e30  # coordinates above this, in the caller's units, are written in float64
@@ -176,16 +176,20 @@ def _tubes(
     start, end = (curve.vertices[curve.edges[:, k]] - middle for k in (0, 1))
     along = unit(end - start)
     side = unit(np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)]))
-    angle = 2 * np.pi * np.arange(SIDES) / SIDES
+    angle = 2 * np.pi * np.arange(TUBE_SIDES) / TUBE_SIDES
     ring = np.cos(angle)[:, None] * side[:, None] + np.sin(angle)[:, None] * np.cross(along, side)[:, None]
-    points = np.stack([start[:, None] + thickness * ring, end[:, None] + thickness * ring], axis=1)  # (E, 2, SIDES, 3)
-    corner = np.arange(SIDES)
-    other = (corner + 1) % SIDES
+    # Of shape (E, 2, TUBE_SIDES, 3).
+    points = np.stack([start[:, None] + thickness * ring, end[:, None] + thickness * ring], axis=1)
+    corner = np.arange(TUBE_SIDES)
+    other = (corner + 1) % TUBE_SIDES
     sheet = np.concatenate(
-        [np.stack([corner, other, corner + SIDES], axis=1), np.stack([other, other + SIDES, corner + SIDES], axis=1)]
+        [
+            np.stack([corner, other, corner + TUBE_SIDES], axis=1),
+            np.stack([other, other + TUBE_SIDES, corner + TUBE_SIDES], axis=1),
+        ]
     )
-    faces = (2 * SIDES * np.arange(len(start))[:, None, None] + sheet).reshape(-1, 3)
-    radius = np.repeat(_short(curve.radii)[curve.edges], SIDES, axis=1).ravel()
+    faces = (2 * TUBE_SIDES * np.arange(len(start))[:, None, None] + sheet).reshape(-1, 3)
+    radius = np.repeat(_short(curve.radii)[curve.edges], TUBE_SIDES, axis=1).ravel()
     flat = _short(points.reshape(-1, 3))
     corners = dict(zip("ijk", faces.astype(np.int32).T, strict=True))
     at = dict(zip("xyz", flat.T, strict=True))

@@ -12,7 +12,7 @@ from msf_jax.meshes import reading
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-SMALL = 0.5  # ratio of a piece's number of faces to that of its branch's largest piece: a smaller one is reassigned
+SMALL_PIECE = 0.5  # of the number of faces of its branch's largest piece: a piece with fewer is reassigned
 
 
 def branch_of_node(skeleton: "Skeleton") -> np.ndarray:
@@ -48,7 +48,7 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
         size = np.bincount(piece, minlength=num)
         largest = np.zeros(int(branch.max(initial=0)) + 1, dtype=np.int64)
         np.maximum.at(largest, owner, size)
-        is_small = size < SMALL * largest[owner]
+        is_small = size < SMALL_PIECE * largest[owner]
         ends = np.concatenate([piece[np.stack([a, b], axis=1)[~same]], piece[np.stack([b, a], axis=1)[~same]]])
         ends = ends[is_small[ends[:, 0]] & ~is_small[ends[:, 1]]]
         if not len(ends):

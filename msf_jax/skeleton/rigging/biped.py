@@ -32,7 +32,7 @@ NAMES = {
     "foot": ("mixamorig:{}Foot", "{}Foot", "foot_{}"),
     "toes": ("mixamorig:{}ToeBase", "{}Toes", "ball_{}"),
 }
-SIDES = {1: ("Left", "left", "l"), -1: ("Right", "right", "r")}
+SIDE_NAMES = {1: ("Left", "left", "l"), -1: ("Right", "right", "r")}
 ASTRIDE = np.radians(55.0)  # between legs and spine, at most: legs of four-legged animals are at some 90 degrees
 NECK = 1 / 3  # share of the way from the shoulders to the top of the head, where the head turns
 WRIST = 0.75, 0.87  # share of an arm, where the hand is part of it, and where it ends at the fingers' junction
@@ -73,7 +73,7 @@ def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None) -> Plan
         raise _refused(f"its legs are at {np.degrees(between):.0f} degrees to its spine: expected at most 55")
     found = Plan({}, {}, False)
     spine = paths[trunk[0]].begin
-    found.stops[trunk[0]] = [*(spine + cutting.STEP * k for k in range(cutting.SPINE_JOINTS)), 1.0]
+    found.stops[trunk[0]] = [*(spine + cutting.SPINE_STEP * k for k in range(cutting.SPINE_JOINTS)), 1.0]
     found.roles[trunk[0]] = ("spine", "chest", "upper chest")
     neck = max(upper, key=lambda number: float(paths[number].size.mean()))
     found.stops[neck] = [0.0, NECK, 1.0]
@@ -99,7 +99,7 @@ def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None) -> Plan
 def named(role: str, side: int, standard: str) -> str:
     """The name of a bone in one of `STANDARDS`."""
     number = STANDARDS.index(standard)
-    return NAMES[role][number].format(SIDES[side][number] if side else "")
+    return NAMES[role][number].format(SIDE_NAMES[side][number] if side else "")
 
 
 def _refused(reason: str) -> ConfigError:

@@ -9,10 +9,10 @@ from msf_jax.skeleton.rigging.rooting import SHORTEST, USUAL, BonePath
 from msf_jax.solid.geometry import arc_length, at
 
 BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
-LONG = 6.0  # radii: a longer bone is cut
+LONGEST_BONE = 6.0  # radii: a longer bone is cut
 LIMB = 3.0  # radii: a longer limb of a pair has a knee or an elbow
 STRAIGHT = np.radians(15.0)  # a limb that turns by less is cut at the half of its length, where anatomy has the joint
-STEP = 0.2  # share of the way from the hips to the arms between two joints of a spine
+SPINE_STEP = 0.2  # share of the way from the hips to the arms between two joints of a spine
 SPINE_JOINTS = 3
 FEWEST_HELD = 4  # vertices of a bone, at least
 
@@ -33,7 +33,7 @@ def cuts_of(
     left = most - sum(len(stops) - 1 for stops in cuts)
     heap: list[tuple[bool, bool, float, int, float, float, float]] = []
 
-    def consider(number: int, begin: float, end: float, long: float = LONG) -> None:
+    def consider(number: int, begin: float, end: float, long: float = LONGEST_BONE) -> None:
         badness, where, length = bend(paths[number], begin, end, long)
         if badness > 1 or (fill and badness > 0):
             is_spine = paths[number].is_spine
@@ -43,12 +43,12 @@ def cuts_of(
         if number in fixed or len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
             continue
         if path.is_spine and left >= SPINE_JOINTS - 1:
-            cuts[number] = [path.begin + STEP * k for k in range(SPINE_JOINTS)] + [1.0]
+            cuts[number] = [path.begin + SPINE_STEP * k for k in range(SPINE_JOINTS)] + [1.0]
             left -= SPINE_JOINTS - 1
             for begin, end in pairwise(cuts[number] if fill else []):
                 consider(number, begin, end)
         else:
-            consider(number, *stops, long=LIMB if path.side else LONG)
+            consider(number, *stops, long=LIMB if path.side else LONGEST_BONE)
     while heap and left > 0:
         *_, number, begin, end, where = heapq.heappop(heap)
         both = [number] if paths[number].image < 0 else [number, paths[number].image]

@@ -8,7 +8,7 @@ Blender finds the other side.
 from msf_jax.skeleton.rigging import biped
 from msf_jax.skeleton.rigging.bones import Bones
 
-SIDES = {1: ".L", -1: ".R", 0: ""}
+SIDE_SUFFIXES = {1: ".L", -1: ".R", 0: ""}
 
 
 def names_of(bones: Bones, standard: str | None = None) -> tuple[str, ...]:
@@ -28,5 +28,5 @@ def names_of(bones: Bones, standard: str | None = None) -> tuple[str, ...]:
             if bones.twin[bone] >= 0:
                 number[int(bones.branch[bones.twin[bone]])] = kinds
         kind = "limb" if bones.is_limb[bone] else "trunk"
-        names.append(f"{kind}{number[branch]}_{bones.place[bone] + 1}{SIDES[int(bones.side[bone])]}")
+        names.append(f"{kind}{number[branch]}_{bones.place[bone] + 1}{SIDE_SUFFIXES[int(bones.side[bone])]}")
     return tuple(names)
