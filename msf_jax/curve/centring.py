@@ -34,7 +34,7 @@ from msf_jax.solid.geometry import unit
 from msf_jax.solid.handles import Handles
 
 # These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
-ROUNDS = 12  # limit on the rounds of a centring
+CENTRING_ROUNDS = 12  # limit on the rounds of a centring
 TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
@@ -48,7 +48,7 @@ FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no o
 DAMPING = 0.05  # damping of a step, as a weight of its square
 DAMPING_ALONG = 0.3  # more damping of its component along the branch
 LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
-FARTHEST = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
+LARGEST_DERIVATIVE = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
 BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
@@ -70,7 +70,7 @@ def centre(
     vertices: np.ndarray,
     edges: np.ndarray,
     is_held: np.ndarray,
-    rounds: int = ROUNDS,
+    rounds: int = CENTRING_ROUNDS,
     places: np.ndarray | None = None,
     former_junctions: np.ndarray | None = None,
     is_far: bool = True,
@@ -297,4 +297,4 @@ class _System:
 
 def _bound(derivative: np.ndarray) -> np.ndarray:
     """(L,) factors that limit the rows of ``derivative`` (L, k), as a section through a sliver can have a huge one."""
-    return np.minimum(1.0, FARTHEST / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))
+    return np.minimum(1.0, LARGEST_DERIVATIVE / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))

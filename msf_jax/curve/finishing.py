@@ -248,7 +248,7 @@ def place_junctions(draft: Draft, job: Job) -> Draft:
 
 
 def centre_nodes(
-    draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.ROUNDS, is_far: bool = False
+    draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.CENTRING_ROUNDS, is_far: bool = False
 ) -> Draft:
     """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held

@@ -18,7 +18,7 @@ from msf_jax.inside.roadmap import TOUCHING
 from msf_jax.solid.enclosure import SURE, Enclosure
 from msf_jax.solid.handles import Handles
 
-THINNEST = 0.25  # share of its first clearance that a move leaves to a node: the coarse surface is not exact
+LEAST_CLEARANCE = 0.25  # share of its first clearance that a move leaves to a node: the coarse surface is not exact
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
 SLIGHT = 0.05  # clearances: a shorter step is taken without a test
 CLOSE = 0.005  # diagonals: clearances below are measured exactly
@@ -37,7 +37,7 @@ class Places(NamedTuple):
 def places_of(shape: Enclosure, x: np.ndarray) -> Places:
     """The places of nodes ``x`` (N, 3) before their first move."""
     clearance, near = shape.approximate_clearance(x)
-    return Places(x, clearance, near, np.maximum(THINNEST * clearance, 2 * TOUCHING))
+    return Places(x, clearance, near, np.maximum(LEAST_CLEARANCE * clearance, 2 * TOUCHING))
 
 
 def taken(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, edges: np.ndarray) -> Places:

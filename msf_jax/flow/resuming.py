@@ -17,7 +17,7 @@ from msf_jax.meso.meso import Compaction, Fixing, Meso
 from msf_jax.meso.split import SplitRound
 from msf_jax.recording.records import Step
 
-FARTHEST = 1.0  # diagonals: the largest coordinate that a run accepts, see `stepping.BLOW_UP`
+LARGEST_COORDINATE = 1.0  # diagonals: the largest coordinate that a run accepts, see `stepping.BLOW_UP`
 LARGEST_FACTOR = 2.0**100  # on w_L, without unit, see `stepping.LARGEST_FACTOR`
 PER_ROW = ("trust", "classes", "scale", "weights")  # optional arrays of a surface
 
@@ -84,7 +84,7 @@ def _check_surface(meso: Meso) -> None:
     is_whole &= bool((meso.rings >= -1).all() and (meso.rings < num).all())
     for name in ("positions", "poles", "trust", "scale", "weights"):
         is_whole &= name not in present or bool(np.isfinite(present[name]).all())
-    is_whole &= bool((np.abs(meso.positions) <= FARTHEST).all())
+    is_whole &= bool((np.abs(meso.positions) <= LARGEST_COORDINATE).all())
     for name in ("trust", "scale"):
         is_whole &= name not in present or bool(((present[name] >= 0) & (present[name] <= 1)).all())
     is_whole = is_whole and np.array_equal(meso.degree, ring_tables.ring_degrees(meso.rings))

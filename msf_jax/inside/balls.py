@@ -21,7 +21,7 @@ from msf_jax.solid.geometry import unit, vertex_normals
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
 LARGEST_RADIUS = 1.0  # largest radius, likewise
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
-ROUNDS = 60  # queries for each ball, at most
+MOST_QUERIES = 60  # queries for each ball, at most
 EMPTY = 1 - 1e-9  # a point counts as inside if it is nearer to the centre than this share of the radius
 
 
@@ -54,7 +54,7 @@ def shrinking_balls(
     # Points without a normal keep the first radius.
     active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
     grows = np.ones(num, dtype=bool)
-    for _ in range(ROUNDS):
+    for _ in range(MOST_QUERIES):
         if not len(active):
             break
         v, n, r = points[active], normals[active], radius[active]

@@ -16,7 +16,7 @@ from msf_jax.topology import graphs
 
 THIN = 0.005  # diagonals: a limb of a smaller radius is thin
 SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
-THINNEST = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
+LEAST_THICKNESS = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
 SAMPLED, MANY = 8, 30_000  # with more than MANY vertices, first only one of SAMPLED vertices is tested
 LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
 NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thickness at a point
@@ -42,7 +42,7 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
             radius = limb_radii(vertices, pairs, some, radius, 2 * THIN)
         if (radius < THIN).mean() <= FEW:
             return None
-    return np.clip(radius / THIN, THINNEST, 1.0)
+    return np.clip(radius / THIN, LEAST_THICKNESS, 1.0)
 
 
 def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:

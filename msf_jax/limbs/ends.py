@@ -30,7 +30,7 @@ RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
 RING_DEPTH = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
 BEHIND = 2.0  # widths of a limb: so far behind; more than rings on the end or beside it are apart
-ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
+LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
@@ -195,7 +195,7 @@ def _to_end(
         middles, both = middles.copy(), [first, base]
         is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= step / RING_SPACING
         heading = unit(middles[first] - middles[base + int(is_far.argmax())])
-        for _ in range(ROUNDS):
+        for _ in range(LINE_ROUNDS):
             middles[both] = _centred(shape, middles[both], heading, size[both])
             heading = unit(middles[first] - middles[base])
     # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.

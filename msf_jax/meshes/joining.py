@@ -28,8 +28,9 @@ TOUCH = 1e-6  # diagonals: solids closer than this touch
 MOST_SITES = 60_000  # sample points on faces, besides vertices, between which gaps are measured
 MOST_TRIES = 4  # rounds of bridging; each makes capsules twice as thick
 MOST_PAIRS = 20_000  # pairs of solids whose gap is measured, those with the nearest boxes first
-ROUNDS = 4  # alternating projections between two surfaces that find the ends of a gap
-GLUE, THINNEST = 0.5, 0.1  # a capsule's radius: ratio to the thickness at its ends; least ratio to the smaller radius
+PROJECTIONS = 4  # alternating projections between two surfaces that find the ends of a gap
+# A capsule's radius: ratio to the thickness at its ends; least ratio to the smaller radius.
+GLUE, THINNEST_CAPSULE = 0.5, 0.1
 SECTIONS = 8  # sides of a capsule's circles
 SAME = 1e-12  # diagonals: distance between a vertex of the union and the same vertex of a part, at most
 
@@ -299,7 +300,7 @@ def _sites(bodies: list[ClosedSurface]) -> tuple[float, list[np.ndarray]]:
 def _measured(bodies: list[ClosedSurface], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
     """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), by alternating projections."""
     start, end, first, last = at_one, at_other, 0, 0
-    for _ in range(ROUNDS):
+    for _ in range(PROJECTIONS):
         start, first = bodies[one].foot(end)
         end, last = bodies[other].foot(start)
     return Gap(one, other, np.stack([start, end]), (first, last))
@@ -312,7 +313,7 @@ def _capsule(bodies: list[ClosedSurface], gap: Gap, factor: float) -> "Manifold"
     pair = bodies[gap.one], bodies[gap.other]
     smaller = min(body.radius for body in pair)
     thickness = min(body.thickness(end, face) for body, end, face in zip(pair, gap.ends, gap.faces, strict=True))
-    radius = factor * float(np.clip(GLUE * thickness, THINNEST * smaller, smaller))
+    radius = factor * float(np.clip(GLUE * thickness, THINNEST_CAPSULE * smaller, smaller))
     ball = arrays_of(Manifold.sphere(radius, SECTIONS))[0]
     return Manifold.hull_points(np.concatenate([ball + end for end in gap.ends]))
 

@@ -13,7 +13,7 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross
 
 SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
-NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)  # radii: reach of the first and of the last search
+FIRST_REACH = 1.5  # radii: reach of the first search
 LONGEST_LOOP = 20_000  # triangles after which a loop is given up
 CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
@@ -79,7 +79,7 @@ def corners(
     """The corners of the loops that `cut` measures."""
     num, corner = len(points), shape.faces.ravel()
     near = np.full(num, -1) if near is None else near
-    reach = NEAREST * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    reach = FIRST_REACH * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
     capacity, ends = CAPACITY * num, np.empty(num, dtype=np.int64)
     while True:
         edge, part = np.empty(capacity, dtype=np.int64), np.empty(capacity)

@@ -14,7 +14,7 @@ NEAR = 0.04  # diagonals: distance of a mirrored node from the curve, at most, i
 BETTER = 0.05  # share of the length: a plane that is tried later must match so much more, so that coordinates win
 AS_THICK = 0.5  # ratio of radii, at least, if a node is matched: an arm is no image of a head
 UNLIKE = 4.0  # lengths with an image that one without counts for: like front and hind legs make no plane of an animal
-FARTHEST = 16  # tips: planes are tried between any two of those farthest from the middle
+FARTHEST_TIPS = 16  # tips: planes are tried between any two of those farthest from the middle
 FITS = 20  # steps to the plane that fits best, at most; about ten are enough
 SETTLED = 1e-9  # radians: the last turn of the plane
 ENOUGH = 0.6  # share of the curve's length that has a mirror image in a symmetric shape, at least
@@ -59,7 +59,7 @@ def mirror_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: 
     tree = spatial.KDTree(points)
     best, found = -np.inf, None
     far = vertices[tips]
-    far = far[np.argsort(-np.linalg.norm(far - middle, axis=1), kind="stable")[:FARTHEST]]
+    far = far[np.argsort(-np.linalg.norm(far - middle, axis=1), kind="stable")[:FARTHEST_TIPS]]
     one, other = np.triu_indices(len(far), 1)
     centre = (points.max(axis=0) + points.min(axis=0)) / 2
     starts = [

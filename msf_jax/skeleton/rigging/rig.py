@@ -25,7 +25,7 @@ MOST_BONES = 65535  # bones that glTF can number
 USUAL = 50  # bones at most, where no number is asked for
 TRIES = 5  # times that bones are made, until as many have vertices as are asked for
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
-THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
+LEAST_DISTANCE = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
 HELD = 0.25  # a bone whose largest weight at any vertex is below this is joined to another
 
 
@@ -172,7 +172,7 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any, 
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
     found = _made(skeleton, size, node, bones, names is not None)
-    thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    thinnest = LEAST_DISTANCE * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     bind = binding.SkinBinding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
     weights = bind.weights(found.joints, found.parents)
