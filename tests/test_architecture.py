@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 
@@ -17,6 +18,7 @@ ORDER += ["view", "guide", "app", "__main__"]
 FOREIGN = {name: {"jax", "jaxlib", "jaxopt"} for name in HOST} | {"device": {"numpy", "scipy", "trimesh"}}
 HANDED_ON = {"msf_jax.skeleton.skeleton.Skeleton", "msf_jax.skeleton.rigging.rig.Rig"}
 MOST_ENTRIES, MOST_FILES = 22, 12  # a chapter each, as the table of `architecture.md` has them
+MOST_HOMES = 3  # modules in which one name may be a number: a reader holds so many apart
 
 
 @cache
@@ -114,3 +116,28 @@ def test_names_are_the_fields_own_terms():
         names |= {node.arg for node in nodes if isinstance(node, ast.arg)}
         words = {word for name in names for word in (name, *name.lower().split("_"))}
         assert not words & PRIVATE_WORDS, f"{path.relative_to(ROOT)}: {words & PRIVATE_WORDS}"
+
+
+def homes():
+    """The modules of each name that a module defines outside its functions: {name: {file}}; of classes all."""
+    found = defaultdict(set)
+    for path in sorted(ROOT.rglob("*.py")):
+        tree = ast.parse(path.read_text("utf-8"))
+        names = [node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
+        for node in tree.body:
+            targets = getattr(node, "targets", None) or [getattr(node, "target", None)]
+            inner = [each for target in targets if target for each in ast.walk(target)]
+            names += [each.id for each in inner if isinstance(each, ast.Name)]
+        for name in names:
+            found[name].add(path.relative_to(ROOT).as_posix())
+    return found
+
+
+def test_one_name_is_one_thing():
+    """A class or type has its name alone in the package; a constant shares it with two others at most."""
+    found = homes()
+    constants = {name for name in found if name.isupper()}
+    types = {name for name in found if name.lstrip("_")[:1].isupper()} - constants
+    assert len(types) > 200 and len(constants) > 400
+    assert not {name: sorted(found[name]) for name in types if len(found[name]) > 1}
+    assert not {name: sorted(found[name]) for name in constants if len(found[name]) > MOST_HOMES}
