@@ -23,6 +23,9 @@ from msf_jax.base.clock import Clock, Stopped, counted
 from msf_jax.curve import finishing
 from msf_jax.flow import assembly, curves, loop, programs, starting, stepping
 from msf_jax.meshes import reading
+from msf_jax.meso import collapse
+from msf_jax.meso.meso import Meso
+from msf_jax.meso.ring_tables import faces_from_rings
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
 
@@ -36,15 +39,17 @@ def mesh():
 def endless(monkeypatch, ctrl_c):
     """A function that makes another one press Ctrl-C when it is called, and then not return for a minute.
 
-    Its event is set when the call was ended by an exception.
+    It presses once, however often it is called. Its event is set when the call was ended by an exception.
     """
 
     def arrange(module, name):
-        ended = threading.Event()
+        ended, presses = threading.Event(), [signal.SIGINT]
 
         def hang(*_, **__):
             try:
-                signal.raise_signal(signal.SIGINT)
+                for press in presses[:1]:
+                    presses.clear()
+                    signal.raise_signal(press)
                 for _ in range(100 * PATIENT):
                     time.sleep(0.01)
             except BaseException:
@@ -157,6 +162,33 @@ def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypat
         loop.contract(mesh)
     assert ended.wait(PATIENT)
     assert len(at.value.flow.skeleton.edges) and at.value.flow.skeleton.report.components == 1
+
+
+def test_the_curve_so_far_is_that_of_a_thinner_surface(mesh, endless, monkeypatch):
+    """The surface after one iteration has too many edges for the loop in Python that extracts the curve."""
+    step, extract, given = loop.step, curves.extraction.extract_curve, []
+
+    def second(state, *arguments):
+        if state.history:
+            endless(stepping.jax, "device_get")
+        return step(state, *arguments)
+
+    def seeing(positions, rings, classes, pinned):
+        given.append((positions, rings))
+        return extract(positions, rings, classes, pinned)
+
+    monkeypatch.setattr(loop, "step", second)
+    monkeypatch.setattr(curves.extraction, "extract_curve", seeing)
+    config = Config(max_iterations=7, step_tolerance=0.1, t_max=0.1)
+    with pytest.raises(Interrupted, match="interrupted after 1 iterations") as at:
+        loop.contract(mesh, config=config)
+    flow = at.value.flow
+    for positions, rings in given:
+        assert not collapse.collapse_short_edges(Meso.from_mesh(positions, faces_from_rings(rings)), config.t_max)
+        assert len(positions) < flow.history[-1].live / 2
+    assert given and len(flow.meso_skeleton[0]) == flow.history[-1].live
+    replayed = msf_jax.replay(flow.tape, flow.weights)
+    np.testing.assert_allclose(replayed, flow.curve.vertices, rtol=0, atol=1e-9)
 
 
 def test_a_curve_that_could_not_be_checked_is_not_sound(mesh, endless):
