@@ -264,6 +264,24 @@ def test_a_press_that_other_code_swallows_is_kept(mesh, ctrl_c):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+@pytest.mark.parametrize("name", ["skeletonize", "shapes"])
+def test_a_press_in_the_import_of_a_name_is_kept_until_its_end(monkeypatch, ctrl_c, name):
+    done = []
+
+    def imported(module):
+        with suppress(BaseException):  # as a callback of JAX's
+            signal.raise_signal(signal.SIGINT)
+            done.append(module)
+        return SimpleNamespace(**{name: module})
+
+    monkeypatch.setattr("importlib.import_module", imported)
+    monkeypatch.delitem(vars(msf_jax), name, raising=False)  # as before its first use
+    with pytest.raises(KeyboardInterrupt):
+        getattr(msf_jax, name)
+    assert len(done) == 1  # it was not interrupted
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
 def test_the_import_of_jax_is_not_waited_for_and_not_interrupted(mesh, monkeypatch, ctrl_c, tmp_path, capsys):
     mesh.export(tmp_path / "torus.off")
     over, ended = threading.Event(), []
