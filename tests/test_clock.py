@@ -26,6 +26,7 @@ from msf_jax.meshes import reading
 from msf_jax.meso import collapse
 from msf_jax.meso.meso import Meso
 from msf_jax.meso.ring_tables import faces_from_rings
+from msf_jax.solid import solid as solids
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
 
@@ -340,6 +341,18 @@ def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_
     with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
         msf_jax.skeletonize(mesh, spread=1)
     assert at.value.flow.skeleton.report.is_sound
+
+
+def test_areas_are_made_beside_the_flow_and_not_after_it(mesh, monkeypatch):
+    areas, seen = solids.triangle_areas, []
+
+    def seeing(triangles):
+        seen.append(threading.current_thread())
+        return areas(triangles)
+
+    monkeypatch.setattr(solids, "triangle_areas", seeing)
+    loop.contract(mesh, config=SLOW)
+    assert len(seen) == 1 and seen[0] is not threading.current_thread()
 
 
 def test_another_thread_than_the_main_one_computes_all_itself(mesh, monkeypatch, ctrl_c):

@@ -87,7 +87,7 @@ def contract(
             of_vertices = weights_of_vertices(weights, checked)
             identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
             keeper = Checkpoint(checkpoint, identity)
-            prepared = clock.begin(solid.shape.prepare)
+            prepared = clock.begin(solid.prepare)
             states, reasons, parts = [], [], []
             for number, component in enumerate(checked.components):
                 pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
