@@ -8,12 +8,12 @@ skeleton.save("hand.swc")
 """
 
 import ast
-import importlib
 import sys
 from pathlib import Path
 from typing import Any
 
 from msf_jax.base import version
+from msf_jax.base.clock import imported
 
 _STUB = ast.parse(Path(__file__).with_suffix(".pyi").read_text("utf-8"))
 # The module of each public name. It is imported on first access: a program that needs no JAX does not import it.
@@ -28,10 +28,10 @@ __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    home = importlib.import_module(_HOMES[name])
+    home = imported(_HOMES[name])
     # A name that its home does not define is a module in it. A module of this package is none of its names yet.
     is_module = home is sys.modules[__name__] or not hasattr(home, name)
-    value = importlib.import_module(f"{_HOMES[name]}.{name}") if is_module else getattr(home, name)
+    value = imported(f"{_HOMES[name]}.{name}") if is_module else getattr(home, name)
     globals()[name] = value
     return value
 

@@ -25,7 +25,7 @@ def measured(nodes, edges, mesh: trimesh.Trimesh) -> Skeleton:
     nodes, solid = np.asarray(nodes, dtype=float), Solid(np.array(mesh.vertices), np.array(mesh.faces))
     curve = curve_of(nodes, np.sort(np.asarray(edges), axis=1), solid.radii(nodes))
     nearest = spatial.KDTree(nodes).query(mesh.vertices)[1]
-    source = Source(solid, solid.vertex_areas(), np.empty(0, dtype=int), (), np.arange(len(mesh.vertices)))
+    source = Source(solid, solid.vertex_areas, np.empty(0, dtype=int), (), np.arange(len(mesh.vertices)))
     return Skeleton(curve.vertices, curve.edges, curve.radii, nearest, curve.report, source)
 
 

@@ -23,6 +23,10 @@ from msf_jax.base.clock import Clock, Stopped, counted
 from msf_jax.curve import finishing
 from msf_jax.flow import assembly, curves, loop, programs, starting, stepping
 from msf_jax.meshes import reading
+from msf_jax.meso import collapse
+from msf_jax.meso.meso import Meso
+from msf_jax.meso.ring_tables import faces_from_rings
+from msf_jax.solid import solid as solids
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
 
@@ -36,15 +40,17 @@ def mesh():
 def endless(monkeypatch, ctrl_c):
     """A function that makes another one press Ctrl-C when it is called, and then not return for a minute.
 
-    Its event is set when the call was ended by an exception.
+    It presses once, however often it is called. Its event is set when the call was ended by an exception.
     """
 
     def arrange(module, name):
-        ended = threading.Event()
+        ended, presses = threading.Event(), [signal.SIGINT]
 
         def hang(*_, **__):
             try:
-                signal.raise_signal(signal.SIGINT)
+                for press in presses[:1]:
+                    presses.clear()
+                    signal.raise_signal(press)
                 for _ in range(100 * PATIENT):
                     time.sleep(0.01)
             except BaseException:
@@ -159,6 +165,33 @@ def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypat
     assert len(at.value.flow.skeleton.edges) and at.value.flow.skeleton.report.components == 1
 
 
+def test_the_curve_so_far_is_that_of_a_thinner_surface(mesh, endless, monkeypatch):
+    """The surface after one iteration has too many edges for the loop in Python that extracts the curve."""
+    step, extract, given = loop.step, curves.extraction.extract_curve, []
+
+    def second(state, *arguments):
+        if state.history:
+            endless(stepping.jax, "device_get")
+        return step(state, *arguments)
+
+    def seeing(positions, rings, classes, pinned):
+        given.append((positions, rings))
+        return extract(positions, rings, classes, pinned)
+
+    monkeypatch.setattr(loop, "step", second)
+    monkeypatch.setattr(curves.extraction, "extract_curve", seeing)
+    config = Config(max_iterations=7, step_tolerance=0.1, t_max=0.1)
+    with pytest.raises(Interrupted, match="interrupted after 1 iterations") as at:
+        loop.contract(mesh, config=config)
+    flow = at.value.flow
+    for positions, rings in given:
+        assert not collapse.collapse_short_edges(Meso.from_mesh(positions, faces_from_rings(rings)), config.t_max)
+        assert len(positions) < flow.history[-1].live / 2
+    assert given and len(flow.meso_skeleton[0]) == flow.history[-1].live
+    replayed = msf_jax.replay(flow.tape, flow.weights)
+    np.testing.assert_allclose(replayed, flow.curve.vertices, rtol=0, atol=1e-9)
+
+
 def test_a_curve_that_could_not_be_checked_is_not_sound(mesh, endless):
     endless(assembly, "assessed")
     with pytest.raises(Interrupted) as at:
@@ -232,6 +265,24 @@ def test_a_press_that_other_code_swallows_is_kept(mesh, ctrl_c):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+@pytest.mark.parametrize("name", ["skeletonize", "shapes"])
+def test_a_press_in_the_import_of_a_name_is_kept_until_its_end(monkeypatch, ctrl_c, name):
+    done = []
+
+    def imported(module):
+        with suppress(BaseException):  # as a callback of JAX's
+            signal.raise_signal(signal.SIGINT)
+            done.append(module)
+        return SimpleNamespace(**{name: module})
+
+    monkeypatch.setattr("importlib.import_module", imported)
+    monkeypatch.delitem(vars(msf_jax), name, raising=False)  # as before its first use
+    with pytest.raises(KeyboardInterrupt):
+        getattr(msf_jax, name)
+    assert len(done) == 1  # it was not interrupted
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
 def test_the_import_of_jax_is_not_waited_for_and_not_interrupted(mesh, monkeypatch, ctrl_c, tmp_path, capsys):
     mesh.export(tmp_path / "torus.off")
     over, ended = threading.Event(), []
@@ -290,6 +341,18 @@ def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_
     with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
         msf_jax.skeletonize(mesh, spread=1)
     assert at.value.flow.skeleton.report.is_sound
+
+
+def test_areas_are_made_beside_the_flow_and_not_after_it(mesh, monkeypatch):
+    areas, seen = solids.triangle_areas, []
+
+    def seeing(triangles):
+        seen.append(threading.current_thread())
+        return areas(triangles)
+
+    monkeypatch.setattr(solids, "triangle_areas", seeing)
+    loop.contract(mesh, config=SLOW)
+    assert len(seen) == 1 and seen[0] is not threading.current_thread()
 
 
 def test_another_thread_than_the_main_one_computes_all_itself(mesh, monkeypatch, ctrl_c):

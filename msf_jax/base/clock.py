@@ -8,6 +8,7 @@ the caller's thread, which has the caller's settings of JAX.
 
 import contextvars
 import ctypes
+import importlib
 import math
 import signal
 import threading
@@ -101,6 +102,22 @@ def counted() -> Iterator[Presses | None]:
             yield presses
         finally:
             signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def imported(name: str) -> Any:
+    """The module ``name``. A Ctrl-C during the import is kept until its end: JAX crashes if its import is interrupted,
+    and a callback of JAX's would swallow the KeyboardInterrupt."""
+    with counted() as presses:
+        if presses is None or presses.is_held:
+            return importlib.import_module(name)
+        num, presses.is_held = presses.num, True
+        try:
+            module = importlib.import_module(name)
+        finally:
+            presses.is_held = False
+        if presses.num > num:
+            raise KeyboardInterrupt
+        return module
 
 
 class Clock:

@@ -70,3 +70,20 @@ class Job(NamedTuple):
     roadmap: Roadmap
     budget: centring.Budget
     caps: Callable[[], Caps]
+
+
+def left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
+    """The draft with the nodes of ``stays`` (N,) only; the others are replaced by their ``target`` (N,)."""
+    x, e, is_held = draft.vertices, draft.edges, draft.is_held
+    rank = np.cumsum(stays) - 1
+    left = rank[e[stays[e].all(axis=1)]]
+    of_flow = rank[target[draft.node_of_flow]]
+    return draft._replace(
+        vertices=x[stays],
+        edges=left,
+        is_held=is_held[stays],
+        origin=draft.origin[stays],
+        node_of_flow=of_flow,
+        place=draft.place[stays],
+        is_former_junction=draft.is_former_junction[stays],
+    )

@@ -238,7 +238,7 @@ def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
 
     The area of a vertex that repair made goes to the caller's vertex that represents it.
     """
-    vertex, area, made = checked.vertex_of_input, solid.vertex_areas(), np.flatnonzero(checked.is_made)
+    vertex, area, made = checked.vertex_of_input, solid.vertex_areas.copy(), np.flatnonzero(checked.is_made)
     np.add.at(area, vertex[checked.input_of_vertex[made]], area[made])
     is_used = vertex >= 0
     area = area / np.maximum(np.bincount(vertex[is_used], minlength=len(checked.vertices)), 1)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.base.clock import Clock, Stopped
+from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config
 from msf_jax.curve import branches, extraction, finishing
 from msf_jax.curve.draft import Draft, Job
@@ -14,7 +14,7 @@ from msf_jax.curve.extraction import Curve
 from msf_jax.curve.finishing import Finished
 from msf_jax.flow.state import State
 from msf_jax.meshes.checking import Surface
-from msf_jax.meso import short_loops, surgery
+from msf_jax.meso import collapse, short_loops, surgery
 from msf_jax.meso.meso import Meso
 
 MOST_VOLUME = 0.1  # share of the first volume: with more left, the curve is a tangle, and is not finished
@@ -34,26 +34,21 @@ class ComponentCurve(NamedTuple):
     is_held: np.ndarray
 
 
-def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> ComponentCurve:
-    """The curve of a contracted surface ``meso``, as extracted and finished.
+def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
+    """The curve of a component's contracted surface, as extracted and finished.
 
     If more than ``MOST_VOLUME`` is left, the curve is a tangle that no pass can correct. It is not finished, unless
-    geodesic wavefronts over the surface make the curve.
+    geodesic wavefronts over the surface make the curve. If the run has to end, the surface is thinned before.
     """
     with clock.stage("curve"):
+        meso = state.meso if config.edit_connectivity else _thinned(state.meso, config.t_min, config)
+        found = None if clock.reason else clock.attempt(None, _extracted, state, meso, config)
+        if found is None:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
+            meso = _thinned(meso, config.t_max, config)
+            found = clock.attempt(None, _extracted, state, meso, config)
+        if found is None:  # the curve so far may lack loops: their classes take seconds where there are many handles
+            found = _extracted(state, meso, config, with_loops=False)
         pinned = meso.node_of_input[state.pins]
-        extract = extraction.operated_curve if config.surgery else extraction.extract_curve
-
-        def with_loops() -> Curve:
-            classes = meso.classes
-            if lacks_classes(state, meso):
-                classes = short_loops.short_classes(meso.positions, meso.rings)
-            return extract(meso.positions, meso.rings, classes, pinned)
-
-        try:
-            found = clock.call(with_loops)
-        except Stopped:  # the curve so far may lack loops: their classes take seconds where there are many handles
-            found = extract(meso.positions, meso.rings, None, pinned)
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)
@@ -89,6 +84,22 @@ def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> Componen
         stands_for[found.node_of_meso],
     )
     return ComponentCurve(kept, found, done, meso, is_held[done.is_kept])
+
+
+def _thinned(meso: Meso, t_c: float, config: Config) -> Meso:
+    """A copy of the surface, in which edges shorter than ``t_c`` are collapsed as in an iteration of the flow."""
+    meso = meso.copied()
+    collapse.collapse_short_edges(meso, t_c, check=config.check)
+    return meso.compacted()
+
+
+def _extracted(state: State, meso: Meso, config: Config, with_loops: bool = True) -> Curve:
+    """The curve as extracted from the surface, ``with_loops`` with the classes that tell which loops it must keep."""
+    extract = extraction.operated_curve if config.surgery else extraction.extract_curve
+    classes = meso.classes if with_loops else None
+    if with_loops and lacks_classes(state, meso):
+        classes = short_loops.short_classes(meso.positions, meso.rings)
+    return extract(meso.positions, meso.rings, classes, meso.node_of_input[state.pins])
 
 
 def lacks_classes(state: State, meso: Meso) -> bool:

@@ -25,8 +25,7 @@ from msf_jax.flow.stepping import step
 from msf_jax.meshes import checking
 from msf_jax.meshes.checking import Surface
 from msf_jax.meshes.repair import Repair, as_repair
-from msf_jax.meso import collapse, fixing
-from msf_jax.meso.meso import Meso
+from msf_jax.meso import fixing
 from msf_jax.solid.solid import Solid
 
 SETTLED = 0.02  # share of the first volume: a flow that has settled may leave this much, of any shape
@@ -88,7 +87,7 @@ def contract(
             of_vertices = weights_of_vertices(weights, checked)
             identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
             keeper = Checkpoint(checkpoint, identity)
-            prepared = clock.begin(solid.shape.prepare)
+            prepared = clock.begin(solid.prepare)
             states, reasons, parts = [], [], []
             for number, component in enumerate(checked.components):
                 pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
@@ -111,7 +110,7 @@ def contract(
                         break
                 states.append(state)
                 keeper.save(states)
-                parts.append(curve_of(state, _thinned(state.meso, config), config, clock))
+                parts.append(curve_of(state, config, clock))
                 reasons.append((False, clock.reason) if parts[-1].finished.is_cut else end)
                 if clock.reason:  # the time that is left is for the curve so far
                     break
@@ -134,15 +133,6 @@ def contract(
             f"interrupted after {len(run.history)} iterations: the curve so far is in this exception's flow{kept}", run
         )
     return run
-
-
-def _thinned(meso: Meso, config: Config) -> Meso:
-    """The surface to extract the curve from. If the flow did not edit it, its short edges are collapsed first."""
-    if config.edit_connectivity:
-        return meso
-    meso = meso.copied()
-    collapse.collapse_short_edges(meso, config.t_min, check=config.check)
-    return meso.compacted()
 
 
 def has_volume(state: State, config: Config) -> bool:

@@ -134,7 +134,7 @@ class Holding:
             overlapped=overlapped,
             overlaps=np.flatnonzero(is_free & (winding > self.most)),
             crossings=self._num_crossed(solid.shape.vertices),
-            unexplained=float(solid.vertex_areas()[gap].sum()),
+            unexplained=float(solid.vertex_areas[gap].sum()),
             misjudged=np.flatnonzero(misjudged),
             pinched=np.flatnonzero(pinched),
             strained=np.flatnonzero(strained),

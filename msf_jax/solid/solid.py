@@ -124,6 +124,11 @@ class Solid:
         """The surface without that of cavities: it has the limbs."""
         return without_cavities(self.shape)
 
+    def prepare(self) -> None:
+        """Make now, beside the flow, what takes long after it: the shape's trees, and the areas."""
+        self.shape.prepare()
+        _ = self.vertex_areas
+
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
         return (points - self.centre) / self.diagonal
@@ -149,6 +154,7 @@ class Solid:
             clearance[is_in] = self._wall.distances(entered[is_in])
         return self.diagonal * clearance
 
+    @cached_property
     def vertex_areas(self) -> np.ndarray:
         """(V,) a third of the area of the faces around each vertex, as a fraction of the whole area."""
         area = triangle_areas(self.shape.triangles)
