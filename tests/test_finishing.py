@@ -701,7 +701,7 @@ def test_what_is_pruned_to_a_new_node_goes_to_the_flows_nearest_one(monkeypatch)
     def one(draft, job):
         middle = draft.vertices[2:].mean(axis=0, keepdims=True)
         more = draft.changed(np.concatenate([draft.vertices, middle]), np.array([[0, 1], [1, 2], [2, 4], [4, 3]]))
-        return finishing._left(more, np.arange(5) != 3, np.array([0, 1, 2, 4, 4]))
+        return finishing.reduced(more, np.arange(5) != 3, np.array([0, 1, 2, 4, 4]))
 
     monkeypatch.setattr(finishing, "passes", lambda centre, extend: [one])
     found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)
@@ -716,7 +716,7 @@ def test_if_no_node_of_the_flow_is_left_the_first_new_one_stands_for_the_nearest
 
     def other(draft, job):
         more = draft.changed(np.concatenate([nodes, nodes[1:3] + 1e-3]), np.array([[0, 1], [1, 2], [2, 3], [4, 5]]))
-        return finishing._left(more, np.arange(6) > 3, np.array([4, 4, 5, 5, 4, 5]))
+        return finishing.reduced(more, np.arange(6) > 3, np.array([4, 4, 5, 5, 4, 5]))
 
     monkeypatch.setattr(finishing, "passes", lambda centre, extend: [other])
     found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)

@@ -72,7 +72,7 @@ class Job(NamedTuple):
     caps: Callable[[], Caps]
 
 
-def left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
+def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
     """The draft with the nodes of ``stays`` (N,) only; the others are replaced by their ``target`` (N,)."""
     x, e, is_held = draft.vertices, draft.edges, draft.is_held
     rank = np.cumsum(stays) - 1

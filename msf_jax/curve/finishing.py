@@ -14,7 +14,7 @@ from scipy import spatial
 
 from msf_jax.base.clock import Clock, Stopped
 from msf_jax.curve import branches, centring, handle_loops, junctions, moves, resampling
-from msf_jax.curve.draft import Draft, Job, left
+from msf_jax.curve.draft import Draft, Job, reduced
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap
 from msf_jax.limbs import one_branch, pruning, reeb_curve
@@ -201,7 +201,7 @@ def contain(draft: Draft, job: Job) -> Draft:
     draft = inside(draft)
     if job.roadmap.num_closed:
         stays, target = containment.cut_off(job.shape, draft.vertices, draft.edges, draft.is_held)
-        draft = draft if stays.all() else inside(left(draft, stays, target))
+        draft = draft if stays.all() else inside(reduced(draft, stays, target))
     return draft
 
 
@@ -275,7 +275,7 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
     stays, target, edges = branches.merge_junctions(
         x, draft.edges, job.shape.approximate_closest(x)[0], draft.is_held, job.shape.handles
     )
-    return left(draft._replace(edges=edges), stays, target)
+    return reduced(draft._replace(edges=edges), stays, target)
 
 
 def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
@@ -292,7 +292,7 @@ def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
     if not stays.all():
-        draft = centre_nodes(left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
+        draft = centre_nodes(reduced(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
     return intersect_axes(draft, job)
 
 
@@ -310,7 +310,7 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
     is_leaf = draft.is_leaf()
     draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
     worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
-    draft = left(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
+    draft = reduced(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = moves.places_of(job.shape, draft.vertices)
@@ -324,7 +324,7 @@ def prune_by_balls(draft: Draft, job: Job) -> Draft:
         return draft
     x = draft.vertices
     slenderness = pruning.by_balls(x, job.shape.approximate_clearance(x)[0])
-    left = left(draft, *pruning.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
+    left = reduced(draft, *pruning.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
@@ -351,7 +351,7 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
             draft = _moved(draft, *one_branch.grown(caps, job.coarse, draft.vertices, draft.edges, choice, job.prune))
             worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
         stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
-        draft, leaf = left(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
+        draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
@@ -377,7 +377,7 @@ def enforce_topology(draft: Draft, job: Job) -> Draft:
 def merge_coincident(draft: Draft, job: Job) -> Draft:
     """Coincident edges are merged, so every cycle is one in space."""
     stays, target, edges = branches.merge_coincident(draft.vertices, draft.edges, draft.is_held)
-    return left(draft._replace(edges=edges), stays, target)
+    return reduced(draft._replace(edges=edges), stays, target)
 
 
 def round_corners(draft: Draft, job: Job) -> Draft:
