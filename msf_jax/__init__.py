@@ -8,14 +8,14 @@ skeleton.save("hand.swc")
 """
 
 import ast
+import pkgutil
 import sys
-from pathlib import Path
 from typing import Any
 
 from msf_jax.base import version
 from msf_jax.base.clock import imported
 
-_STUB = ast.parse(Path(__file__).with_suffix(".pyi").read_text("utf-8"))
+_STUB = ast.parse(pkgutil.get_data(__name__, "__init__.pyi") or b"")
 # The module of each public name. It is imported on first access: a program that needs no JAX does not import it.
 _HOMES = {
     alias.name: str(node.module) for node in _STUB.body if isinstance(node, ast.ImportFrom) for alias in node.names

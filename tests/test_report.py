@@ -34,11 +34,12 @@ def test_many_limbs_that_are_hardly_longer_than_wide_are_in_doubt(teeth, is_doub
     assert doubts == (expected if is_doubted else ())
 
 
+@pytest.mark.parametrize("aside", [0.0, 0.05, 0.1])
 @pytest.mark.parametrize(("side", "share"), [(0.3, 0.0), (0.72, 0.0), (0.84, 1.0), (1.6, 1.0)])
-def test_the_share_of_a_curve_in_sheets(side, share):
+def test_the_share_of_a_curve_in_sheets(side, share, aside):
     """Bars 0.3 thick: the points around a rectangle's edge are 2 half thicknesses from its centre, on average, where it
-    is 2.6 times as wide as thick."""
-    x = np.zeros((41, 3))
+    is 2.6 times as wide as thick. Also where the curve is not in the middle."""
+    x = np.full((41, 3), [0, 0, aside])
     x[:, 0] = np.linspace(-0.8, 0.8, 41)
     edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
     assert assessed(box(2.0, side, 0.3), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)

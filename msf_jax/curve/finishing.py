@@ -156,9 +156,9 @@ def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
 
 
 def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> Finished:
-    """Finish the Reeb curve ``laid``. It is centred and reaches the limbs' ends, so centring and extension are left
-    out. Each of the flow's ``nodes`` (n, 3) becomes the nearest node of the curve; of several, the first stays. In the
-    draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
+    """Finish the Reeb curve ``laid``. It is centred and reaches the limbs' ends, so extension is left out, and centring
+    but for trunks of side branches. Each of the flow's ``nodes`` (n, 3) becomes the nearest node of the curve; of
+    several, the first stays. In the draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)

@@ -108,7 +108,7 @@ def bulged(
     x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The edges (T, 2) of the trunks of thin side branches; which nodes (N,) are where a side branch leaves its trunk;
-    and which are of a part of a trunk with such nodes.
+    and which are of a part of a trunk with such nodes, and may move: not those with a side branch that has no axis.
 
     A plane across the trunk cuts off a bulge of the side branch there, and its middle is aside: at a height from
     (R cos a - r) / sin a to (R cos a + r) / sin a above the meeting of the axes, where the trunk has the radius R, the
@@ -119,6 +119,7 @@ def bulged(
     is_aside, is_part = np.zeros((2, len(x)), dtype=bool)
     paths = branch_paths.paths_of(x, trunk, is_held) if sides and len(trunk) else []
     of_edge: dict[frozenset[int], tuple[np.ndarray, int]] = {}
+    loose: list[int] = []  # junctions of side branches that get a new place
     for nodes, is_loop, *_ in paths:
         if not is_loop:
             of_edge |= {frozenset(pair): (nodes, k) for k, pair in enumerate(pairwise(nodes.tolist()))}
@@ -126,6 +127,7 @@ def bulged(
         found = meeting(side, x, trunk, radii)
         if found is None or frozenset(trunk[found.edge].tolist()) not in of_edge:
             continue
+        loose.append(int(side.path[0]))
         nodes, first = of_edge[frozenset(trunk[found.edge].tolist())]
         along = arc_length(x[nodes])
         start = along[first] + np.linalg.norm(found.place - x[nodes[first]])
@@ -134,6 +136,7 @@ def bulged(
         ball = float(radii[nodes[np.abs(along - start) <= AXIS_REACH * found.ball]].max(initial=found.ball))
         is_aside[nodes[np.abs(along - start - ball * cosine / sine) <= BULGE * side.size / sine]] = True
         is_part[nodes] |= is_aside[nodes].any()
+    is_part[np.setdiff1d(edges[~is_trunk], loose)] = False
     return trunk, is_aside, is_part
 
 

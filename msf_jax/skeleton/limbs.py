@@ -23,7 +23,9 @@ from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
 
 SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle 2.6 times as wide as thick
-THICK = 2.5  # balls' radii: thickness of what is no sheet; that of an endless sheet, twice its area over its edge, is 2
+# Mean radius of a sheet's section, over twice its area over its edge: 1 for a disc, 1.1 for a square, 1.4 for the
+# rectangle above
+FLAT_SECTION = 1.35
 STEEP = 0.7  # change of the radius over the length of an edge; a cone with an angle of 89 degrees at its tip has it
 
 
@@ -56,10 +58,11 @@ def shares_of(
     places = vertices[asked], normal
     corners = sections.corners(shape, *places, radius[asked], near[asked])
     found = sections.measured(shape, *places, corners)
-    # Where a limb begins, a plane across it cuts off the trunk's side: wide, and thick as well. In the middle of a wide
-    # section of a shell is a void. Next to its inner wall, the void is beside the curve, and the section is a wall.
-    is_thick = (found.size > THICK * radius[asked]) & shape.contains(found.centroid)
-    is_wide = (found.radius > SHEET * radius[asked]) & ~is_thick | ~found.is_found
+    # Where a limb begins, a plane across it cuts off the trunk's side, and a ball beside an axis is small: a section is
+    # wider than the ball there, and not flat. In the middle of a round section of a shell is a void. Next to its inner
+    # wall, the void is beside the curve, and the section is a wall around it.
+    is_flat = (found.radius > FLAT_SECTION * found.size) | ~shape.contains(found.centroid)
+    is_wide = (found.radius > SHEET * radius[asked]) & is_flat | ~found.is_found
     known = own[asked] * corners.is_closed
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area = np.full(len(vertices), np.nan)
