@@ -129,7 +129,8 @@ class Report:
     @property
     def are_limbs(self) -> bool:
         """Whether the solid consists of limbs, and the curve is their axes, so that its lengths, radii and angles mean
-        something. `is_sound` says whether the topology is right, which it also is in a sheet. See ``not_limbs``."""
+        something. `is_sound` says whether the topology is right; where most of the curve is in sheets, it is False,
+        too, as the curve could as well be elsewhere. See ``not_limbs``."""
         return not self.not_limbs
 
     @property
