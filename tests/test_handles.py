@@ -488,7 +488,7 @@ def test_false_cycles_are_cut_at_their_longest_edge_and_true_ones_stay():
 
 @pytest.fixture(scope="module")
 def ring_curve():
-    return msf_jax.skeletonize(torus(minor=0.3), config=Config(prune=0.0))
+    return msf_jax.skeletonize(torus(minor=0.3), config=Config(least_slenderness=0.0))
 
 
 def changed(skeleton, vertices, edges):

@@ -49,8 +49,8 @@ def check_goes_on(state: State, saved: dict[str, Any], config: Config) -> None:
     first, meso, num = state.meso, saved["meso"], len(saved["history"])
     factor = state.w_L_factor
     for _ in range(num):
-        factor = min(factor * config.growth, LARGEST_FACTOR)
-    expected = fixing.threshold(num, config.t_min, config.t_step, config.t_max) if num else state.t_c
+        factor = min(factor * config.flow.w_L_growth, LARGEST_FACTOR)
+    expected = fixing.threshold(num, *config.flow.thresholds) if num else state.t_c
     if saved["t_c"] != expected or saved["w_L_factor"] != factor or num > config.max_iterations:
         raise ValueError("its threshold, or its factor, is not that of its iterations")
     if any(line.component != state.number or line.iteration != row + 1 for row, line in enumerate(saved["history"])):

@@ -97,8 +97,9 @@ class Skeleton:
         Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
         from 0 to 1, says which limbs that only stand out count, as in `Config`.
 
-        A run with ``Config(prune=slenderness, detail=detail)`` chooses limbs in the same way, and adds missing ones.
-        Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
+        A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way, and adds
+        missing ones. Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to
+        its junction.
         Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
 
         Raises:
