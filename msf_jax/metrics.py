@@ -10,6 +10,7 @@ import numpy as np
 from msf_jax.base.errors import MeshError
 from msf_jax.curve import handle_loops
 from msf_jax.meshes import checking
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, unit
@@ -25,7 +26,7 @@ SAME = 1e-9  # diagonals: tolerance of these distances
 PAIRS_AT_ONCE = 4_000_000  # pairs of a point and an edge or a node in memory at a time
 
 
-def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
+def evaluate(mesh: MeshLike, skeleton: Any, truth: Any = None) -> dict[str, float]:
     """Score a curve in its mesh.
 
     Args:
@@ -81,7 +82,7 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
     return figures
 
 
-def compare(mesh: Any, skeleton: Any, other: Any) -> dict[str, float]:
+def compare(mesh: MeshLike, skeleton: Any, other: Any) -> dict[str, float]:
     """Score two curves of a mesh on the part that both cover, so that missing branches improve no score.
 
     A point of a curve is common if its foot, the nearest point on the other curve, is within the larger of the

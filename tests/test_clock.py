@@ -341,7 +341,7 @@ def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_
 
     monkeypatch.setattr(starting.thickness, "scales", second)
     with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
-        msf_jax.skeletonize(mesh, spread=1)
+        msf_jax.skeletonize(mesh, jittered_runs=1)
     assert at.value.flow.skeleton.report.is_sound
 
 

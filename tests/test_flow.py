@@ -477,7 +477,7 @@ def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
 
 def test_spread_says_how_far_jittered_runs_are():
     mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
-    plain, found = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh, spread=2)
+    plain, found = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh, jittered_runs=2)
     np.testing.assert_array_equal(found.vertices, plain.vertices)
     assert 0 < found.report.figures["spread"] < 0.05 and found.report.figures["spread_leaves"] == 0
     assert "spread" in str(found.report) and not plain.report.figures

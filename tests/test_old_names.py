@@ -3,6 +3,8 @@
 import dataclasses
 import pickle
 import re
+import sys
+import typing
 import warnings
 
 import numpy as np
@@ -10,7 +12,7 @@ import pytest
 from conftest import blob
 
 import msf_jax
-from msf_jax import Config, FlowOptions, PreprocessingOptions, SolverOptions
+from msf_jax import Config, FlowOptions, PreprocessingOptions, SolverOptions, ground_truth
 from msf_jax.base import archive
 from msf_jax.base.options import flat
 from msf_jax.flow import checkpoint
@@ -100,16 +102,16 @@ def test_every_option_has_one_flat_name():
 def test_an_old_keyword_works_and_its_warning_has_the_new_call(name):
     """The call in the warning gives the same config, and the value is read by the old name, too."""
     value, extra = OTHERS[name], {"edit_connectivity": False} if name == "w_H_follows_area" else {}
-    with pytest.warns(DeprecationWarning, match=rf"{name}\b.* is deprecated") as told:
+    with pytest.warns(DeprecationWarning, match=rf"{name}\b.* is deprecated") as shown:
         found = Config(**{name: value}, **extra)
-    assert all(each.filename == __file__ for each in told)
+    assert all(each.filename == __file__ for each in shown)
     with pytest.warns(DeprecationWarning, match=rf"Config.{name} is deprecated: use Config.{flat.FLAT[name]}$"):
         assert getattr(found, name) == value
     if name == "weights_of":
-        assert "Config.named('tagliasacchi2012')" in str(told[0].message)
+        assert "Config.named('tagliasacchi2012')" in str(shown[0].message)
         assert found.default_weights() == Config.tagliasacchi2012().default_weights()
         return
-    call = re.search(r"use (Config\(.*\))$", str(told[0].message))
+    call = re.search(r"use (Config\(.*\))$", str(shown[0].message))
     assert call
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -177,3 +179,80 @@ def test_runs_are_identified_as_before_the_groups(short):
     assert [name for name in names if name in OF_040] == list(OF_040)
     expected = Config()._asdict() | {"max_iterations": 2, "refine": 0.0}
     assert found == f"Config({', '.join(f'{name}={value!r}' for name, value in expected.items())})"
+
+
+@pytest.fixture(scope="module")
+def tube():
+    return msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)
+
+
+def told(name, call):
+    """What ``call`` returns; it is deprecated by one message that has ``name``."""
+    with pytest.warns(DeprecationWarning, match=name) as found:
+        value = call()
+    assert len(found) == 1 and found[0].filename == __file__
+    return value
+
+
+def test_old_methods_of_a_skeleton_work(tube, monkeypatch):
+    """Those that were meant for the package, and the table that was one type or another."""
+    curve = tube
+    same = told("Skeleton.changed is", lambda: curve.changed)(
+        curve.vertices, curve.edges, np.arange(len(curve.vertices))
+    )
+    np.testing.assert_array_equal(same.edges, curve.edges)
+    inside = told("metrics.evaluate", lambda: curve.inside_of)(curve.vertices, curve.edges, curve.radii)
+    assert inside == curve.report.inside
+    assert len(told("Skeleton.source", lambda: curve.surface).vertex) == len(curve.mesh_map)
+    table = told("Skeleton.columns, .* Skeleton.to_pandas", lambda: curve.table)("nodes")
+    assert table.equals(curve.to_pandas("nodes"))
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    assert list(told("columns", lambda: curve.table)()) == list(curve.columns())
+    with pytest.raises(AttributeError, match="'Skeleton' object has no attribute 'tables'"):
+        curve.tables  # noqa: B018
+    assert not hasattr(curve, "_asdict")  # an old name is asked for by nobody else
+
+
+def test_other_old_names_work(tube):
+    batch = msf_jax.stack([tube])
+    ((binding, vertices),) = told(r"Batch.members\(\)", batch.unstack)
+    assert binding.live.nodes == len(tube.vertices) and vertices.shape == (len(tube.mesh_map), 3)
+    with pytest.raises(msf_jax.ConfigError, match="jittered_runs is -1: expected a number of runs"):
+        told(r"skeletonize\(jittered_runs=-1\)", lambda: msf_jax.skeletonize(blob(2), spread=-1))
+
+
+README_040 = """
+import jax
+import msf_jax
+
+jax.config.update("jax_enable_x64", True)  # float64; without it everything runs in float32
+msf_jax.cache_compilations()  # keep compiled programs on disk, for later processes
+
+skeleton = msf_jax.skeletonize("hand.off")  # or a trimesh.Trimesh, or (vertices, faces); repair=True, repair="join"
+print(skeleton.report)  # converged? cycles = genus? how much of the curve is inside?
+skeleton.vertices, skeleton.edges, skeleton.radii  # (N, 3) in the mesh's units, (E, 2), (N,)
+skeleton.mesh_map  # (V,) the node of every input vertex
+skeleton.save("hand.swc")  # or .csv, .vtp, .obj, .ply, .npz, .json, .glb (the mesh on a rig of bones), ...
+skeleton.table()  # a row for each branch: length, radii, volume, angle to its parent, ...
+skeleton.view("hand.off", "hand.html")  # an interactive page of the mesh and its curve
+"""
+
+
+def test_the_script_of_the_readme_of_040_runs(tmp_path, monkeypatch):
+    """With a deprecation at its own line, that has the new names."""
+    monkeypatch.setattr(msf_jax, "cache_compilations", lambda: None)  # the user's folder is not a test's
+    ground_truth.make("y_coarse").mesh.export(tmp_path / "hand.off")
+    monkeypatch.chdir(tmp_path)
+    with pytest.warns(
+        DeprecationWarning, match=r"Skeleton.table is .* Skeleton.columns, .* Skeleton.to_pandas"
+    ) as found:
+        exec(compile(README_040, "readme.py", "exec"), {"__name__": "block"})
+    lines = README_040.splitlines()
+    assert [lines[each.lineno - 1].split("(")[0] for each in found if each.filename == "readme.py"] == [
+        "skeleton.table"
+    ]
+
+
+@pytest.mark.parametrize("take", [msf_jax.skeletonize, msf_jax.contract, msf_jax.read_mesh, msf_jax.metrics.evaluate])
+def test_functions_say_what_a_mesh_is(take):
+    assert typing.get_type_hints(take)["mesh"] == msf_jax.MeshLike

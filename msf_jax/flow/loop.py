@@ -24,6 +24,7 @@ from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State
 from msf_jax.flow.stepping import step
 from msf_jax.meshes import checking
 from msf_jax.meshes.checking import Surface
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair, as_repair
 from msf_jax.meso import fixing
 from msf_jax.solid.solid import Solid
@@ -37,7 +38,7 @@ STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a 
 
 
 def contract(
-    mesh: Any,
+    mesh: MeshLike,
     weights: Weights | None = None,
     config: Config | None = None,
     *,

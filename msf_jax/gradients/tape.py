@@ -21,6 +21,7 @@ from msf_jax.base.options import Config, Weights, is_traced
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.gradients.tape_checks import check_part, flags, indices, numbers
 from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import placed_between_neighbours
 from msf_jax.recording import padded
 from msf_jax.recording.decisions import decisions, num_unlike
@@ -152,7 +153,7 @@ class Tape:
             )
         return Comparison(num_unlike(np.asarray(self.decisions), np.asarray(other.decisions)), len(other.decisions))
 
-    def check(self, mesh: Any) -> None:
+    def check(self, mesh: MeshLike) -> None:
         """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
         vertices, faces = reading.read(mesh, finite=False)
         if not np.isfinite(vertices).all():  # repair placed these vertices between their neighbours
@@ -177,7 +178,7 @@ class Tape:
         archive.write(path, KIND, FORMAT_VERSION, header, arrays, compress=True)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], mesh: Any = None) -> "Tape":
+    def load(cls, path: str | os.PathLike[str], mesh: MeshLike | None = None) -> "Tape":
         """The tape that `save` wrote to ``path``. With ``mesh`` given, the tape must be of that mesh.
 
         Raises:
