@@ -1,5 +1,7 @@
 """Numbers that texts repeat are those of the code or of the page that has them, and every file they name is there."""
 
+import ast
+import inspect
 import re
 import warnings
 from pathlib import Path
@@ -122,6 +124,27 @@ def test_files_that_a_text_names_are_there(path):
     assert not [name for name in names if not any((at / name).exists() for at in (ROOT, PACKAGE, path.parent))]
     programs = [ROOT / name.replace(".", "/") for name in re.findall(r"python -m (tests\.[\w.]*\w)", text)]
     assert not [name for name in programs if not (name.is_dir() or name.with_suffix(".py").exists())]
+
+
+RESULTS = [value for value in (getattr(msf_jax, name) for name in msf_jax.__all__) if inspect.isclass(value)]
+OF_RESULTS = {name for kind in RESULTS for name in (*dir(kind), *getattr(kind, "__annotations__", ()))} - {"save"}
+
+
+def is_of_a_module(node: ast.Attribute) -> bool:
+    return ast.unparse(node.value).removeprefix("msf_jax.") in ("msf_jax", "np", "jnp", "jax", "metrics", "losses")
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
+def test_a_page_names_what_its_recipes_read(path):
+    """Attributes and methods of a result, in its text or in a comment in that line; `save` speaks for itself."""
+    text = path.read_text("utf-8")
+    prose = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+    for block in re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL):
+        lines = block.splitlines()
+        for node in ast.walk(ast.parse(block)):
+            if isinstance(node, ast.Attribute) and node.attr in OF_RESULTS and not is_of_a_module(node):
+                is_told = any("#" in line for line in lines[node.lineno - 1 : node.end_lineno])
+                assert is_told or re.search(rf"\b{node.attr}\b", prose), f"{path.name}: {ast.unparse(node)}"
 
 
 def test_two_pages_say_what_the_table_of_tuning_shows():
