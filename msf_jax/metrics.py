@@ -75,7 +75,7 @@ def evaluate(mesh: MeshLike, skeleton: Any, truth: Any = None) -> dict[str, floa
         other, other_edges = _curve_of(truth)
         ours, theirs = (solid.enter(vertices), edges), (solid.enter(other), other_edges)
         for name, (start, end) in {"to_truth": (ours, theirs), "from_truth": (theirs, ours)}.items():
-            points, weight = sample_curve(*start, 0.001)
+            points, weight = sample_curve(*start, 0.001)  # diagonals
             distance = curve_distance(points, *end)
             figures[f"{name}_mean"] = float((distance * weight).sum() / weight.sum())
             figures[f"{name}_max"] = float(distance.max())
@@ -269,7 +269,7 @@ def _off_centre(shape: Enclosure, points: np.ndarray, along: np.ndarray, length:
 
 def _percentile(missed: np.ndarray, area: np.ndarray) -> float:
     order = np.argsort(missed)
-    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())
+    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())  # few points, such as corners, do not decide
     return float(missed[order[min(rank, len(order) - 1)]])
 
 
@@ -318,7 +318,7 @@ def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, paths: l
                 inner = at(points, along, np.array([back]))
                 tips.append(points[0])
                 backs.append(inner[0])
-                limbs.append(max(float(shape.distances(inner)[0]), 1e-9))
+                limbs.append(max(float(shape.distances(inner)[0]), 1e-9))  # diagonals: it is divided by
     is_inside = shape.contains(np.array(tips).reshape(-1, 3))
     if not is_inside.any():
         return float("nan")

@@ -131,6 +131,7 @@ def _rows_after(edit: Any, num: int) -> int:
         if array.dtype.kind not in "iu" or array.shape != (count,) or not ((array >= 0) & (array < num)).all():
             raise ValueError("an edit refers to rows that do not exist")
     fraction = getattr(edit, "fraction", np.zeros(count))
+    # A projection on an edge is between its ends, up to rounding in float32.
     if fraction.shape != (count,) or not ((fraction >= -1e-6) & (fraction <= 1 + 1e-6)).all():
         raise ValueError("an edit's fraction is not between 0 and 1")
     if isinstance(edit, CollapseRound) and not (edit.takes_pole.shape == (count,) and edit.takes_pole.dtype == bool):

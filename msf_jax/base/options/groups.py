@@ -54,7 +54,7 @@ class PreprocessingOptions:
         in_range(self, whole=True, reconstruct_mesh=(0, math.inf), reconstruct_poles=(0, math.inf))
         in_range(self, resample=(0, 0.5), refine=(0, 1))
         true_or_false(self, "exact_reconstruction", "use_poles", "pole_confidence")
-        if 0 < self.resample < 1e-3:
+        if 0 < self.resample < 1e-3:  # millions of vertices
             raise ConfigError(
                 f"PreprocessingOptions.resample is {self.resample}: expected 0 (off) or at least 0.001 of the diagonal"
             )
