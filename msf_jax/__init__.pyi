@@ -12,6 +12,10 @@ from msf_jax.base.errors import FlowError as FlowError
 from msf_jax.base.errors import Interrupted as Interrupted
 from msf_jax.base.errors import MeshError as MeshError
 from msf_jax.base.options import Config as Config
+from msf_jax.base.options import CurveOptions as CurveOptions
+from msf_jax.base.options import FlowOptions as FlowOptions
+from msf_jax.base.options import PreprocessingOptions as PreprocessingOptions
+from msf_jax.base.options import SolverOptions as SolverOptions
 from msf_jax.base.weights import read_weights as read_weights
 from msf_jax.base.weights import save_weights as save_weights
 from msf_jax.device import Weights as Weights  # importing `device` registers it as a pytree
@@ -35,6 +39,7 @@ from msf_jax.gradients.track import track as track
 from msf_jax.inside.preprocessing import reconstruct as reconstruct
 from msf_jax.inside.preprocessing import voronoi_poles as voronoi_poles
 from msf_jax.limbs.pruning import Branch as Branch
+from msf_jax.meshes.reading import MeshLike as MeshLike
 from msf_jax.meshes.reading import read_mesh as read_mesh
 from msf_jax.meshes.repair import Repair as Repair
 from msf_jax.skeleton.formats.importing import read_curve as read_curve

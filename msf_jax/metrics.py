@@ -10,6 +10,7 @@ import numpy as np
 from msf_jax.base.errors import MeshError
 from msf_jax.curve import handle_loops
 from msf_jax.meshes import checking
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, unit
@@ -25,7 +26,7 @@ SAME = 1e-9  # diagonals: tolerance of these distances
 PAIRS_AT_ONCE = 4_000_000  # pairs of a point and an edge or a node in memory at a time
 
 
-def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
+def evaluate(mesh: MeshLike, skeleton: Any, truth: Any = None) -> dict[str, float]:
     """Score a curve in its mesh.
 
     Args:
@@ -74,14 +75,14 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
         other, other_edges = _curve_of(truth)
         ours, theirs = (solid.enter(vertices), edges), (solid.enter(other), other_edges)
         for name, (start, end) in {"to_truth": (ours, theirs), "from_truth": (theirs, ours)}.items():
-            points, weight = sample_curve(*start, 0.001)
+            points, weight = sample_curve(*start, 0.001)  # diagonals
             distance = curve_distance(points, *end)
             figures[f"{name}_mean"] = float((distance * weight).sum() / weight.sum())
             figures[f"{name}_max"] = float(distance.max())
     return figures
 
 
-def compare(mesh: Any, skeleton: Any, other: Any) -> dict[str, float]:
+def compare(mesh: MeshLike, skeleton: Any, other: Any) -> dict[str, float]:
     """Score two curves of a mesh on the part that both cover, so that missing branches improve no score.
 
     A point of a curve is common if its foot, the nearest point on the other curve, is within the larger of the
@@ -268,7 +269,7 @@ def _off_centre(shape: Enclosure, points: np.ndarray, along: np.ndarray, length:
 
 def _percentile(missed: np.ndarray, area: np.ndarray) -> float:
     order = np.argsort(missed)
-    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())
+    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())  # few points, such as corners, do not decide
     return float(missed[order[min(rank, len(order) - 1)]])
 
 
@@ -317,7 +318,7 @@ def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, paths: l
                 inner = at(points, along, np.array([back]))
                 tips.append(points[0])
                 backs.append(inner[0])
-                limbs.append(max(float(shape.distances(inner)[0]), 1e-9))
+                limbs.append(max(float(shape.distances(inner)[0]), 1e-9))  # diagonals: it is divided by
     is_inside = shape.contains(np.array(tips).reshape(-1, 3))
     if not is_inside.any():
         return float("nan")

@@ -83,6 +83,12 @@ def test_host_and_device_do_not_mix():
     assert {file.split("/")[0] for file in with_jaxopt} == {"device", "tuning"} and len(with_jaxopt) == 2
 
 
+def test_only_what_makes_runs_knows_a_whole_config():
+    """The chapters below get single options, or the settings of a step."""
+    knowing = {file.split("/")[0] for file, name, _ in imports() if name == "msf_jax.base.options.Config"}
+    assert knowing == {"flow", "gradients", "tuning", "app"}
+
+
 def test_nothing_private_of_jax_is_used():
     """Not even by name, as a string."""
     for path in ROOT.rglob("*.py"):

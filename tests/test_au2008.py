@@ -158,11 +158,13 @@ def test_the_system_contracts_to_a_millionth_and_draws_the_curve(name):
     assert report.unsolved == 0
     assert (report.components, report.cycles, report.loops, report.inside) == (1, shape.genus, shape.genus, 1.0)
     assert len(np.unique(plain.mesh_map)) > 4
-    done = msf_jax.skeletonize(shape.mesh, config=Config.au2008(centre=True, extend_tips=True, evaluate=True))
+    done = msf_jax.skeletonize(
+        shape.mesh, config=Config.au2008(evaluate=True, curve={"centre": True, "extend_tips": True})
+    )
     assert done.report.figures["leaves"] == shape.num_leaves
     assert done.report.figures["off_centre"] < 0.12
     assert done.report.inside == 1.0
-    other = msf_jax.skeletonize(shape.mesh, config=Config.au2008(surgery=False))
+    other = msf_jax.skeletonize(shape.mesh, config=Config.au2008(curve={"surgery": False}))
     assert (other.report.cycles, other.report.loops, other.report.inside) == (shape.genus, shape.genus, 1.0)
 
 
@@ -176,7 +178,7 @@ def test_plain_conjugate_gradients_do_not_follow():
     """By the diagonal alone, the same solves take so many steps; by the factor, at most 30 in any iteration."""
     mesh = ground_truth.make("y_coarse").mesh
     run = msf_jax.contract(mesh, config=Config.au2008())
-    plain = msf_jax.contract(mesh, config=Config.au2008(preconditioner="jacobi", solve_steps=20000))
+    plain = msf_jax.contract(mesh, config=Config.au2008(solver={"preconditioner": "jacobi", "max_steps": 20000}))
     assert max(line.steps for line in run.history) <= 30
     assert max(line.steps for line in plain.history) > 300
 
@@ -195,7 +197,7 @@ def test_float32_is_not_asked_for_by_the_system():
 @pytest.mark.slow
 def test_a_short_run_is_replayed_with_its_gradient():
     mesh = ground_truth.make("straight_coarse").mesh
-    flow = msf_jax.contract(mesh, config=Config.au2008(max_iterations=2, volume_tolerance=0.0))
+    flow = msf_jax.contract(mesh, config=Config.au2008(max_iterations=2, flow={"volume_tolerance": 0.0}))
     vertices = np.array(mesh.vertices)
     nodes = msf_jax.replay(flow.tape, flow.weights)
     assert np.abs(nodes - flow.curve.vertices).max() < 1e-9 * mesh.scale

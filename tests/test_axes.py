@@ -73,7 +73,7 @@ def virtual(seed: int, num: int = 4) -> Plant:
 
 def check(plant: Plant, skeleton: Skeleton, degrees: float, share: float, away: float, ends: float) -> None:
     """All orders and parents are right. ``ends``: what the curve lacks of a length, in radii of the plant's ends."""
-    table = skeleton.table("axes")
+    table = skeleton.to_pandas("axes")
     tips = np.array([plant.points[nodes[-1]] for nodes in plant.nodes])
     which = spatial.KDTree(tips).query(skeleton.vertices[table["end"]])[1]
     assert sorted(which) == list(range(len(tips)))
@@ -109,7 +109,7 @@ def test_strahlers_order_is_one_more_where_equals_meet():
     one = plant.grow(0, 10, 60, 0, 2.0, 0.1)
     plant.grow(0, 20, 60, 120, 2.0, 0.1)
     plant.grow(one, 15, 60, 0, 1.0, 0.08)
-    table = plant.curve.table("axes")
+    table = plant.curve.to_pandas("axes")
     order = dict(zip(table["end"], table["strahler"], strict=True))
     tips = [nodes[-1] for nodes in plant.nodes]
     assert [order[tip] for tip in tips] == [3, 2, 1, 1]
@@ -121,7 +121,7 @@ def test_an_axis_goes_on_with_the_thickest_and_straightest(radius, goes_on):
     plant = Plant(6.0, 0.0)
     side = plant.grow(0, 20, 60, 0, 2.0, radius)
     skeleton = plant.curve.to_tree(0)
-    table = skeleton.table("axes")
+    table = skeleton.to_pandas("axes")
     (main,) = np.flatnonzero(table["order"] == 0)
     assert table["start"][main] == 0 and (table["end"][main] == plant.nodes[side][-1]) == goes_on
     assert len(table["axis"]) == 2
@@ -137,7 +137,7 @@ def test_a_curved_axis_has_its_angle_near_its_insertion():
     nodes = np.vstack([plant.points, side])
     own = [30, *range(61, 101)]
     edges = np.sort(np.array(plant.edges + list(pairwise(own))), axis=1)
-    table = curve_of(nodes, edges, np.r_[np.full(61, 0.2), np.full(40, 0.1)]).to_tree(0).table("axes")
+    table = curve_of(nodes, edges, np.r_[np.full(61, 0.2), np.full(40, 0.1)]).to_tree(0).to_pandas("axes")
     assert 65 < table["angle"][1] < 76
 
 
@@ -173,9 +173,9 @@ def test_the_tables_of_axes_and_cylinders_are_written_and_others_refused(tmp_pat
     curve.save(tmp_path / "plant.axes.csv")
     assert (tmp_path / "plant.axes.csv").read_text().startswith("axis,parent,order,strahler,")
     with pytest.raises(msf_jax.ConfigError, match="'axes', 'cylinders'"):
-        curve.table("axis")
+        curve.to_pandas("axis")
     alone = curve_of(np.zeros((1, 3)), np.empty((0, 2), dtype=int), np.ones(1))
-    assert len(alone.table("axes")) == 1 and len(alone.table("cylinders")) == 0
+    assert len(alone.to_pandas("axes")) == 1 and len(alone.to_pandas("cylinders")) == 0
 
 
 def frustum(low: np.ndarray, high: np.ndarray, radii: tuple[float, float], sides: int) -> manifold3d.Manifold:
@@ -205,7 +205,7 @@ def test_a_plant_of_cones_that_were_joined():
     mesh = body.to_mesh64()
     skeleton = msf_jax.skeletonize((mesh.vert_properties[:, :3], mesh.tri_verts))
     curve = skeleton.to_tree((0, 0, 0))
-    table = curve.table("axes")
+    table = curve.to_pandas("axes")
     away, which = spatial.KDTree([*tips, top]).query(curve.vertices[table["end"]])
     assert sorted(which) == list(range(10)) and away.max() < 1.0
     is_side = table["parent"] >= 0

@@ -228,7 +228,7 @@ def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch)
     monkeypatch.setattr(batch, "run", lambda *_, **options: seen.update(options) or done)
     options = ["--system", "tagliasacchi2012", "--w-M", "0.8", "--prune", "0", "--evaluate"]
     assert main(["batch", str(folder), str(tmp_path), *options]) == 0
-    assert seen["config"] == Config.tagliasacchi2012(prune=0.0, evaluate=True)
+    assert seen["config"] == Config.tagliasacchi2012(least_slenderness=0.0, evaluate=True)
     assert seen["weights"] == replace(seen["config"].default_weights(), w_M=0.8)
 
 

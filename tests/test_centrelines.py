@@ -89,7 +89,7 @@ def test_the_section_of_an_elliptic_tube_has_its_area_and_diameters():
 def test_branches_know_their_lengths_angles_parents_and_radii():
     shape = ground_truth.make("y")
     nodes, edges = refined(shape, 0.05)
-    table = measured(nodes, edges, shape.mesh).table()
+    table = measured(nodes, edges, shape.mesh).to_pandas()
     assert len(table) == 3 and sorted(table["parent"]) == [-1, *[table.index[table["parent"] == -1][0]] * 2]
     trunk = table[table["parent"] == -1].iloc[0]
     limbs = table[table["parent"] >= 0]
@@ -115,7 +115,7 @@ def test_an_angle_is_that_of_the_limbs_and_not_of_how_they_bend_towards_the_midd
     down = [line[k] + np.arange(1, 40)[:, None] * [0, 0, -0.02] for k in (first, second)]
     edges = [*pairwise(range(118)), *pairwise([first, *range(118, 157)]), *pairwise([second, *range(157, 196)])]
     nodes = np.concatenate([line, *down])
-    table = curve_of(nodes, np.sort(edges, axis=1), np.full(196, 0.1)).to_tree(root=0).table()
+    table = curve_of(nodes, np.sort(edges, axis=1), np.full(196, 0.1)).to_tree(root=0).to_pandas()
     ends = nodes[table["end"]]
     is_down = ends[:, 2] < -0.5
     assert is_down.sum() == 2 and np.isnan(table["angle"]).sum() == 1
@@ -128,7 +128,7 @@ def test_the_branches_of_a_tree_lead_away_from_its_root():
     nodes, edges = refined(shape, 0.05)
     skeleton = measured(nodes, edges, shape.mesh)
     tip = int(np.linalg.norm(nodes - shape.tips[1], axis=1).argmin())
-    table = skeleton.to_tree(root=tip).table()
+    table = skeleton.to_tree(root=tip).to_pandas()
     first = table[table["parent"] == -1]
     assert first["start"].tolist() == [tip] and set(table["parent"]) == {-1, int(first["branch"].iloc[0])}
 
@@ -141,7 +141,7 @@ def test_what_faces_sweep_is_the_volume_of_the_part():
     np.testing.assert_allclose(found, 1.0)
 
 
-def test_tables_are_written_and_are_dictionaries_without_pandas(tmp_path, monkeypatch):
+def test_tables_are_written_and_are_columns_of_arrays_also_without_pandas(tmp_path, monkeypatch):
     shape = ground_truth.make("y")
     nodes, edges = refined(shape, 0.1)
     skeleton = measured(nodes, edges, shape.mesh)
@@ -149,16 +149,20 @@ def test_tables_are_written_and_are_dictionaries_without_pandas(tmp_path, monkey
         skeleton.save(tmp_path / f"y{suffix}")
         with open(tmp_path / f"y{suffix}", newline="") as file:
             rows = list(csv.DictReader(file))
-        table = skeleton.table(of)
+        table = skeleton.to_pandas(of)
         assert list(rows[0]) == list(table.columns) and len(rows) == len(table)
         for name in table.columns:
             written = [np.nan if row[name] == "" else row[name] for row in rows]
             assert [str(value) for value in table[name].tolist()] == [str(value) for value in written]
+        columns = skeleton.columns(of)
+        assert type(columns) is dict and list(columns) == list(table.columns)
+        assert all(isinstance(values, np.ndarray) and len(values) == len(rows) for values in columns.values())
     monkeypatch.setitem(sys.modules, "pandas", None)
-    plain = skeleton.table()
-    assert isinstance(plain, dict) and plain["length"].shape == (3,)
+    assert type(skeleton.columns()) is dict and skeleton.columns()["length"].shape == (3,)
+    with pytest.raises(ConfigError, match="to_pandas needs pandas: install it with pip install pandas, or use columns"):
+        skeleton.to_pandas()
     with pytest.raises(ConfigError, match="no table of 'edges': expected one of 'branches', 'nodes'"):
-        skeleton.table("edges")
+        skeleton.columns("edges")
 
 
 def test_vtk_reads_all_columns(tmp_path):
@@ -168,7 +172,7 @@ def test_vtk_reads_all_columns(tmp_path):
     skeleton = measured(np.vstack([nodes, [[0.0, 0.0, -0.5]]]), edges, shape.mesh)
     skeleton.save(tmp_path / "y.vtp")
     read = pyvista.read(tmp_path / "y.vtp")
-    branches, of_nodes = skeleton.table(), skeleton.table("nodes")
+    branches, of_nodes = skeleton.to_pandas(), skeleton.to_pandas("nodes")
     order = np.argsort(branches["length"] > 0, kind="stable")
     for name in ("branch", "length", "angle", "volume", "parent", "least_radius"):
         np.testing.assert_array_equal(read.cell_data[name], branches[name].to_numpy()[order])
@@ -182,9 +186,9 @@ def test_vtk_reads_all_columns(tmp_path):
 def test_a_curve_without_its_mesh_has_lengths_and_no_areas(tmp_path):
     shape = ground_truth.make("y")
     curve = curve_of(shape.points, np.sort(shape.edges, axis=1), shape.radii)
-    table = curve.table()
+    table = curve.to_pandas()
     assert table["volume"].isna().all() and (table["length"] > 0.5).all()
-    assert curve.table("nodes")["area"].isna().all()
+    assert curve.to_pandas("nodes")["area"].isna().all()
     curve.save(tmp_path / "y.vtp")
     assert "area" not in pyvista.read(tmp_path / "y.vtp").point_data
     with pytest.raises(ConfigError, match=r"does not know the mesh .*: expected one from .*; save it as \.npz"):
@@ -212,7 +216,7 @@ def test_a_vessel_that_was_cut_open_keeps_its_length_and_its_radius_to_the_openi
     assert order[0].max() < 0.02 and set(order[1]) == {0, 1}
     wall = 0.12 * np.cos(np.pi / 6)  # to the sides of the hexagon
     assert skeleton.radii.min() > 0.8 * wall
-    (row,) = skeleton.table().to_dict("records")
+    (row,) = skeleton.to_pandas().to_dict("records")
     assert row["length"] == pytest.approx(2.2, rel=0.02) and row["least_radius"] > 0.8 * wall
     again = skeleton.resample(0.4)
     np.testing.assert_allclose(again.vertices[list(again.openings)], ends)

@@ -13,13 +13,13 @@ import trimesh
 from conftest import torus
 
 import msf_jax
-from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
+from msf_jax import Config, ConfigError, Interrupted, SolverOptions, Tape, Weights
 from msf_jax.base import archive
 from msf_jax.flow import loop, programs, starting, stepping
 from msf_jax.flow.state import Limits
 from msf_jax.skeleton.formats import export
 
-SLOW = Config(max_iterations=7, step_tolerance=0.1)
+SLOW = Config(max_iterations=7, solver=SolverOptions(step_tolerance=0.1))
 ONCE = Config(max_iterations=1)
 
 

@@ -15,7 +15,7 @@ from conftest import torus
 from test_checkpoint import SLOW, assert_same_bits
 
 import msf_jax
-from msf_jax import Config, ConfigError, FlowError, Interrupted
+from msf_jax import Config, ConfigError, FlowError, FlowOptions, Interrupted, SolverOptions
 from msf_jax.app import cli
 from msf_jax.app.cli import main
 from msf_jax.base import clock as clocks
@@ -180,12 +180,14 @@ def test_the_curve_so_far_is_that_of_a_thinner_surface(mesh, endless, monkeypatc
 
     monkeypatch.setattr(loop, "step", second)
     monkeypatch.setattr(curves.extraction, "extract_curve", seeing)
-    config = Config(max_iterations=7, step_tolerance=0.1, t_max=0.1)
+    config = Config(max_iterations=7, solver=SolverOptions(step_tolerance=0.1), flow=FlowOptions(threshold_max=0.1))
     with pytest.raises(Interrupted, match="interrupted after 1 iterations") as at:
         loop.contract(mesh, config=config)
     flow = at.value.flow
     for positions, rings in given:
-        assert not collapse.collapse_short_edges(Meso.from_mesh(positions, faces_from_rings(rings)), config.t_max)
+        assert not collapse.collapse_short_edges(
+            Meso.from_mesh(positions, faces_from_rings(rings)), config.flow.threshold_max
+        )
         assert len(positions) < flow.history[-1].live / 2
     assert given and len(flow.meso_skeleton[0]) == flow.history[-1].live
     replayed = msf_jax.replay(flow.tape, flow.weights)
@@ -223,7 +225,7 @@ def a_second_each(monkeypatch):
 
 def test_max_seconds_ends_a_run_with_the_curve_so_far(mesh, a_second_each, tmp_path):
     whole, path = loop.contract(mesh, config=SLOW), tmp_path / "run.npz"
-    short = Config(max_iterations=7, step_tolerance=0.1, max_seconds=2.5)
+    short = Config(max_iterations=7, max_seconds=2.5, solver=SolverOptions(step_tolerance=0.1))
     run = loop.contract(mesh, config=short, checkpoint=path)
     report = run.skeleton.report
     assert run.history == whole.history[:3]
@@ -339,7 +341,7 @@ def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_
 
     monkeypatch.setattr(starting.thickness, "scales", second)
     with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
-        msf_jax.skeletonize(mesh, spread=1)
+        msf_jax.skeletonize(mesh, jittered_runs=1)
     assert at.value.flow.skeleton.report.is_sound
 
 

@@ -25,7 +25,7 @@ from device_cases import (
     reference_laplacian,
 )
 
-from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver, StepSettings, Weights
+from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver, SolverOptions, StepSettings, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, normal_equations, relaxed
@@ -467,12 +467,12 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     """Earlier than the tolerance would; the report says so, and the solution is off by little of that length."""
     case = build(*pebble(1))
     weights = jax.tree_util.tree_map(np.asarray, Weights())
-    config = Config(solve_tolerance=1e-9)
+    config = Config(solver=SolverOptions(tolerance=1e-9))
     exact = iteration.move(case.buffers, weights, config.on_device, case.layout)
     t_c = 0.01
     found = iteration.move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config.on_device, case.layout)
     assert int(found.contraction.steps) < int(exact.contraction.steps)
-    assert float(found.contraction.residual) > config.solve_tolerance
+    assert float(found.contraction.residual) > config.solver.tolerance
     assert bool(found.contraction.is_solved)
     assert np.abs(found.positions - exact.positions).max() < t_c / 2
     assert np.abs(found.positions - exact.positions).max() > 1e-7

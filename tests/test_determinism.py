@@ -66,7 +66,7 @@ def test_limbs_from_another_thread_are_the_same(monkeypatch):
     assert pool.names == ["prepare", "_with_limbs"]
     np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
     np.testing.assert_array_equal(found[0].edges, found[1].edges)
-    flow = msf_jax.Config(prune=0.0, extend_tips=False)
+    flow = msf_jax.Config(least_slenderness=0.0, curve=msf_jax.CurveOptions(extend_tips=False))
     assert msf_jax.skeletonize(mesh, config=flow).num_leaves >= found[0].num_leaves
     assert pool.names[2:] == ["prepare"]
 

@@ -170,7 +170,7 @@ def test_what_the_migration_page_says_to_call_is_there_and_runs(tmp_path, monkey
                 owner = owner if span[0] == "." else span.partition(").")[0] + ")" * (")." in span)
                 owner = "skeleton" if owner.startswith("skeleton.") else owner
                 call = (owner if span[0] == "." else "") + span
-                while setting := re.search(r"(Config|Weights|Repair)\((?:[^()]*, )?(\w+)=\.\.\.", call):
+                while setting := re.search(r"(Config|Weights|Repair|\w+Options)\((?:[^()]*, )?(\w+)=\.\.\.", call):
                     call = call.replace(f"{setting[2]}=...", f"{setting[2]}={setting[1]}().{setting[2]}")
                 eval(call, dict(names))
                 num += 1

@@ -1,5 +1,7 @@
 """Numbers that texts repeat are those of the code or of the page that has them, and every file they name is there."""
 
+import ast
+import inspect
 import re
 import warnings
 from pathlib import Path
@@ -63,11 +65,14 @@ FACTS = [
     ("README.md", f"a million vertices take {MILLION} s"),
     (".github/CONTRIBUTING.md", f"A folder holds at most {WORDS[MOST_FILES]} modules"),
     ("speed.md", f"Of the {MILLION} s,"),
-    ("speed.md", f"solves stop at a residual of {CONFIG.solve_tolerance:.0e}".replace("e-0", "e-")),
+    ("speed.md", f"solves stop at a residual of {CONFIG.solver.tolerance:.0e}".replace("e-0", "e-")),
     ("speed.md", f"Tighter solves (below {cg.LOOSE:.0e})".replace("e-0", "e-")),
     ("differences.md", f"limited** to {laplacian.LARGEST_ENTRY:g} times their row's unit"),
-    ("differences.md", f"threshold starts at {CONFIG.t_min:g} and rises by {CONFIG.t_step:g}.**"),
-    ("differences.md", f"the projection on {CONFIG.reconstruct_poles} eigenvectors"),
+    (
+        "differences.md",
+        f"threshold starts at {CONFIG.flow.threshold_min:g} and rises by {CONFIG.flow.threshold_step:g}.**",
+    ),
+    ("differences.md", f"the projection on {CONFIG.preprocessing.reconstruct_poles} eigenvectors"),
     ("differences.md", f"Edges below {CONFIG.coarsen:g} of the diagonal are collapsed"),
     ("differences.md", f"At most {percent(loop.SETTLED)} of the volume is left; or up to {percent(loop.MEMBRANES)} is"),
     ("differences.md", f"at most {WORDS[loop.THINNED]} as thick as the solid was"),
@@ -83,12 +88,12 @@ FACTS = [
     ("weights.md", f"`w_H` ({WEIGHTS.w_H})"),
     ("weights.md", f"`w_M` ({WEIGHTS.w_M})"),
     ("weights.md", f"`smoothing` ({WEIGHTS.smoothing})"),
-    ("branches.md", f"has at least `Config(prune={CONFIG.prune})` is a limb"),
+    ("branches.md", f"has at least `Config(least_slenderness={CONFIG.least_slenderness})` is a limb"),
     ("branches.md", f"less than {percent(caps.SMALL_CAP)} of the surface"),
     ("branches.md", f"must be {WORDS[1 / fronts.SMALLER]} as slender"),
     ("branches.md", f"from {caps.BLUNT} of `prune` on, of a part that is slender"),
     ("branches.md", f"keeps the parts from {caps.BLUNT} of `prune` on"),
-    ("branches.md", f"a `prune` below {caps.ROUND_END} acts as {caps.ROUND_END}"),
+    ("branches.md", f"a `least_slenderness` below {caps.ROUND_END} acts as {caps.ROUND_END}"),
     ("branches.md", f"a mesh with fewer than {caps.SPLIT_BELOW:,} vertices are split"),
     ("branches.md", f"Edges are refined to {WORDS[finishing.SPACING]} a radius"),
     ("branches.md", f"a distance of {WORDS[ends.GAP]} of the radius of the limb's end from the surface"),
@@ -119,6 +124,27 @@ def test_files_that_a_text_names_are_there(path):
     assert not [name for name in names if not any((at / name).exists() for at in (ROOT, PACKAGE, path.parent))]
     programs = [ROOT / name.replace(".", "/") for name in re.findall(r"python -m (tests\.[\w.]*\w)", text)]
     assert not [name for name in programs if not (name.is_dir() or name.with_suffix(".py").exists())]
+
+
+RESULTS = [value for value in (getattr(msf_jax, name) for name in msf_jax.__all__) if inspect.isclass(value)]
+OF_RESULTS = {name for kind in RESULTS for name in (*dir(kind), *getattr(kind, "__annotations__", ()))} - {"save"}
+
+
+def is_of_a_module(node: ast.Attribute) -> bool:
+    return ast.unparse(node.value).removeprefix("msf_jax.") in ("msf_jax", "np", "jnp", "jax", "metrics", "losses")
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
+def test_a_page_names_what_its_recipes_read(path):
+    """Attributes and methods of a result, in its text or in a comment in that line; `save` speaks for itself."""
+    text = path.read_text("utf-8")
+    prose = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+    for block in re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL):
+        lines = block.splitlines()
+        for node in ast.walk(ast.parse(block)):
+            if isinstance(node, ast.Attribute) and node.attr in OF_RESULTS and not is_of_a_module(node):
+                is_told = any("#" in line for line in lines[node.lineno - 1 : node.end_lineno])
+                assert is_told or re.search(rf"\b{node.attr}\b", prose), f"{path.name}: {ast.unparse(node)}"
 
 
 def test_two_pages_say_what_the_table_of_tuning_shows():

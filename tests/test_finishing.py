@@ -10,7 +10,7 @@ from conftest import blob, torus
 from scipy import spatial
 
 import msf_jax
-from msf_jax import Config, ground_truth, metrics
+from msf_jax import Config, CurveOptions, PreprocessingOptions, ground_truth, metrics
 from msf_jax.curve import branch_paths, branches, centring, finishing, handle_loops, moves, resampling
 from msf_jax.curve.draft import Draft, Job
 from msf_jax.inside import containment
@@ -477,7 +477,7 @@ def test_a_tube_gives_its_curve_back(name):
 def test_a_coarse_mesh_keeps_its_curve_inside(name):
     shape = ground_truth.make(name)
     # Nor are its long edges split first: then a flow would keep inside by itself.
-    flow = msf_jax.contract(shape.mesh, config=Config(refine=0.0))
+    flow = msf_jax.contract(shape.mesh, config=Config(preprocessing=PreprocessingOptions(refine=0.0)))
     report = flow.skeleton.report
     assert report.inside == 1.0
     assert (report.components, report.cycles, report.loops) == (1, shape.genus, shape.genus)
@@ -513,7 +513,10 @@ def test_the_nodes_of_the_flow_come_first_in_the_finished_curve(y_flow):
 
 
 def test_without_its_passes_the_finished_curve_is_that_of_the_flow():
-    flow = msf_jax.contract(ground_truth.make("arc").mesh, config=Config(prune=0, centre=False, extend_tips=False))
+    flow = msf_jax.contract(
+        ground_truth.make("arc").mesh,
+        config=Config(least_slenderness=0, curve=CurveOptions(centre=False, extend_tips=False)),
+    )
     np.testing.assert_array_equal(flow.skeleton.vertices, flow.curve.vertices)
     np.testing.assert_array_equal(flow.skeleton.edges, flow.curve.edges)
 

@@ -2,7 +2,6 @@
 
 import multiprocessing
 import warnings
-from dataclasses import replace
 
 import jax
 import numpy as np
@@ -11,7 +10,7 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import Config, ConfigError, FlowError, Weights, shapes
+from msf_jax import Config, ConfigError, FlowError, FlowOptions, PreprocessingOptions, SolverOptions, Weights, shapes
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
 from msf_jax.flow import loop, programs
@@ -99,7 +98,7 @@ def test_the_history_adds_up(y_flow):
         assert 0 <= line.fixed <= line.live
         assert np.isfinite(line.residual)
         assert line.steps > 0
-    assert history[-1].volume <= y_flow.config.volume_tolerance
+    assert history[-1].volume <= y_flow.config.flow.volume_tolerance
     assert y_flow.skeleton.report.iterations == len(history)
     assert len(y_flow.is_fixed) == history[-1].live == len(y_flow.meso_skeleton[0])
 
@@ -109,7 +108,7 @@ def test_the_volume_is_gone_by_an_independent_measure(y_flow):
     meso = trimesh.Trimesh(vertices, faces, process=False)
     assert meso.is_watertight
     assert meso.is_winding_consistent
-    assert abs(meso.volume) <= 2 * y_flow.config.volume_tolerance * tubes()[1][0].volume
+    assert abs(meso.volume) <= 2 * y_flow.config.flow.volume_tolerance * tubes()[1][0].volume
 
 
 def test_the_surface_of_every_iteration_is_that_of_its_line_in_the_history(y_flow):
@@ -127,7 +126,10 @@ def test_the_surface_of_every_iteration_is_that_of_its_line_in_the_history(y_flo
 
 
 def test_fixed_vertices_do_not_move():
-    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), Clock()
+    config, watch = (
+        Config(preprocessing=PreprocessingOptions(reconstruct_poles=0), flow=FlowOptions(edit_connectivity=False)),
+        Clock(),
+    )
     state = loop.init(checking.prepare(blob(3)).components[0], 0, config, watch)
     held = np.arange(0, state.meso.num_rows, 5)
     state.meso.is_fixed[held] = True
@@ -237,7 +239,7 @@ def test_running_out_of_iterations_is_said():
 
 
 def test_a_solve_that_runs_out_of_steps_is_said():
-    skeleton = msf_jax.skeletonize(blob(1), config=Config(max_iterations=2, solve_steps=3))
+    skeleton = msf_jax.skeletonize(blob(1), config=Config(max_iterations=2, solver=SolverOptions(max_steps=3)))
     assert skeleton.report.unsolved >= 2
     assert "a linear solve stopped far from its solution" in str(skeleton.report)
 
@@ -302,7 +304,7 @@ def test_coarsening_takes_short_edges_and_leaves_the_shape():
 
 def test_other_systems_keep_their_threshold_and_their_vertices():
     for config in (Config.tagliasacchi2012(), Config.au2008()):
-        assert config.t_min == 0.002
+        assert config.flow.threshold_min == 0.002
         assert config.coarsen == 0
 
 
@@ -310,7 +312,7 @@ def test_other_systems_keep_their_threshold_and_their_vertices():
 def test_a_flow_without_jit():
     """Slow, but it runs, for those who look for a NaN."""
     with jax.disable_jit():
-        run = loop.contract(blob(1, subdivisions=1), config=Config(max_iterations=1, solve_steps=3))
+        run = loop.contract(blob(1, subdivisions=1), config=Config(max_iterations=1, solver=SolverOptions(max_steps=3)))
     assert len(run.history) == 1
     assert np.isfinite(run.skeleton.vertices).all()
 
@@ -319,7 +321,7 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     """Not for a second mesh, nor for options that a jitted step does not see."""
     monkeypatch.setattr(programs, "_file", lambda key: None)  # what an earlier run of the tests has kept
     monkeypatch.setattr(layout, "SMALLEST_CAPACITY", 256)  # small ones are compiled in less time
-    config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
+    config = Config(solver=SolverOptions(tolerance=0.00123))  # one that no other test compiles for
     states = []
     for number, mesh in enumerate((blob(11), torus())):
         states.append(loop.init(checking.prepare(mesh).components[0], number, config, Clock()))
@@ -330,7 +332,13 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
             capacities.add(state.capacity)
     assert len(capacities) > 1
     assert len(compilations) == len(capacities)
-    changed = replace(config, t_min=0.008, t_step=0.001, prune=0.0, max_iterations=50, coarsen=0.0, check=True)
+    changed = config.replace(
+        least_slenderness=0.0,
+        max_iterations=50,
+        coarsen=0.0,
+        check=True,
+        flow={"threshold_min": 0.008, "threshold_step": 0.001},
+    )
     loop.contract(blob(11), Weights(w_M=0.3), changed)
     assert len(compilations) == len(capacities)
 
@@ -405,7 +413,10 @@ def test_edits_change_no_record_of_the_poles(monkeypatch):
 
     init = loop.init
     monkeypatch.setattr(loop, "init", watched)
-    loop.contract(torus(around=40, across=14), config=Config(max_iterations=4, pole_confidence=True))
+    loop.contract(
+        torus(around=40, across=14),
+        config=Config(max_iterations=4, preprocessing=PreprocessingOptions(pole_confidence=True)),
+    )
     found, is_inside, trust = kept[0]
     assert len(np.unique(trust)) > 100
     np.testing.assert_array_equal(found.is_inside, is_inside)
@@ -466,7 +477,7 @@ def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
 
 def test_spread_says_how_far_jittered_runs_are():
     mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
-    plain, found = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh, spread=2)
+    plain, found = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh, jittered_runs=2)
     np.testing.assert_array_equal(found.vertices, plain.vertices)
     assert 0 < found.report.figures["spread"] < 0.05 and found.report.figures["spread_leaves"] == 0
     assert "spread" in str(found.report) and not plain.report.figures

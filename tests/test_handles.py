@@ -16,6 +16,7 @@ from msf_jax.curve import handle_loops
 from msf_jax.inside.containment import is_inside
 from msf_jax.inside.roadmap import Roadmap
 from msf_jax.meso import homology
+from msf_jax.skeleton import changes
 from msf_jax.skeleton.report import loops_of
 from msf_jax.solid import handles as handles_module
 from msf_jax.solid.enclosure import Enclosure
@@ -488,11 +489,11 @@ def test_false_cycles_are_cut_at_their_longest_edge_and_true_ones_stay():
 
 @pytest.fixture(scope="module")
 def ring_curve():
-    return msf_jax.skeletonize(torus(minor=0.3), config=Config(prune=0.0))
+    return msf_jax.skeletonize(torus(minor=0.3), config=Config(least_slenderness=0.0))
 
 
 def changed(skeleton, vertices, edges):
-    return skeleton.changed(np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
+    return changes.changed(skeleton, np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
 
 
 def test_a_mutated_curve_is_not_sound(ring_curve):
@@ -523,7 +524,7 @@ def test_a_mutated_curve_is_not_sound(ring_curve):
 
 def test_a_tree_of_a_curve_in_doubt_stays_in_doubt(ring_curve):
     x, edges = ring_curve.vertices, ring_curve.edges
-    false = ring_curve.changed(x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
+    false = changes.changed(ring_curve, x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
     assert not false.to_tree().report.is_sound and ring_curve.to_tree().report.is_sound
 
 

@@ -1,12 +1,17 @@
 """Options say what is wrong with them; weights are a pytree."""
 
+import argparse
+import dataclasses
+from collections import defaultdict
+
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
 import msf_jax
-from msf_jax import Config, ConfigError, Weights
+from msf_jax import Config, ConfigError, CurveOptions, FlowOptions, PreprocessingOptions, SolverOptions, Weights
+from msf_jax.app.parser import parser_of
 from msf_jax.base.options import StepSettings
 
 
@@ -28,28 +33,30 @@ def test_a_weight_out_of_range_is_named(bad):
 
 
 @pytest.mark.parametrize(
-    ("bad", "message"),
+    ("kind", "bad", "message"),
     [
-        ({"preconditioner": "ilu"}, "unknown preconditioner 'ilu': expected one of jacobi, factored"),
-        ({"surgery": 1}, "Config.surgery is 1: expected True or False"),
-        ({"weights_of": "mcf"}, "unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"),
-        ({"laplacian": "cot"}, "unknown Laplacian 'cot'"),
-        ({"t_min": -0.1}, "Config.t_min is -0.1"),
-        ({"t_min": 0.02}, "below t_min"),
-        ({"split_angle": 60}, "Config.split_angle is 60: expected a number from 90 to 180"),
-        ({"max_iterations": 0}, "Config.max_iterations"),
-        ({"max_iterations": True}, "Config.max_iterations"),
-        ({"max_iterations": 1.5}, "Config.max_iterations is 1.5: expected a whole number"),
-        ({"use_poles": "no"}, "Config.use_poles is 'no': expected True or False"),
-        ({"resample": 1e-9}, "Config.resample"),
-        ({"w_H_follows_area": True}, "edit_connectivity=False"),
-        ({"solve_tolerance": "loose"}, "Config.solve_tolerance"),
-        ({"reconstruct_poles": 2}, "fewer than 4 eigenvectors"),
+        (SolverOptions, {"preconditioner": "ilu"}, "unknown preconditioner 'ilu': expected one of jacobi, factored"),
+        (CurveOptions, {"surgery": 1}, "CurveOptions.surgery is 1: expected True or False"),
+        (FlowOptions, {"laplacian": "cot"}, "unknown Laplacian 'cot'"),
+        (FlowOptions, {"threshold_min": -0.1}, "FlowOptions.threshold_min is -0.1"),
+        (FlowOptions, {"threshold_min": 0.02}, "below threshold_min"),
+        (FlowOptions, {"split_angle": 60}, "FlowOptions.split_angle is 60: expected a number from 90 to 180"),
+        (Config, {"max_iterations": 0}, "Config.max_iterations"),
+        (Config, {"max_iterations": True}, "Config.max_iterations"),
+        (Config, {"max_iterations": 1.5}, "Config.max_iterations is 1.5: expected a whole number"),
+        (Config, {"detail": 1.5}, "Config.detail is 1.5: expected a number from 0 to 1"),
+        (Config, {"evaluate": 1}, "Config.evaluate is 1: expected True or False"),
+        (PreprocessingOptions, {"use_poles": "no"}, "PreprocessingOptions.use_poles is 'no': expected True or False"),
+        (PreprocessingOptions, {"resample": 1e-9}, "PreprocessingOptions.resample"),
+        (FlowOptions, {"w_H_follows_area": True}, "edit_connectivity=False"),
+        (SolverOptions, {"tolerance": "loose"}, "SolverOptions.tolerance"),
+        (PreprocessingOptions, {"reconstruct_poles": 2}, "fewer than 4 eigenvectors"),
+        (Config, {"flow": {}}, "Config.flow is a dict: expected a msf_jax.FlowOptions, or changes"),
     ],
 )
-def test_an_option_out_of_range_is_named(bad, message):
+def test_an_option_out_of_range_is_named(kind, bad, message):
     with pytest.raises(ConfigError, match=message):
-        Config(**bad)
+        kind(**bad)
 
 
 def test_a_config_is_hashable_and_equal_by_value():
@@ -64,16 +71,16 @@ def test_an_unknown_system_is_named():
 
 
 def test_the_three_systems_differ_as_their_papers_do():
-    ours, tagliasacchi, au = Config(), Config.tagliasacchi2012(), Config.au2008()
-    assert (ours.laplacian, tagliasacchi.laplacian, au.laplacian) == ("mean_value", "cotangent", "signed_cotangent")
-    assert ours.t_step > 0
-    assert tagliasacchi.t_step == 0
-    assert tagliasacchi.resample > 0
-    assert not au.use_poles
-    assert au.growth > 1
-    assert au.w_H_follows_area
-    assert au.surgery
-    assert (ours.preconditioner, tagliasacchi.preconditioner, au.preconditioner) == ("jacobi", "jacobi", "factored")
+    ours, tagliasacchi, au = systems = Config(), Config.tagliasacchi2012(), Config.au2008()
+    assert [each.flow.laplacian for each in systems] == ["mean_value", "cotangent", "signed_cotangent"]
+    assert [each.solver.preconditioner for each in systems] == ["jacobi", "jacobi", "factored"]
+    assert ours.flow.threshold_step > 0
+    assert tagliasacchi.flow.threshold_step == 0
+    assert tagliasacchi.preprocessing.resample > 0
+    assert not au.preprocessing.use_poles
+    assert au.flow.w_L_growth > 1
+    assert au.flow.w_H_follows_area
+    assert au.curve.surgery
     assert au.default_weights().w_M == 0
     assert tagliasacchi.default_weights().smoothing == 0
 
@@ -104,12 +111,13 @@ def test_jax_may_put_anything_into_a_tree_of_weights():
 
 def test_a_step_depends_on_these_options_and_on_no_others():
     """All fields of its settings come from the options, none from a default that nobody chose."""
-    other = {"laplacian": "uniform", "solve_tolerance": 1e-4, "solve_steps": 7, "step_tolerance": 0.5}
-    other["preconditioner"] = "factored"
+    other = {"tolerance": 1e-4, "max_steps": 7, "step_tolerance": 0.5, "preconditioner": "factored"}
     for name, value in other.items():
-        assert Config(**{name: value}).on_device != Config().on_device
-    assert Config.au2008(laplacian="mean_value").on_device != Config().on_device
-    assert Config(t_min=0.004, prune=0.0, coarsen=0.0, max_iterations=3).on_device == Config().on_device
+        assert Config(solver=SolverOptions(**{name: value})).on_device != Config().on_device
+    assert Config(flow=FlowOptions(laplacian="uniform")).on_device != Config().on_device
+    assert Config.au2008(flow={"laplacian": "mean_value"}).on_device != Config().on_device
+    others = Config(least_slenderness=0.0, coarsen=0.0, max_iterations=3, flow=FlowOptions(threshold_min=0.004))
+    assert others.on_device == Config().on_device
     settings = vars(Config().on_device)
     assert set(settings) == {"laplacian", "solver", "step_tolerance", "w_H_follows_area"}
     for name in settings:
@@ -126,7 +134,39 @@ def test_weights_are_equal_by_their_numbers():
 
 def test_a_system_is_no_word_beside_the_options_of_another():
     """`Config(system="au2008")` was a run of the default system with other weights."""
-    with pytest.raises(TypeError, match="system"):
-        Config(system="au2008")  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
+    for wrong in (lambda: Config(system="au2008"), lambda: Config().replace(system="au2008")):
+        with pytest.raises(ConfigError, match=r"Config\.named"):
+            wrong()
     for name in ("msf", "tagliasacchi2012", "au2008"):
-        assert Config.named(name).weights_of == name
+        assert Config.named(name).system == name
+    with pytest.raises(ConfigError, match=r"unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"):
+        Config(system="mcf")
+
+
+def test_changes_of_a_group_leave_its_other_values():
+    """In a system's constructor, in `Config.replace`, and in `dataclasses.replace`, which takes whole groups."""
+    slow = Config.au2008(flow={"w_L_growth": 1.2}, max_iterations=9)
+    assert (slow.flow.w_L_growth, slow.flow.w_H_follows_area, slow.max_iterations) == (1.2, True, 9)
+    assert slow.replace(flow={"w_L_growth": 2.0}, max_iterations=200) == Config.au2008()
+    whole = dataclasses.replace(slow, flow=FlowOptions(edit_connectivity=False))
+    assert whole.flow == FlowOptions(edit_connectivity=False) and whole.curve == slow.curve and whole.system == "au2008"
+    for wrong in (FlowOptions(), 3):  # a whole group would take the system's other values away
+        with pytest.raises(ConfigError, match=r"flow is a \w+: expected a dictionary of changes, such as flow="):
+            Config.au2008(flow=wrong)
+    with pytest.raises(TypeError, match="growth"):
+        slow.replace(flow={"growth": 1.0})
+
+
+def test_the_options_at_the_top_are_those_of_the_command_line():
+    parser = parser_of(defaultdict(lambda: print))
+    offered = {word for words in _options_of(parser) for word in words}
+    groups = {"preprocessing", "flow", "solver", "curve"}
+    assert {field.name for field in dataclasses.fields(Config)} - groups <= offered
+
+
+def _options_of(parser):
+    """The names of the options of each command."""
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            return [{option.dest for option in command._actions} for command in action.choices.values()]
+    return []

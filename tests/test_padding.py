@@ -21,10 +21,13 @@ from device_cases import (
 )
 
 from msf_jax.base.layout import Layout, rectangle, staircase
-from msf_jax.base.options import Config, Weights
+from msf_jax.base.options import Config, FlowOptions, SolverOptions, Weights
 from msf_jax.device import iteration
 
-CONFIG = Config(solve_tolerance=TIGHT, solve_steps=MANY, w_H_follows_area=True, edit_connectivity=False)
+CONFIG = Config(
+    solver=SolverOptions(tolerance=TIGHT, max_steps=MANY),
+    flow=FlowOptions(w_H_follows_area=True, edit_connectivity=False),
+)
 WEIGHTS = Weights(w_L=0.9, w_H=0.2, w_M=0.3, smoothing=0.05)
 OWN = staircase(256, 11)
 OTHERS = {"twice the capacity": staircase(512, 11), "rectangle": rectangle(256, 11)}
@@ -156,7 +159,7 @@ def cache_size():
 
 def test_a_layout_is_compiled_once():
     """Another surface, other weights: the same program. Another layout: one more."""
-    config = Config(laplacian="uniform", solve_steps=50)
+    config = Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50))
     layout = one_level(176, 16)
     mesh = blob(0, 2)
     first = build(*pebble(0, 120), layout=layout)
@@ -171,7 +174,7 @@ def test_a_layout_is_compiled_once():
     run(first, config)
     assert cache_size() == before + 1
     run(second, config, w_L=3.0, w_M=0.2)
-    run(first, Config(laplacian="uniform", solve_steps=50), smoothing=0.5)
+    run(first, Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50)), smoothing=0.5)
     assert cache_size() == before + 1
     small = build(*bipyramid(5, 0.3, 0.4, 0.3), layout=one_level(8, 8))
     run(small, config)

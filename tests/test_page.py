@@ -21,7 +21,7 @@ from msf_jax.skeleton.pictures import packing
 @pytest.fixture(scope="module")
 def hand():
     mesh = shapes.hand(0.08)
-    return msf_jax.skeletonize(mesh, config=Config(prune=0.0)), mesh
+    return msf_jax.skeletonize(mesh, config=Config(least_slenderness=0.0)), mesh
 
 
 @pytest.fixture(scope="module")

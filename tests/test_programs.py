@@ -13,10 +13,10 @@ from device_cases import build, one_level, pebble
 from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
-from msf_jax import Config, Weights
+from msf_jax import Config, FlowOptions, SolverOptions, Weights
 from msf_jax.flow import programs
 
-SETTINGS = Config(laplacian="uniform", solve_steps=49).on_device
+SETTINGS = Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=49)).on_device
 LAYOUT = one_level(128, 16)
 
 

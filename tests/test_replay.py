@@ -12,7 +12,7 @@ from conftest import blob, torus
 from device_cases import STRICT, central_difference
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, Weights
+from msf_jax import Config, ConfigError, FlowOptions, MeshError, PreprocessingOptions, Weights
 from msf_jax.base.layout import layout_for
 from msf_jax.gradients import replay, tape
 from msf_jax.recording import padded
@@ -66,17 +66,30 @@ CASES = {
     "au2008, two layouts": (
         lambda: ellipsoid(2),
         Weights(1.0, 1.0, 0.0, 0.0),
-        Config.au2008(growth=1.2, max_iterations=9),
+        Config.au2008(max_iterations=9, flow={"w_L_growth": 1.2}),
         None,
     ),
-    "resampled": (lambda: ellipsoid(2), Weights(), Config.tagliasacchi2012(resample=0.05, t_min=0.01), None),
+    "resampled": (
+        lambda: ellipsoid(2),
+        Weights(),
+        Config.tagliasacchi2012(preprocessing={"resample": 0.05}, flow={"threshold_min": 0.01}),
+        None,
+    ),
     "filtered mesh, trusted poles, uniform": (
         ellipsoid,
         Weights(),
-        Config(reconstruct_mesh=80, pole_confidence=True, laplacian="uniform"),
+        Config(
+            preprocessing=PreprocessingOptions(reconstruct_mesh=80, pole_confidence=True),
+            flow=FlowOptions(laplacian="uniform"),
+        ),
         [3],
     ),
-    "eigenvectors": (ellipsoid, Weights(), Config(reconstruct_mesh=80, exact_reconstruction=True), None),
+    "eigenvectors": (
+        ellipsoid,
+        Weights(),
+        Config(preprocessing=PreprocessingOptions(reconstruct_mesh=80, exact_reconstruction=True)),
+        None,
+    ),
     "stopped at once": (ellipsoid, Weights(), Config(max_iterations=1), None),
 }
 
@@ -245,7 +258,10 @@ def test_finite_gradients_with_degenerate_triangles():
     vertices, faces = np.array(box.vertices), np.array(box.faces)
     for face in faces[[10, 80, 150]]:
         vertices[face[2]] = (vertices[face[0]] + vertices[face[1]]) / 2  # on its edge
-    flow = msf_jax.contract((vertices, faces), config=Config(coarsen=0.0, reconstruct_poles=0, max_iterations=5))
+    flow = msf_jax.contract(
+        (vertices, faces),
+        config=Config(coarsen=0.0, max_iterations=5, preprocessing=PreprocessingOptions(reconstruct_poles=0)),
+    )
     assert np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max() < 1e-9
 
     def value(weights, vertices):

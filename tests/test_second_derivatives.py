@@ -10,7 +10,7 @@ from conftest import blob
 from device_cases import Diagonal, bipyramid, build, one_level, quick_jit
 
 import msf_jax
-from msf_jax import Config, Weights
+from msf_jax import Config, FlowOptions, PreprocessingOptions, Weights
 from msf_jax.base.options import Solver, StepSettings
 from msf_jax.device import cg, iteration
 
@@ -137,7 +137,11 @@ def test_the_hessian_of_a_replay():
     """In the four weights: iterations with collapses and splits in a scan, with a checkpoint."""
     mesh = blob(3, 1)
     mesh.apply_scale([1.0, 0.5, 0.4])
-    config = Config(max_iterations=2, refine=0.0, t_min=0.05, t_max=0.05)
+    config = Config(
+        max_iterations=2,
+        preprocessing=PreprocessingOptions(refine=0.0),
+        flow=FlowOptions(threshold_min=0.05, threshold_max=0.05),
+    )
     flow = msf_jax.contract(mesh, Weights(w_H=0.6, w_M=0.6, smoothing=0.05), config)
     assert len(flow.history) == 2 and flow.history[0].collapses and flow.history[0].splits
     pull = np.random.default_rng(2).normal(size=flow.curve.vertices.shape)

@@ -16,7 +16,7 @@ from msf_jax.solid.enclosure import Enclosure
 def whole():
     """A coarse Y with all the branches that the flow found."""
     mesh = ground_truth.make("y_noisy").mesh
-    return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0))
+    return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(least_slenderness=0))
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def test_a_slid_threshold_takes_spurs_first_and_limbs_later(whole):
 def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
     """And the report counts them."""
     mesh, skeleton = whole
-    run, later = msf_jax.skeletonize(mesh), skeleton.prune(msf_jax.Config().prune)
+    run, later = msf_jax.skeletonize(mesh), skeleton.prune(msf_jax.Config().least_slenderness)
     assert num_leaves(run) == num_leaves(later) and skeleton.report.pruned == 0 == run.report.grown
     assert later.report.pruned == num_leaves(skeleton) - num_leaves(later) > 0
     assert run.report.pruned > 0 and f"{run.report.pruned} pruned" in str(run.report)

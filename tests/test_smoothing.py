@@ -22,7 +22,7 @@ from device_cases import (
     ring_areas,
 )
 
-from msf_jax.base.options import Config, Weights
+from msf_jax.base.options import Config, FlowOptions, SolverOptions, Weights
 from msf_jax.device.iteration import move
 from msf_jax.device.laplacian import LARGEST_ENTRY
 
@@ -167,7 +167,8 @@ def near_coincident(case):
 def test_iteration_contracts_and_then_smooths_with_fresh_rows(case, follows_area):
     case = near_coincident(case)
     config = Config(
-        solve_tolerance=TIGHT, solve_steps=20000, w_H_follows_area=follows_area, edit_connectivity=not follows_area
+        solver=SolverOptions(tolerance=TIGHT, max_steps=20000),
+        flow=FlowOptions(w_H_follows_area=follows_area, edit_connectivity=not follows_area),
     )
     w_L, w_H, w_M, strength = 0.8, 0.15, 0.3, 0.05
     first_area = ring_areas(*pebble(1))

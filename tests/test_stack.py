@@ -342,7 +342,7 @@ def test_through_jax_and_files(curves, batch, tmp_path):
             for one, other in zip(jax.tree.leaves(back), jax.tree.leaves(tree), strict=True):
                 np.testing.assert_array_equal(one, other)
                 assert one.dtype == other.dtype
-    found = batch.unstack()
+    found = batch.members()
     for (binding, vertices), (given, skeleton) in zip(found, curves, strict=True):
         np.testing.assert_allclose(vertices, given, rtol=0, atol=1e-14)
         for one, other in zip(jax.tree.leaves(binding), jax.tree.leaves(skeleton.binding), strict=True):

@@ -9,7 +9,7 @@ import trimesh
 from conftest import blob
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, Tape, Weights
+from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Tape, Weights
 from msf_jax.base import layout
 
 
@@ -27,7 +27,7 @@ def mesh() -> trimesh.Trimesh:
 
 @pytest.fixture(scope="module")
 def flow() -> msf_jax.Flow:
-    return msf_jax.contract(mesh(), config=Config(reconstruct_mesh=60))
+    return msf_jax.contract(mesh(), config=Config(preprocessing=PreprocessingOptions(reconstruct_mesh=60)))
 
 
 @pytest.fixture
@@ -45,7 +45,7 @@ def test_what_is_loaded_is_what_was_saved(flow, path):
 
 
 def test_a_run_is_not_changed_by_recording_it(flow):
-    again = msf_jax.contract(mesh(), config=Config(reconstruct_mesh=60))
+    again = msf_jax.contract(mesh(), config=Config(preprocessing=PreprocessingOptions(reconstruct_mesh=60)))
     assert again.recording is not flow.recording
     np.testing.assert_array_equal(again.curve.vertices, flow.curve.vertices)
     assert flow.tape is flow.tape
@@ -198,7 +198,9 @@ def test_a_second_tape_compiles_nothing(flow, compilations):
 @pytest.mark.slow  # the test above shows that the capacity is kept
 def test_a_tape_that_is_full_grows(flow):
     """In the buffers of a shorter run's tape: its own where those are too small, and the same curve."""
-    short = msf_jax.contract(mesh(), config=Config(reconstruct_mesh=60, max_iterations=3))
+    short = msf_jax.contract(
+        mesh(), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(reconstruct_mesh=60))
+    )
     tape = flow.tape_like(short.tape.padded())
     assert shapes(tape) != shapes(short.tape.padded())
     nodes = msf_jax.replay(tape, flow.weights)[: flow.tape.num_nodes]

@@ -7,7 +7,7 @@ from conftest import blob, torus
 from scipy import spatial
 
 import msf_jax
-from msf_jax import Config, ground_truth
+from msf_jax import Config, PreprocessingOptions, ground_truth
 from msf_jax.base.errors import ConfigError
 from msf_jax.flow import loop
 from msf_jax.flow.state import Iteration
@@ -95,10 +95,12 @@ def test_a_wire_keeps_its_length(radius):
 
 @pytest.mark.slow  # Voronoi poles do in test_replay
 def test_balls_replay_to_the_run():
-    run = msf_jax.contract(blob(3, 2), config=Config(poles="balls", max_iterations=3))
+    run = msf_jax.contract(
+        blob(3, 2), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(poles="balls"))
+    )
     assert np.abs(np.asarray(msf_jax.replay(run.tape, run.weights)) - run.curve.vertices).max() < 1e-9
     with pytest.raises(ConfigError, match="unknown poles 'ball'"):
-        Config(poles="ball")
+        Config(preprocessing=PreprocessingOptions(poles="ball"))
 
 
 # Paths through a solid

@@ -55,7 +55,7 @@ def test_a_root_that_is_no_node_is_refused(root):
 
 
 def test_a_tree_of_a_run_stays_sound_and_keeps_its_root():
-    curve = msf_jax.skeletonize(torus(), config=Config(prune=0.0))
+    curve = msf_jax.skeletonize(torus(), config=Config(least_slenderness=0.0))
     tree = curve.to_tree()
     assert curve.report.cycles == tree.report.cut == 1 and tree.report.is_sound
     assert "0 cycles for genus 1, 1 more cut" in str(tree.report)

@@ -41,7 +41,7 @@ def test_poor_weights_get_better():
     assert found.value == min(taken) < values[0]
     assert taken == sorted(taken, reverse=True)
     config = found.flows[0].config
-    assert (config.solve_tolerance, config.step_tolerance) == (1e-6, 0.0)  # else tapes do not predict runs
+    assert (config.solver.tolerance, config.solver.step_tolerance) == (1e-6, 0.0)  # else tapes do not predict runs
     again = msf_jax.contract(bone(), found.weights, config)
     assert objectives.value(OBJECTIVE, again.tape, again.weights) == pytest.approx(found.value, rel=1e-6)
     assert all(0.01 <= float(step.weights.w_L) <= 12.0 for step in found.trajectory)

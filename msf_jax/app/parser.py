@@ -181,10 +181,11 @@ def _settings(parser: argparse.ArgumentParser) -> None:
     curve = parser.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
     curve.add_argument(
         "--prune",
+        dest="least_slenderness",
         type=float,
         metavar="X",
         help="remove branches of lower slenderness: 1 for a limb that sticks out by its radius, 4 to 8 for a finger; "
-        f"0 removes none (default: {defaults.prune})",
+        f"0 removes none (default: {defaults.least_slenderness})",
     )
     curve.add_argument(
         "--detail",
@@ -222,7 +223,7 @@ def _settings(parser: argparse.ArgumentParser) -> None:
 
 def configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
     """Weights and `Config` from the options of `_settings`; others have the system's values."""
-    names = ("max_iterations", "max_seconds", "coarsen", "prune", "detail")
+    names = ("max_iterations", "max_seconds", "coarsen", "least_slenderness", "detail")
     changes = {name: getattr(arguments, name) for name in names}
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, **others, **changes)

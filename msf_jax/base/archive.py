@@ -128,11 +128,11 @@ def _check_sizes(stream: Any) -> None:
     stream.seek(0)
 
 
-def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, type], name: str = "") -> Any:
+def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, Any], name: str = "") -> Any:
     """``value`` in JSON's types. Arrays in it are put into ``arrays``, named by their path in ``value``.
 
     ``value`` consists of plain values, lists, tuples, dictionaries, and the named tuples and dataclasses in
-    ``records``, by their names.
+    ``records``, by their names: what makes each from its members. Those with an ``_asdict`` choose these.
     """
 
     def each(members: Mapping[str, Any]) -> dict[str, Any]:
@@ -153,7 +153,7 @@ def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, 
     return value
 
 
-def decoded(value: Any, arrays: Mapping[str, np.ndarray], records: Mapping[str, type]) -> Any:
+def decoded(value: Any, arrays: Mapping[str, np.ndarray], records: Mapping[str, Any]) -> Any:
     """The inverse of `encoded`; raises a KeyError or a TypeError for input that `encoded` never returns."""
     if not isinstance(value, dict):
         return value

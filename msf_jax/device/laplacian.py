@@ -86,7 +86,7 @@ def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layo
     return LaplacianRows(weight, weight)
 
 
-# By the names of `base.options.LAPLACIANS`. `assemble` overwrites the values of unused slots.
+# By the names of `base.options.groups.LAPLACIANS`. `assemble` overwrites the values of unused slots.
 WEIGHTS = {
     "mean_value": _mean_value,
     "cotangent": _cotangents,
@@ -144,7 +144,7 @@ def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
     that there is no jump at 90 degrees.
     """
     sine, cosine = _sine_and_cosine(a, b)
-    is_obtuse = (cosine < 0) & (sine * sine + cosine * cosine > 0.99999)
+    is_obtuse = (cosine < 0) & (sine * sine + cosine * cosine > 0.99999)  # 1, but for rounding in float32
     numerator = jnp.where(is_obtuse, 1 - cosine, sine)
     denominator = jnp.where(is_obtuse, sine, 1 + cosine)
     is_tame = numerator < STEEPEST * denominator

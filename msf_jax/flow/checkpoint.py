@@ -6,7 +6,6 @@ iterations is computed again, with the same result. Hashes of the mesh and of ev
 
 import hashlib
 import os
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -101,7 +100,7 @@ def run_of(
     return {
         "mesh": _hash(*given),
         "weights": _hash(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
-        "config": repr(replace(config, max_seconds=None)),  # the same run, if it has more time
+        "config": config.replace(max_seconds=None).text(),  # the same run, if it has more time
         "pins": _hash(pins),
         "repair": repr(repair),
         "precision": str(np.dtype(real_dtype())),

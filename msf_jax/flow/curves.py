@@ -41,10 +41,10 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
     geodesic wavefronts over the surface make the curve. If the run has to end, the surface is thinned before.
     """
     with clock.stage("curve"):
-        meso = state.meso if config.edit_connectivity else _thinned(state.meso, config.t_min, config)
+        meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min, config)
         found = None if clock.reason else clock.attempt(None, _extracted, state, meso, config)
         if found is None:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
-            meso = _thinned(meso, config.t_max, config)
+            meso = _thinned(meso, config.flow.threshold_max, config)
             found = clock.attempt(None, _extracted, state, meso, config)
         if found is None:  # the curve so far may lack loops: their classes take seconds where there are many handles
             found = _extracted(state, meso, config, with_loops=False)
@@ -60,16 +60,16 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
             nodes,
             found.edges,
             is_held,
-            prune=config.prune,
-            centre=config.centre,
-            extend=config.extend_tips,
+            prune=config.least_slenderness,
+            centre=config.curve.centre,
+            extend=config.curve.extend_tips,
             detail=config.detail,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
             coarse=state.coarse if state.solid is state.shape else state.solid,  # with the cavities
             outside=state.shape,
             caps=None if state.caps is None else state.caps.result,
-            first=partial(_recentred, meso, found) if config.surgery else None,
+            first=partial(_recentred, meso, found) if config.curve.surgery else None,
             clock=clock,
         )
     if state.caps is not None:
@@ -95,7 +95,7 @@ def _thinned(meso: Meso, t_c: float, config: Config) -> Meso:
 
 def _extracted(state: State, meso: Meso, config: Config, with_loops: bool = True) -> Curve:
     """The curve as extracted from the surface, ``with_loops`` with the classes that tell which loops it must keep."""
-    extract = extraction.operated_curve if config.surgery else extraction.extract_curve
+    extract = extraction.operated_curve if config.curve.surgery else extraction.extract_curve
     classes = meso.classes if with_loops else None
     if with_loops and lacks_classes(state, meso):
         classes = short_loops.short_classes(meso.positions, meso.rings)

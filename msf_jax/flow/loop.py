@@ -24,6 +24,7 @@ from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State
 from msf_jax.flow.stepping import step
 from msf_jax.meshes import checking
 from msf_jax.meshes.checking import Surface
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair, as_repair
 from msf_jax.meso import fixing
 from msf_jax.solid.solid import Solid
@@ -37,7 +38,7 @@ STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a 
 
 
 def contract(
-    mesh: Any,
+    mesh: MeshLike,
     weights: Weights | None = None,
     config: Config | None = None,
     *,
@@ -141,10 +142,10 @@ def has_volume(state: State, config: Config) -> bool:
     A contracted curve still has some area. It counts as contracted when three iterations remove less than a tenth.
     """
     last = state.history[-1]
-    if abs(last.volume) > config.volume_tolerance:
+    if abs(last.volume) > config.flow.volume_tolerance:
         return True
     is_settled = len(state.history) > 3 and last.area > 0.9 * state.history[-4].area
-    return last.area > config.area_tolerance and not is_settled
+    return last.area > config.flow.area_tolerance and not is_settled
 
 
 def is_settled(history: list[Iteration], config: Config) -> bool:
@@ -153,7 +154,7 @@ def is_settled(history: list[Iteration], config: Config) -> bool:
     Membranes between fixed vertices do not contract further: their edges are split as fast as they collapse. A curve
     is extracted from membranes as from any thin surface.
     """
-    period = max(fixing.num_periods(config.t_min, config.t_step, config.t_max), SHORTEST_PERIOD)
+    period = max(fixing.num_periods(*config.flow.thresholds), SHORTEST_PERIOD)
     volume = abs(history[-1].volume)
     is_thin = volume <= MEMBRANES and volume <= THINNED * history[-1].area
     if len(history) <= period or not (is_thin or volume <= SETTLED):
@@ -168,12 +169,12 @@ def done(state: State, config: Config) -> tuple[bool, str] | None:
     if not state.history:
         return None
     last = state.history[-1]
-    if config.volume_tolerance == 0:  # nothing but the number of iterations ends the run
+    if config.flow.volume_tolerance == 0:  # nothing but the number of iterations ends the run
         is_last = len(state.history) >= config.max_iterations
         return (abs(last.volume) <= SETTLED, f"all of {config.max_iterations} iterations made") if is_last else None
     if not has_volume(state, config):
         return True, "no volume left"
-    if last.live - last.fixed <= config.free_tolerance * last.live:
+    if last.live - last.fixed <= config.flow.free_tolerance * last.live:
         return True, "all vertices fixed"
     if is_settled(state.history, config):
         return True, f"settled: {abs(last.volume):.1%} of the volume is left, between fixed vertices"

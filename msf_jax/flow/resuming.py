@@ -49,8 +49,8 @@ def check_goes_on(state: State, saved: dict[str, Any], config: Config) -> None:
     first, meso, num = state.meso, saved["meso"], len(saved["history"])
     factor = state.w_L_factor
     for _ in range(num):
-        factor = min(factor * config.growth, LARGEST_FACTOR)
-    expected = fixing.threshold(num, config.t_min, config.t_step, config.t_max) if num else state.t_c
+        factor = min(factor * config.flow.w_L_growth, LARGEST_FACTOR)
+    expected = fixing.threshold(num, *config.flow.thresholds) if num else state.t_c
     if saved["t_c"] != expected or saved["w_L_factor"] != factor or num > config.max_iterations:
         raise ValueError("its threshold, or its factor, is not that of its iterations")
     if any(line.component != state.number or line.iteration != row + 1 for row, line in enumerate(saved["history"])):
@@ -131,6 +131,7 @@ def _rows_after(edit: Any, num: int) -> int:
         if array.dtype.kind not in "iu" or array.shape != (count,) or not ((array >= 0) & (array < num)).all():
             raise ValueError("an edit refers to rows that do not exist")
     fraction = getattr(edit, "fraction", np.zeros(count))
+    # A projection on an edge is between its ends, up to rounding in float32.
     if fraction.shape != (count,) or not ((fraction >= -1e-6) & (fraction <= 1 + 1e-6)).all():
         raise ValueError("an edit's fraction is not between 0 and 1")
     if isinstance(edit, CollapseRound) and not (edit.takes_pole.shape == (count,) and edit.takes_pole.dtype == bool):

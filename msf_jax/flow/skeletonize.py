@@ -7,20 +7,21 @@ from typing import Any
 import numpy as np
 
 from msf_jax import metrics
-from msf_jax.base.errors import ConfigError, Interrupted
+from msf_jax.base.errors import ConfigError, Interrupted, deprecated
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
 from msf_jax.flow.request import checked_options
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import known
 
-JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex noise in the runs for ``spread``
+JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex noise in ``jittered_runs``
 SAMPLE_SPACING = 0.005  # diagonals: spacing of the sample points at which two curves are compared
 
 
 def skeletonize(
-    mesh: Any,
+    mesh: MeshLike,
     weights: Weights | None = None,
     config: Config | None = None,
     *,
@@ -28,7 +29,8 @@ def skeletonize(
     repair: bool | str | Repair = False,
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
-    spread: int = 0,
+    jittered_runs: int = 0,
+    spread: int | None = None,
 ) -> Skeleton:
     """The curve skeleton of a closed triangle mesh, by Medial Skeletonization Flow.
 
@@ -43,9 +45,10 @@ def skeletonize(
             touch or nearly touch. Every change is counted in ``report.repairs``.
         checkpoint: a file for the state of the run, so that a run that was killed can continue; see `contract`.
         progress: show a progress bar on standard error, if that is a terminal.
-        spread: the number of extra runs on the mesh with noise of 1e-4 diagonals at every vertex. ``report.figures``
-            says how far their curves are from this one: "spread" is the mean distance in both directions, in median
-            radii; "spread_leaves" is the largest difference in the number of leaves.
+        jittered_runs: the number of extra runs on the mesh with noise of 1e-4 diagonals at every vertex.
+            ``report.figures`` says how far their curves are from this one: "spread" is the mean distance in both
+            directions, in median radii; "spread_leaves" is the largest difference in the number of leaves.
+        spread: the old name of ``jittered_runs``.
 
     Returns:
         The curve in the caller's units, with radii, the map from the input's vertices, and a report. Look at the report
@@ -54,23 +57,26 @@ def skeletonize(
     Raises:
         MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
             make it one.
-        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``spread`` was
-            given with pins or with arrays of weights.
+        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``jittered_runs``
+            was given with pins or with arrays of weights.
         FlowError: the mesh has no Voronoi diagram, this process was forked after a run, the installed compiler
             computes wrong sums, or ``config.max_seconds`` had passed before the first iteration had ended.
         Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``. Before the
             first iteration has ended there is none, and a plain KeyboardInterrupt is raised.
     """
-    if isinstance(spread, bool) or not isinstance(spread, int | np.integer) or spread < 0:
-        raise ConfigError(f"spread is {spread!r}: expected a number of runs, 0 or more")
+    if spread is not None:
+        deprecated(f"spread is deprecated: use skeletonize(jittered_runs={spread!r})")
+        jittered_runs = spread
+    if isinstance(jittered_runs, bool) or not isinstance(jittered_runs, int | np.integer) or jittered_runs < 0:
+        raise ConfigError(f"jittered_runs is {jittered_runs!r}: expected a number of runs, 0 or more")
     weights, config = checked_options(weights, config)
-    if spread and (pins is not None or any(np.ndim(value) for value in vars(weights).values())):
-        raise ConfigError("spread was given with pins, or with weights for each vertex: expected neither")
+    if jittered_runs and (pins is not None or any(np.ndim(value) for value in vars(weights).values())):
+        raise ConfigError("jittered_runs was given with pins, or with weights for each vertex: expected neither")
     run = loop.contract(mesh, weights, config, pins=pins, repair=repair, checkpoint=checkpoint, progress=progress)
-    if not spread:
+    if not jittered_runs:
         return run.skeleton
     try:
-        spreads = _spread(run.skeleton, weights, config, int(spread))
+        spreads = _spread(run.skeleton, weights, config, int(jittered_runs))
     except KeyboardInterrupt:
         raise Interrupted(
             "interrupted in a run for the spread: the whole curve is in this exception's flow", run

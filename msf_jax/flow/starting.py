@@ -4,7 +4,7 @@ import numpy as np
 
 from msf_jax.base.clock import Clock
 from msf_jax.base.errors import MeshError
-from msf_jax.base.options import Config
+from msf_jax.base.options import Config, PreprocessingOptions
 from msf_jax.flow.state import LIMITS, Limits, State
 from msf_jax.flow.stepping import compile_ahead
 from msf_jax.inside import balls, thickness, voronoi
@@ -40,10 +40,11 @@ def init(
 
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
     """
+    options = config.preprocessing
     frame, order, shape, solid = clock.call(_entered, component)
     faces = shape.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
-    meso, mesh_filter = clock.call(_surface, shape, pins, config, clock)
+    meso, mesh_filter = clock.call(_surface, shape, pins, options, clock)
     meso.weights = None if weights is None else weights[order]
     with clock.stage("thickness"):
         meso.scale = clock.call(thickness.scales, meso.positions, faces)
@@ -56,32 +57,32 @@ def init(
         with clock.stage("homology"):
             meso.classes = clock.call(homology.ring_classes, shape.vertices, faces, meso.rings)
     max_rows = limits.growth * meso.num_rows + limits.growth_margin
-    if config.resample:
+    if options.resample:
         with clock.stage("resampling"):
-            meso = clock.call(_resampled, meso, config.resample, config.check)
+            meso = clock.call(_resampled, meso, options.resample, config.check)
             max_rows = max(max_rows, limits.growth * meso.num_rows)
     else:
         meso = clock.call(_refined, meso, shape, config, clock)
         max_rows = max(max_rows, limits.growth * meso.num_rows)
     meso, num_coarsened = clock.call(_coarsened, meso, config, clock)
-    is_coarsened = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
+    is_coarsened = num_coarsened > meso.num_rows and not (options.reconstruct_mesh or options.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with clock.stage("poles"):
         clock.call(lambda: coarse.mesh)  # made here, before two threads ask for it
     # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
-    is_same = len(meso.positions) > len(shape.vertices) and not (config.reconstruct_mesh or config.resample)
+    is_same = len(meso.positions) > len(shape.vertices) and not (options.reconstruct_mesh or options.resample)
     of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
     caps = None
-    if config.prune or config.extend_tips:
-        caps = clock.begin(_with_limbs, of_limbs, config.prune, config.detail)
+    if config.least_slenderness or config.curve.extend_tips:
+        caps = clock.begin(_with_limbs, of_limbs, config.least_slenderness, config.detail)
     with clock.stage("compile"), clock.tracing():
         compile_ahead(meso, config)
     found = None
-    if config.use_poles:
-        found = clock.call(_poles, meso, shape, config, clock)
+    if options.use_poles:
+        found = clock.call(_poles, meso, shape, options, clock)
         meso.poles = np.where(found.is_inside[:, None], found.poles, meso.positions)
         meso.has_pole = found.is_inside.copy()  # edits change the surface, not what was found
-        meso.trust = found.trust.copy() if config.pole_confidence else None
+        meso.trust = found.trust.copy() if options.pole_confidence else None
     start = Start(mesh_filter, meso.edits, found)
     meso.edits = []
     return State(
@@ -97,14 +98,14 @@ def init(
         max_rows=max_rows,
         num_coarsened=num_coarsened,
         first_area=meso.area(),
-        first_ring_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
+        first_ring_area=_one_ring_areas(meso) if config.flow.w_H_follows_area else np.empty(0),
         poles=meso.poles[meso.node_of_input],
         has_pole=meso.has_pole[meso.node_of_input],
         start=start,
         meso=meso,
-        t_c=config.t_min,
+        t_c=config.flow.threshold_min,
         caps=caps,
-        w_L_factor=FIRST * np.sqrt(meso.area() / len(meso.faces())) if config.w_H_follows_area else 1.0,
+        w_L_factor=FIRST * np.sqrt(meso.area() / len(meso.faces())) if config.flow.w_H_follows_area else 1.0,
     )
 
 
@@ -128,12 +129,14 @@ def _with_limbs(shape: Enclosure, least: float, detail: float) -> Caps:
     return caps
 
 
-def _surface(shape: Enclosure, pins: np.ndarray, config: Config, clock: Clock) -> tuple[Meso, LowPass | None]:
+def _surface(
+    shape: Enclosure, pins: np.ndarray, options: PreprocessingOptions, clock: Clock
+) -> tuple[Meso, LowPass | None]:
     """The surface to contract, with its pins fixed, and the filter that was applied to it, if any."""
     vertices, kept = shape.vertices, None
-    if config.reconstruct_mesh:
+    if options.reconstruct_mesh:
         with clock.stage("reconstruction"):
-            vertices, kept = _rebuilt(vertices, shape.faces, config.reconstruct_mesh, config)
+            vertices, kept = _rebuilt(vertices, shape.faces, options.reconstruct_mesh, options)
             vertices[pins] = shape.vertices[pins]
     meso = Meso.from_mesh(vertices, shape.faces)
     meso.is_fixed[pins] = True
@@ -160,12 +163,13 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> Meso
 
     A surface whose long edges bound little area is returned unchanged.
     """
-    if not config.refine:
+    refine = config.preprocessing.refine
+    if not refine:
         return meso
     with clock.stage("refining"):
         a, b = ring_tables.edges_from_rings(meso.rings)
         length = collapse.edge_lengths(meso.positions, a, b)
-        is_long = length > config.refine
+        is_long = length > refine
         longest = np.zeros(meso.num_rows)
         np.maximum.at(longest, np.concatenate([a, b])[np.tile(is_long, 2)], np.tile(length[is_long], 2))
         is_end = longest > 0
@@ -173,7 +177,7 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> Meso
         if triangle_areas(corners).sum() < LEAST_REFINED * meso.area():
             return meso
         # Equilateral triangles with edges of this length cover the surface with about MOST_REFINED vertices.
-        least = max(config.refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
+        least = max(refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
         asked = longest > least
         limit = np.full(meso.num_rows, 1.0)
         limit[asked] = thickness.edge_lengths(shape, meso.positions[asked], longest[asked])
@@ -181,8 +185,10 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> Meso
         return meso
 
 
-def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> tuple[np.ndarray, LowPass | None]:
-    kept = reconstruction.low_pass(faces, len(vertices), k, exact=config.exact_reconstruction)
+def _rebuilt(
+    vertices: np.ndarray, faces: np.ndarray, k: int, options: PreprocessingOptions
+) -> tuple[np.ndarray, LowPass | None]:
+    kept = reconstruction.low_pass(faces, len(vertices), k, exact=options.exact_reconstruction)
     return reconstruction.apply(kept, vertices, faces), kept
 
 
@@ -195,7 +201,7 @@ def _resampled(meso: Meso, length: float, check: bool) -> Meso:
     return meso
 
 
-def _poles(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> FoundPoles:
+def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: Clock) -> FoundPoles:
     """Poles of the (reconstructed) surface, whether each pulls (only inside the input's surface), and their trust.
 
     The trust in a pole is (1 - cos(spoke angle)) / 2. On a thin solid the reconstruction is left out: it keeps too few
@@ -203,14 +209,14 @@ def _poles(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> FoundP
     """
     sites, faces, kept = meso.positions, meso.faces(), None
     is_thin = meso.scale is not None and bool(np.median(meso.scale) < 1)
-    if config.reconstruct_poles and not is_thin:
+    if options.reconstruct_poles and not is_thin:
         with clock.stage("reconstruction"):
-            sites, kept = _rebuilt(sites, faces, config.reconstruct_poles, config)
+            sites, kept = _rebuilt(sites, faces, options.reconstruct_poles, options)
         is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
     if is_thin:
         sites, kept = meso.positions, None
     with clock.stage("poles"):
-        seek = balls.ball_poles if config.poles == "balls" or (config.poles == "auto" and is_thin) else None
+        seek = balls.ball_poles if options.poles == "balls" or (options.poles == "auto" and is_thin) else None
         found = (seek or voronoi.voronoi_poles)(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])

@@ -27,7 +27,7 @@ def compile_ahead(meso: Meso, config: Config) -> None:
     """Start to compile the programs for the size of ``meso`` and for the smallest layout, which all runs reach."""
     beyond = packing.rows_beyond(meso)
     layouts = {layout_for(meso.num_rows, beyond)}
-    if config.edit_connectivity and config.max_iterations > 1:
+    if config.flow.edit_connectivity and config.max_iterations > 1:
         layouts.add(layout_for(1, []))
     for layout in sorted(layouts, reverse=True):
         announce(config.on_device, layout, meso.weights is not None)
@@ -35,7 +35,7 @@ def compile_ahead(meso: Meso, config: Config) -> None:
 
 def step(state: State, weights: Weights, config: Config, clock: Clock, limits: Limits = LIMITS) -> State:
     """Run one iteration in place. If coordinates are not finite or diverge, set ``state.failure`` instead."""
-    is_double = config.preconditioner == FACTORED
+    is_double = config.solver.preconditioner == FACTORED
     with jax.enable_x64(True) if is_double else nullcontext():
         packed = _pack(state, weights, clock)
         moved = _moved(state, packed, config, clock, limits)
@@ -50,7 +50,7 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
     before = meso.positions[order].astype(np.float32)
     displacement = float(np.sqrt(((moved.positions - meso.positions) ** 2).sum(axis=1).max()))
     meso.positions = moved.positions
-    num_collapses, num_splits = _edited(state, config, clock) if config.edit_connectivity else (0, 0)
+    num_collapses, num_splits = _edited(state, config, clock) if config.flow.edit_connectivity else (0, 0)
     meso = state.meso
 
     solves, num = moved.solves, len(order)
@@ -79,8 +79,8 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
             error=float(solves.error[0]) / max(float(free.sum()), 1.0) ** 0.5 / state.t_c,
         )
     )
-    state.t_c = fixing.threshold(len(state.history), config.t_min, config.t_step, config.t_max)
-    state.w_L_factor = min(state.w_L_factor * config.growth, LARGEST_FACTOR)
+    state.t_c = fixing.threshold(len(state.history), *config.flow.thresholds)
+    state.w_L_factor = min(state.w_L_factor * config.flow.w_L_growth, LARGEST_FACTOR)
     return state
 
 
@@ -150,7 +150,7 @@ def _edited(state: State, config: Config, clock: Clock) -> tuple[int, int]:
         rounds = collapse.collapse_short_edges(meso, state.t_c, check=config.check)
     with clock.stage("split"):
         t_f = fixing.degenerate_length(state.t_c)
-        cuts, is_full = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
+        cuts, is_full = split.split_obtuse_edges(meso, config.flow.split_angle, t_f, state.max_rows, check=config.check)
     if is_full:
         state.failure = f"out of vertices: the next split would give the surface more than {state.max_rows} vertices"
     with clock.stage("fix"):

@@ -12,10 +12,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from msf_jax.base.binding import Binding, Sizes, capacity_for, padded, unpadded
-from msf_jax.base.errors import ConfigError
+from msf_jax.base.errors import ConfigError, deprecated
 from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients.follow import Followed
 from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.source import bound
 
 # Floating-point types that `follow` supports.
 REALS = (np.float32, np.float64, np.dtype("float32"), np.dtype("float64"), "float32", "float64")
@@ -45,21 +46,21 @@ class Batch:
     def __len__(self) -> int:
         return self.vertices.shape[0]
 
-    def unstack(self, followed: Any = None) -> list[Any]:
-        """The curves one by one, without padding.
+    def unstack(self, followed: Any = None) -> list[Followed]:
+        """The followed curves one by one, without padding, as NumPy arrays.
 
         Args:
-            followed: the result of ``jax.vmap(msf_jax.follow)`` for this batch, nodes (B, N, 3) and radii (B, N). If
-                not given, the members of the batch itself are returned.
-
-        Returns:
-            A `Followed` of NumPy arrays for each mesh. Without ``followed``, a pair for each mesh: its binding, padded
-            to the smallest sufficient capacity, as `Skeleton.binding` is, and its vertices (V, 3).
+            followed: the result of ``jax.vmap(msf_jax.follow)`` for this batch, nodes (B, N, 3) and radii (B, N).
         """
-        if followed is not None:
-            counts = np.asarray(self.bindings.live.nodes)
-            nodes, radii = (jax.device_get(part) for part in followed)
-            return [Followed(nodes[k, :count], radii[k, :count]) for k, count in enumerate(counts)]
+        if followed is None:
+            deprecated("Batch.unstack() without an argument is deprecated: use Batch.members()")
+            return self.members()  # pyright: ignore[reportReturnType]  # as in 0.4.0
+        counts = np.asarray(self.bindings.live.nodes)
+        nodes, radii = (jax.device_get(part) for part in followed)
+        return [Followed(nodes[k, :count], radii[k, :count]) for k, count in enumerate(counts)]
+
+    def members(self) -> list[tuple[Binding, np.ndarray]]:
+        """What was stacked, one by one: of each mesh the binding, as `Skeleton.binding` is, and vertices (V, 3)."""
         found, vertices = [], np.asarray(self.vertices)
         for k in range(len(self)):
             binding = unpadded(jax.tree.map(lambda values, k=k: np.asarray(values)[k], self.bindings))
@@ -107,6 +108,6 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: An
     bindings: Binding = jax.tree.map(together, *(padded(binding, capacity) for binding in bare))
     vertices = np.zeros((len(every), capacity.vertices, 3), dtype=dtype)
     for row, skeleton in zip(vertices, every, strict=True):
-        given = skeleton.surface.given(len(skeleton.mesh_map))
+        given = bound(skeleton.source, skeleton.mesh_map).given(len(skeleton.mesh_map))
         row[: len(given)] = given
     return Batch(bindings, jnp.asarray(vertices), bindings.vertex_mask, bindings.node_mask)

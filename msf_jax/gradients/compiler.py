@@ -20,6 +20,7 @@ from msf_jax.device import cg
 from msf_jax.device.buffers import real_dtype, slot_product, slot_sum
 
 ROWS = 40_960  # float64 was wrong from 16,385 rows on, float32 from 32,769
+# Two levels, so that sums over both are compared: four slots of all rows, two more of the first half.
 LAYOUT = Layout(ROWS, (Level(4, ROWS, 0), Level(2, ROWS // 2, 4 * ROWS)))
 # (weights (S,), neighbour (S,), x (n, 3)) -> the sum that the name describes
 SUMS: dict[str, Callable[..., jax.Array]] = {

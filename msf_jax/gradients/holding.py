@@ -233,6 +233,7 @@ def _measured(
     radii[is_there] = shape.distances(x[is_there])
     ball = np.where(is_there & (winding > 0), radii, 0.0)
     length = np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1)
+    # Balls below a thousandth of the diagonal are as far apart as if they were that large.
     count = np.ceil(2 * length / np.maximum(ball[edges].mean(axis=1), 1e-3))
     count = np.where(is_there[edges].all(axis=1), np.clip(count, 1, 64), 0).astype(np.int64)
     edge, step = repeated(count)
@@ -242,7 +243,7 @@ def _measured(
     ball = np.concatenate([ball[is_there], (1 - t) * ball[ends[:, 0]] + t * ball[ends[:, 1]]])
     # Among balls of similar size, the nearest ball is nearly always one with a nearest centre.
     gap = np.full(len(shape.vertices), np.inf)
-    size = np.floor(2 * np.log2(np.maximum(ball, 1e-6)))
+    size = np.floor(2 * np.log2(np.maximum(ball, 1e-6)))  # balls of no radius are those of a millionth of the diagonal
     for value in np.unique(size):
         rows = np.flatnonzero(size == value)
         away, nearest = spatial.KDTree(centre[rows]).query(shape.vertices, k=min(NEAREST, len(rows)))

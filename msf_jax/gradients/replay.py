@@ -54,10 +54,10 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
     Differentiable in: weights, vertices. The derivative includes a pole's dependence on its four sites, and the filter
     of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and
     the direction of the residual that each loose solve of the run left; its length scales with the right-hand side.
-    With ``Config(solve_tolerance=1e-9, step_tolerance=0)`` a run leaves almost no residual. The first of several welded
-    vertices represents all of them; the others have a derivative of 0. A system whose w_L grows (``Config.au2008()``)
-    is ill-conditioned. Its run has a factorisation as preconditioner, its replay has not: on more than some thousand
-    vertices the replay takes minutes, or is NaN.
+    With ``SolverOptions(tolerance=1e-9, step_tolerance=0)`` a run leaves almost no residual. The first of several
+    welded vertices represents all of them; the others have a derivative of 0. A system whose w_L grows
+    (``Config.au2008()``) is ill-conditioned. Its run has a factorisation as preconditioner, its replay has not: on more
+    than some thousand vertices the replay takes minutes, or is NaN.
 
     Raises:
         ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.

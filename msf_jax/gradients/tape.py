@@ -21,6 +21,7 @@ from msf_jax.base.options import Config, Weights, is_traced
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.gradients.tape_checks import check_part, flags, indices, numbers
 from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import placed_between_neighbours
 from msf_jax.recording import padded
 from msf_jax.recording.decisions import decisions, num_unlike
@@ -32,8 +33,8 @@ from msf_jax.skeleton.source import Source
 KIND = "tape"  # of the file, see `archive`
 FORMAT_VERSION = 4  # of the format: files of other versions are refused
 RECORDS = {  # the types that a file may contain, by name
-    kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
-}
+    kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights)
+} | {"Config": Config.of_flat}
 FEWEST_NODES = 64  # rows of nodes in a padded tape, at least: capacities are 64, 128, 256, ...
 FEWEST_MESO = 512  # rows of vertices of the contracted surface, at least: 512, 1024, 2048, ...
 
@@ -152,7 +153,7 @@ class Tape:
             )
         return Comparison(num_unlike(np.asarray(self.decisions), np.asarray(other.decisions)), len(other.decisions))
 
-    def check(self, mesh: Any) -> None:
+    def check(self, mesh: MeshLike) -> None:
         """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
         vertices, faces = reading.read(mesh, finite=False)
         if not np.isfinite(vertices).all():  # repair placed these vertices between their neighbours
@@ -177,7 +178,7 @@ class Tape:
         archive.write(path, KIND, FORMAT_VERSION, header, arrays, compress=True)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], mesh: Any = None) -> "Tape":
+    def load(cls, path: str | os.PathLike[str], mesh: MeshLike | None = None) -> "Tape":
         """The tape that `save` wrote to ``path``. With ``mesh`` given, the tape must be of that mesh.
 
         Raises:

@@ -21,6 +21,7 @@ from msf_jax.gradients.follow import binding_of, checked_vertices
 from msf_jax.gradients.holding import SLIGHT, Holding
 from msf_jax.meshes import reading
 from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.source import bound
 
 WARPED = 0.5  # RMS distance of corners from their plane over that from the centroid: above, a section is warped
 TILTED = 0.3  # cosine between a section's normal and its branch: below it, a section lies along its branch,
@@ -198,7 +199,7 @@ class Tracker:
     def __init__(self, skeleton: Skeleton):
         forking.check()
         binding = unpadded(binding_of(skeleton))
-        surface, edges = skeleton.surface, skeleton.edges
+        surface, edges = bound(skeleton.source, skeleton.mesh_map), skeleton.edges
         self.skeleton, self.edges = skeleton, edges
         self.binding: Binding = jax.device_put(jax.tree.map(jnp.asarray, binding))
         self.solid, self.vertex = surface.solid, surface.vertex

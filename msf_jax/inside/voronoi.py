@@ -65,7 +65,8 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None =
     except (spatial.QhullError, ValueError) as error:
         raise FlowError(
             f"no Voronoi diagram of {len(sites)} vertices: {str(error).strip().splitlines()[0]}; "
-            "expected points that span a volume: check the mesh, or turn poles off (use_poles=False)"
+            "expected points that span a volume: check the mesh, or turn poles off: "
+            "Config(preprocessing=PreprocessingOptions(use_poles=False))"
         ) from error
     tetrahedra, centre = diagram.simplices, circumcentres(diagram)
     box = sites if box is None else box

@@ -6,14 +6,13 @@ dropped, components that are inside out flipped, vertices where several fans mee
 """
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import joining
-from msf_jax.meshes.reading import OR_REPAIR, count, enough_memory, read
+from msf_jax.meshes.reading import OR_REPAIR, MeshLike, count, enough_memory, read
 from msf_jax.meshes.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, NO_VOLUME, Repair, as_repair, repaired, with_volume
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume
@@ -98,7 +97,7 @@ class Surface:
 
 
 @enough_memory("the mesh")
-def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
+def prepare(mesh: MeshLike, repair: bool | str | Repair = False) -> Surface:
     """Read and check ``mesh``, and repair it as ``repair`` says. The caller's object is not changed.
 
     Raises:

@@ -16,10 +16,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import trimesh
+from numpy.typing import ArrayLike
 from scipy import spatial
 from trimesh.resolvers import FilePathResolver
 
@@ -36,7 +37,27 @@ SAME_CORNER = 2.0**-22  # ratio to the largest coordinate: corners within a few 
 OR_REPAIR = ", or use repair=True (--repair)"  # ends the message of an error that repair can correct
 
 
-def read_mesh(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+class HasTriangles(Protocol):
+    """An object with ``vertices`` (V, 3) and ``faces`` (F, 3), such as a `trimesh.Trimesh`."""
+
+    @property
+    def vertices(self) -> Any: ...
+
+    @property
+    def faces(self) -> Any: ...
+
+
+class HasSurface(Protocol):
+    """A mesh of pyvista."""
+
+    def extract_surface(self, *args: Any, **options: Any) -> Any: ...
+
+
+MeshLike = str | os.PathLike[str] | tuple[ArrayLike, ArrayLike] | HasTriangles | HasSurface
+"""What functions take as a mesh: a path, an object with triangles, or ``(vertices (V, 3), faces (F, 3))``."""
+
+
+def read_mesh(mesh: MeshLike) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a mesh, as `skeletonize` reads it.
 
     Args:

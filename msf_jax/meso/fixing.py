@@ -34,4 +34,5 @@ def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> floa
 
 def num_periods(t_min: float, t_step: float, t_max: float) -> int:
     """Iterations from one fall of the threshold to the next."""
+    # A quotient that is whole, but for rounding, is whole.
     return 1 if t_step == 0 else int((t_max - t_min) / t_step * (1 + 1e-9)) + 1

@@ -33,6 +33,7 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
     euler = int((degree > 0).sum()) - num_half // 6
     if 2 - euler > 2 * MOST_HANDLES:
         return None
+    # In diagonals: a sparse graph would take a length of 0 for no edge.
     length = np.maximum(np.linalg.norm(positions[tail] - positions[head], axis=1), 1e-12)
     away, parent = csgraph.dijkstra(
         graphs.weighted(num, tail, head, length), indices=int(tail[0]), return_predecessors=True

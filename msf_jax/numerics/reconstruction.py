@@ -85,6 +85,7 @@ def low_pass(faces: np.ndarray, num_vertices: int, k: int, *, exact: bool) -> Lo
         tail, head = laplacian.nonzero()
         # An upper bound of the eigenvalues (Anderson, Morley 1985).
         top = float((degree[tail] + degree[head])[tail != head].max())
+        # Weyl's law: of equal triangles with n vertices, the k-th eigenvalue is about 4 sqrt(3) pi k / n = 21.8 k / n.
         edge = _edge_of(_cosine(laplacian, top), k, guess=np.sqrt(4 * 21.8 * k / num_vertices / top))
         width = SOFTNESS * edge
         num_terms = int(np.ceil(6 / width))  # the truncated terms are below exp(-9)

@@ -271,13 +271,13 @@ def _smoothing(
 ) -> sparse.csr_matrix:
     """The matrix (N, S) from centroids to the nodes that minimise the energy in the module's docstring."""
     num = len(x)
-    size = np.maximum(size, 1e-3)
+    size = np.maximum(size, 1e-3)  # diagonals: a thinner limb is as stiff as one of that size
     gather: Any = sparse.coo_matrix(
         (corners.weight, (corners.node, np.arange(len(corners.node)))), shape=(num, len(corners.node))
     ).tocsc()
     matrix = sparse.diags(np.asarray(gather.sum(axis=1)).ravel())
     a, b = edges[:, 0], edges[:, 1]
-    gap = np.maximum(np.linalg.norm(x[a] - x[b], axis=1), 1e-9)
+    gap = np.maximum(np.linalg.norm(x[a] - x[b], axis=1), 1e-9)  # diagonals: nodes in one place
     mu = membrane * np.minimum(np.minimum(size[a], size[b]) / gap, 1e3) ** 2
     rows = np.repeat(np.arange(len(edges)), 2)
     along_edge = sparse.coo_matrix((np.tile([1.0, -1.0], len(edges)), (rows, edges.ravel())), shape=(len(edges), num))
@@ -285,6 +285,7 @@ def _smoothing(
     if stiffness:
         bend, alpha, _ = measures.bending(x, paths, stiffness * size)
         matrix = matrix + bend.T @ sparse.diags(alpha) @ bend
+    # A node that neither a section nor an edge holds would make the matrix singular.
     solve = linalg.splu((matrix + 1e-12 * sparse.eye(num)).tocsc())
     # Blocks of sections save memory: entries of nodes far from a section are tiny, and are left out at once.
     blocks = []

@@ -1,20 +1,25 @@
 """Other curves of the same mesh: pruned, with other nodes, smoothed, or with radii of another kind."""
 
+import importlib.util
 import numbers
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy import spatial
 
-from msf_jax.base.errors import ConfigError
+from msf_jax import metrics
+from msf_jax.base.errors import ConfigError, deprecated
 from msf_jax.curve import finishing, resampling
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
+from msf_jax.skeleton import converting
 from msf_jax.skeleton.centrelines import table
+from msf_jax.skeleton.formats import tables
 from msf_jax.skeleton.report import assessed
-from msf_jax.skeleton.source import known
+from msf_jax.skeleton.source import bound, known
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -22,11 +27,21 @@ if TYPE_CHECKING:
 
 NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
 TRIED = 0.1  # share of the tolerance of `simplified`, within which nodes are tried
+# What takes the place of names that `Skeleton` had in 0.4.0.
+NOW = {
+    "table": "use Skeleton.columns, a dictionary of arrays, or Skeleton.to_pandas, a pandas.DataFrame",
+    "changed": "it was meant for this package; other curves of a mesh are made by prune, resample, smooth and the like",
+    "inside_of": "it was meant for this package; use msf_jax.metrics.evaluate",
+    "surface": "it was meant for this package; use Skeleton.source",
+}
 MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 
 
 def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
-    """See `Skeleton.changed`."""
+    """A skeleton of the same mesh with another curve, and an updated report.
+
+    ``node_of_old`` (N,) is the new node for each node of ``skeleton``.
+    """
     edges = finishing.in_order(edges)
     components, cycles = graphs.cycle_count(len(vertices), edges)
     report = replace(skeleton.report, components=components, cycles=cycles, loops=None, figures={})
@@ -36,7 +51,7 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
         of_input, vertex = node_of_old[skeleton.mesh_map], skeleton.source.input_of_vertex
         followed = None if vertex is None else of_input[vertex]
         report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed, report.wavefronts > 0))
-        report = replace(report, inside=skeleton.inside_of(vertices, edges, radii))
+        report = replace(report, inside=inside_of(skeleton, vertices, edges, radii))
     else:  # radius of the largest ball inside one of the old balls
         found = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))
         away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
@@ -46,6 +61,14 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
     parts = {"vertices": vertices, "edges": edges, "radii": radii, "mesh_map": node_of_old[skeleton.mesh_map]}
     found = replace(skeleton, **parts, report=report, roots=roots, openings=openings, radius_of="ball")
     return found if of == "ball" or skeleton.source is None else with_radii(found, of)
+
+
+def inside_of(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
+    """The fraction of a curve's length inside the skeleton's mesh; the report's if the mesh is not known."""
+    if skeleton.source is None:
+        return skeleton.report.inside
+    solid = skeleton.source.solid
+    return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
 
 
 def pruned(skeleton: "Skeleton", slenderness: float, detail: float, is_held: np.ndarray) -> "Skeleton":
@@ -175,3 +198,19 @@ def _away(points: np.ndarray) -> np.ndarray:
     along, offset = points[-1] - points[0], points - points[0]
     t = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
     return np.linalg.norm(offset - t[:, None] * along, axis=1)
+
+
+def by_old_name(skeleton: "Skeleton", name: str) -> Any:
+    """What a skeleton of 0.4.0 had by that ``name``, with a deprecation; an AttributeError if there was nothing."""
+    if name not in NOW:
+        raise AttributeError(f"{type(skeleton).__name__!r} object has no attribute {name!r}")
+    deprecated(f"Skeleton.{name} is deprecated: {NOW[name]}")
+    if name == "surface":
+        return bound(skeleton.source, skeleton.mesh_map)
+    return partial({"table": _table, "changed": changed, "inside_of": inside_of}[name], skeleton)
+
+
+def _table(skeleton: "Skeleton", of: str = "branches") -> Any:
+    """A data frame, or a dictionary of arrays if pandas is not installed."""
+    has_pandas = importlib.util.find_spec("pandas") is not None
+    return converting.pandas_of(skeleton, of) if has_pandas else tables.columns_of(skeleton, of)

@@ -1,4 +1,4 @@
-"""A curve as an object of another library: NetworkX's graph, trimesh's path, navis' neuron."""
+"""A curve as an object of another library: NetworkX's graph, trimesh's path, navis' neuron, pandas' data frame."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -6,10 +6,11 @@ import networkx as nx
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.skeleton.formats import swc
+from msf_jax.skeleton.formats import swc, tables
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
     from trimesh.path import Path3D
 
     from msf_jax.skeleton.skeleton import Skeleton
@@ -33,6 +34,16 @@ def path3d_of(skeleton: "Skeleton") -> "Path3D":
 
     branches = graphs.trace(len(skeleton.vertices), skeleton.edges)
     return Path3D(entities=[Line(branch) for branch in branches], vertices=skeleton.vertices.copy(), process=False)
+
+
+def pandas_of(skeleton: "Skeleton", of: str) -> "DataFrame":
+    """See `Skeleton.to_pandas`."""
+    columns = tables.columns_of(skeleton, of)
+    try:
+        import pandas
+    except ImportError as error:
+        raise ConfigError("to_pandas needs pandas: install it with pip install pandas, or use columns") from error
+    return pandas.DataFrame(columns)
 
 
 def navis_of(skeleton: "Skeleton") -> Any:

@@ -9,13 +9,12 @@ import networkx as nx
 import numpy as np
 from scipy import sparse
 
-from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
-from msf_jax.base.errors import ConfigError
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.pruning import Branch
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording import following
 from msf_jax.skeleton import changes, converting, precomputed, pytree, slopes, trees
 from msf_jax.skeleton.formats import export, tables
@@ -25,10 +24,11 @@ from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
-from msf_jax.skeleton.source import Source, known
+from msf_jax.skeleton.source import Source, bound
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from pandas import DataFrame
     from plotly.graph_objects import Figure as PlotlyFigure
     from trimesh import Trimesh
     from trimesh.path import Path3D
@@ -67,6 +67,11 @@ class Skeleton:
         inside = "" if np.isnan(self.report.inside) else f", {100 * self.report.inside:.2f} % inside"
         return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {cycles}{inside})"
 
+    if not TYPE_CHECKING:  # type checkers report the old names
+
+        def __getattr__(self, name: str) -> Any:
+            return changes.by_old_name(self, name)
+
     @property
     def length(self) -> float:
         """Length of all edges, in the caller's units."""
@@ -97,8 +102,9 @@ class Skeleton:
         Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
         from 0 to 1, says which limbs that only stand out count, as in `Config`.
 
-        A run with ``Config(prune=slenderness, detail=detail)`` chooses limbs in the same way, and adds missing ones.
-        Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
+        A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way, and adds
+        missing ones. Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to
+        its junction.
         Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
 
         Raises:
@@ -182,23 +188,14 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
-        surface, pins = self.surface, np.asarray(self.source.pins if self.source else [], dtype=np.int64)
+        surface, pins = (
+            bound(self.source, self.mesh_map),
+            np.asarray(self.source.pins if self.source else [], dtype=np.int64),
+        )
         held = self.mesh_map[pins]
         pins_of_node = {int(node): pins[held == node] for node in np.unique(held)}
         found = following.record(surface, len(self.mesh_map), self.vertices, self.edges, pins_of_node)
         return bindings.padded(found, bindings.capacity_for(found.live))
-
-    @property
-    def surface(self) -> following.BoundSurface:
-        """The checked mesh, with the input vertex and the node of each of its vertices; raises as `binding` does."""
-        source = known(self.source)
-        vertex = source.input_of_vertex
-        if vertex is None:
-            raise ConfigError(
-                "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
-                'vertices; run skeletonize without repair="join" or extruded rims'
-            )
-        return following.BoundSurface(source.solid, vertex, self.mesh_map[vertex])
 
     def jacobian(self) -> sparse.csr_matrix:
         """The derivative of `msf_jax.follow` at the recorded vertices.
@@ -211,7 +208,7 @@ class Skeleton:
             ConfigError: the surface that the curve was made from is not known.
             FlowError: this process was forked after a run.
         """
-        return slopes.jacobian(self.binding, self.surface.given(len(self.mesh_map)))
+        return slopes.jacobian(self.binding, bound(self.source, self.mesh_map).given(len(self.mesh_map)))
 
     def covariance(self, sigma: Any) -> np.ndarray:
         """The covariance of each node for independent noise of the mesh's vertices, to first order; see `jacobian`.
@@ -235,20 +232,6 @@ class Skeleton:
             is_held[self.mesh_map[self.source.pins]] = True
         return is_held
 
-    def inside_of(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
-        """The fraction of a curve's length inside this skeleton's mesh; the report's if the mesh is not known."""
-        if self.source is None:
-            return self.report.inside
-        solid = self.source.solid
-        return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-
-    def changed(self, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
-        """A skeleton of the same mesh with another curve, and an updated report.
-
-        ``node_of_old`` (N,) is the new node for each node of this skeleton.
-        """
-        return changes.changed(self, vertices, edges, node_of_old)
-
     def with_radii(self, of: str) -> "Skeleton":
         """The same curve with another kind of radii, which saved files then have, too.
 
@@ -262,11 +245,11 @@ class Skeleton:
         """
         return changes.with_radii(self, of)
 
-    def table(self, of: str = "branches") -> Any:
+    def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
-        It is a pandas.DataFrame, or a dictionary of arrays if pandas is not installed. ``save("x.csv")`` and
-        ``save("x.nodes.csv")``, ``.axes.csv`` and ``.cylinders.csv`` write the same tables. Lengths are in the caller's
+        A dictionary of arrays; `to_pandas` makes a data frame. ``save("x.csv")`` and ``save("x.nodes.csv")``,
+        ``.axes.csv`` and ``.cylinders.csv`` write the same tables. Lengths are in the caller's
         units, angles in degrees; unknown values are NaN. Branches are directed away from the root of `to_tree`, or from
         the tip of the thickest limb.
 
@@ -284,16 +267,16 @@ class Skeleton:
         Raises:
             ConfigError: ``of`` is neither.
         """
-        return tables.table_of(self, of)
+        return tables.columns_of(self, of)
 
-    def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
+    def save(self, path: str | os.PathLike[str], mesh: MeshLike | None = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report.
         - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
           radius, edges), ``.graphml`` and ``.gml`` (NetworkX's).
-        - ``.vtp``: VTK PolyData, with the columns of branches and nodes of `table`. ``.csv``, ``.nodes.csv``,
+        - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
@@ -317,7 +300,9 @@ class Skeleton:
         """
         precomputed.save(self, folder, segment)
 
-    def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None, names: str | None = None) -> Rig:
+    def rig(
+        self, bones: int | None = None, influences: int = 4, mesh: MeshLike | None = None, names: str | None = None
+    ) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs begin, where the curve bends most, and at regular distances along a long limb; both sides
@@ -352,7 +337,7 @@ class Skeleton:
         """
         return fitting.frame_of(self, tolerance)
 
-    def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
+    def view(self, mesh: MeshLike | None = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
 
         Args:
@@ -368,11 +353,13 @@ class Skeleton:
         """
         return page.view(self, mesh, path)
 
-    def plot(self, mesh: Any = None, *, elevation: float | None = None, azimuth: float | None = None) -> "Figure":
+    def plot(
+        self, mesh: MeshLike | None = None, *, elevation: float | None = None, azimuth: float | None = None
+    ) -> "Figure":
         """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `panels.figure`."""
         return panels.figure(self, mesh, elevation=elevation, azimuth=azimuth)
 
-    def segments(self, mesh: Any) -> list["Trimesh"]:
+    def segments(self, mesh: MeshLike) -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
         A face belongs to the branch of most of its corners' nodes, or else of its first corner's; a node at a junction
@@ -387,6 +374,10 @@ class Skeleton:
     def to_networkx(self) -> nx.Graph:
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
         return converting.networkx_of(self)
+
+    def to_pandas(self, of: str = "branches") -> "DataFrame":
+        """The `columns` as a `pandas.DataFrame`; a ConfigError if there is no pandas."""
+        return converting.pandas_of(self, of)
 
     def to_navis(self) -> Any:
         """A `navis.TreeNeuron` with radii, labels and units, without loops; a ConfigError if there is no navis."""

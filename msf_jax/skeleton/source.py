@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.recording.following import BoundSurface
 from msf_jax.solid.solid import Solid
 
 
@@ -43,3 +44,18 @@ def known(source: Source | None) -> Source:
             "file; save it as .npz, because other files do not contain the mesh"
         )
     return source
+
+
+def bound(source: Source | None, mesh_map: np.ndarray) -> BoundSurface:
+    """The checked mesh, with the input vertex and the node of each of its vertices.
+
+    Raises:
+        ConfigError: the surface is not known, or repair has added vertices to it.
+    """
+    vertex = known(source).input_of_vertex
+    if vertex is None:
+        raise ConfigError(
+            "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
+            'vertices; run skeletonize without repair="join" or extruded rims'
+        )
+    return BoundSurface(known(source).solid, vertex, mesh_map[vertex])

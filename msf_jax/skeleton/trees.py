@@ -9,6 +9,7 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.curve import branches, finishing
+from msf_jax.skeleton import changes
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def tree_of(skeleton: "Skeleton", root: Any) -> "Skeleton":
         loops=None if skeleton.report.loops is None else 0,
         cut=skeleton.report.cut + len(gone),
         is_tree=True,
-        inside=skeleton.inside_of(skeleton.vertices, edges, skeleton.radii),
+        inside=changes.inside_of(skeleton, skeleton.vertices, edges, skeleton.radii),
         notes=(*skeleton.report.notes, f"a tree: {loops} cut where thinnest{where}; {place}"),
         figures={},
     )
@@ -90,7 +91,7 @@ def healed(skeleton: "Skeleton", reach: float) -> "Skeleton":
         components=components,
         mesh_components=max(skeleton.report.mesh_components - len(links), 1),
         cycles=cycles,
-        inside=skeleton.inside_of(skeleton.vertices, edges, skeleton.radii),
+        inside=changes.inside_of(skeleton, skeleton.vertices, edges, skeleton.radii),
         notes=(*skeleton.report.notes, f"healed: {count}, over gaps of up to {gap.max():.3g}, outside the mesh"),
         figures={},
     )

@@ -268,6 +268,7 @@ def centred() -> Objective:
         middle = around(curve.areas[:, None] * curve.surface) / safe[:, None]
         away = norm((curve.surface - curve.nodes[curve.node_of_vertex]) / curve.diagonal)
         reach = around(curve.areas * away) / safe
+        # A millionth of the diagonal: a limb that has no extent is divided by more than 0.
         off = norm((curve.nodes - middle) / curve.diagonal) / jnp.where(has_area, reach + 1e-6, 1.0)
         return jnp.where(has_area, area * off, 0.0).sum() / area.sum()
 

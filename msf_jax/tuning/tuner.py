@@ -99,8 +99,8 @@ def tune(
     by_search = of == "skeleton" and is_plain
     if not by_search and (jobs > 1 or checkpoint is not None):
         raise ConfigError(f"jobs or checkpoint was given with arrays of weights or of={of!r}: expected neither there")
-    if of == "surface" and (config.edit_connectivity or not is_plain):
-        what = "edits edges" if config.edit_connectivity else "has weights per vertex already"
+    if of == "surface" and (config.flow.edit_connectivity or not is_plain):
+        what = "edits edges" if config.flow.edit_connectivity else "has weights per vertex already"
         raise ConfigError(f"of='surface' was given, and the run {what}: expected numbers, and Config.smooth()")
     if not by_search:
         config = config.tight()

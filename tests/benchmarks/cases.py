@@ -97,7 +97,7 @@ def faults(case: Case, skeleton: Any, path: Path) -> list[str]:
 
 
 def least_radius(skeleton: Any) -> float:
-    return float(np.min(skeleton.table()["least_radius"]))
+    return float(np.min(skeleton.columns()["least_radius"]))
 
 
 def fork(skeleton: Any, _: Path) -> list[str]:
@@ -107,7 +107,7 @@ def fork(skeleton: Any, _: Path) -> list[str]:
     found = [] if len(junction) == 1 else [f"{len(junction)} junctions for 1"]
     if len(junction) and (away := np.linalg.norm(junction, axis=1).max()) > 1.0:
         found.append(f"junction {away:.2f} from the meeting of the axes")
-    table = skeleton.table()
+    table = skeleton.columns()
     angle = np.asarray(table["angle"])[np.asarray(table["parent"]) >= 0]
     if len(angle) != 2 or (np.abs(angle - 15) > ANGLE).any():
         found.append(f"angles {', '.join(f'{each:.0f}' for each in angle)} for 15, 15")

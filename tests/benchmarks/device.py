@@ -14,7 +14,7 @@ import jax
 import numpy as np
 
 import msf_jax
-from msf_jax import Config, Weights, ground_truth
+from msf_jax import Config, PreprocessingOptions, Weights, ground_truth
 from msf_jax.base.clock import Clock
 from msf_jax.base.layout import Layout
 from msf_jax.flow import programs, starting, stepping
@@ -66,7 +66,7 @@ def show_move(mesh: Any, config: Config, name: str, real: int) -> None:
     weights = jax.tree.map(lambda weight: np.asarray(weight, packed.buffers.positions.dtype), packed.weights)
     buffers = jax.device_put((packed.buffers, weights))
     steps = int(program(*buffers).solves.steps.sum())
-    real = 4 if config.solve_tolerance >= 1e-3 else real  # loose solves run in float32
+    real = 4 if config.solver.tolerance >= 1e-3 else real  # loose solves run in float32
     what = f"`move`, {name}, {packed.layout.capacity:,} rows, {packed.layout.num_slots:,} slots"
     moved = steps * bytes_of_step(packed.layout, real)
     show(what, f"{steps:,} of CG", moved, lambda: program(*buffers).positions, compiling)
@@ -104,7 +104,7 @@ def main() -> None:
     device = jax.devices()[0]
     print(f"{device.platform} ({device.device_kind}), jax {jax.__version__}, {len(mesh.vertices):,} vertices\n")
     print("| what | steps | MB moved | first call, s | later, s | GB/s |\n| --- | --- | ---: | ---: | ---: | ---: |")
-    whole = Config(coarsen=0.0, refine=0.0)
+    whole = Config(coarsen=0.0, preprocessing=PreprocessingOptions(refine=0.0))
     show_move(mesh, whole, "default solves", real)
     show_move(mesh, whole.tight(), "tight solves", real)
     show_follow(mesh)

@@ -14,9 +14,9 @@ from msf_jax.meshes.files.unpacking import MOST_INSTANCES, SMALL_ARCHIVE, check_
 
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks
 MOST_OBJECTS = 1_000_000  # objects and lists of the JSON, each of which takes some hundred bytes
-FLOAT = 5126
+FLOAT = 5126  # the number of float32 among glTF's component types, which are OpenGL's
 SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, FLOAT: 4}  # bytes of each component type
-WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}  # components
 MOST_TIMES = 4  # times that the bytes of all buffers may be read, over SMALL_ARCHIVE
 FAN = 6  # mode of a primitive
 WITH_VERTICES = "export it with plain vertices"

@@ -6,6 +6,7 @@ import numpy as np
 
 from msf_jax.meshes.decoding import decoded
 
+# Of a binary file: 80 bytes of text and the number of facets (uint32), then a row for each facet.
 HEADER_BYTES, ROW = 84, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 WORDS, VERTICES = 21, (7, 11, 15)  # of a facet in text: how many, and where "vertex" is
 FIXED = {0: "facet", 5: "outer", 6: "loop", **dict.fromkeys(VERTICES, "vertex"), 19: "endloop", 20: "endfacet"}

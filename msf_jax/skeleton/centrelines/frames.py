@@ -31,6 +31,7 @@ def frames_of(points: np.ndarray, radii: np.ndarray) -> Frames:
     index = np.arange(num)
     first, last = np.maximum(index - FEWEST_FITTED, 0), np.minimum(index + FEWEST_FITTED, num - 1)
     reach = np.maximum(FIT_REACH * radii, np.maximum(along - along[first], along[last] - along))
+    # A little more, so that the nodes at its ends count whatever the rounding; and more than 0, for nodes in one place.
     reach = np.maximum(1.001 * reach, 1e-12 * max(along[-1], 1e-300))
     begin = np.searchsorted(along, along - reach)
     end = np.searchsorted(along, along + reach, side="right")

@@ -17,6 +17,7 @@ from trimesh.exchange.gltf import export_glb
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
 from msf_jax.meshes import reading, shading
+from msf_jax.meshes.reading import MeshLike
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig
@@ -30,7 +31,7 @@ ARRAY_BUFFER = 34962  # buffer target of the format
 JSON, BINARY = 0x4E4F534A, 0x004E4942  # types of chunks in the format
 
 
-def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
+def skinned(skeleton: "Skeleton", mesh: MeshLike) -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``skeleton``.
 
     Raises:
@@ -39,7 +40,7 @@ def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
     return of_rig(skeleton.rig(mesh=mesh), mesh)
 
 
-def of_rig(rig: "Rig", mesh: Any) -> bytes:
+def of_rig(rig: "Rig", mesh: MeshLike) -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
 
     Raises:

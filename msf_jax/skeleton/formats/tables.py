@@ -1,15 +1,15 @@
-"""Tables of measurements, as data frames and as comma-separated text: a row for each branch, node, axis or cylinder."""
+"""Tables of measurements, as columns and as comma-separated text: a row for each branch, node, axis or cylinder."""
 
 import csv
 import io
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.skeleton.centrelines.axes import axis_columns, cylinder_columns
-from msf_jax.skeleton.centrelines.table import branch_columns, node_columns
+from msf_jax.skeleton.centrelines.table import Columns, branch_columns, node_columns
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -17,16 +17,11 @@ if TYPE_CHECKING:
 TABLES = {"branches": branch_columns, "nodes": node_columns, "axes": axis_columns, "cylinders": cylinder_columns}
 
 
-def table_of(skeleton: "Skeleton", of: str) -> Any:
-    """See `Skeleton.table`."""
+def columns_of(skeleton: "Skeleton", of: str) -> Columns:
+    """See `Skeleton.columns`."""
     if of not in TABLES:
         raise ConfigError(f"there is no table of {of!r}: expected one of {', '.join(map(repr, TABLES))}")
-    columns = TABLES[of](skeleton)
-    try:
-        import pandas
-    except ImportError:
-        return columns
-    return pandas.DataFrame(columns)
+    return TABLES[of](skeleton)
 
 
 def rows(of: str, skeleton: "Skeleton") -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.skeleton.pictures import camera
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class Panel:
     """
 
     title: str = ""
-    mesh: Any = None
+    mesh: MeshLike | None = None
     curves: "Mapping[str, Skeleton]" = field(default_factory=dict)
     points: np.ndarray | None = None
     is_solid: bool = False
@@ -154,7 +155,7 @@ def _frame(axes: Any, points: np.ndarray) -> None:
 
 
 def figure(
-    skeleton: "Skeleton", mesh: Any = None, *, elevation: float | None = None, azimuth: float | None = None
+    skeleton: "Skeleton", mesh: MeshLike | None = None, *, elevation: float | None = None, azimuth: float | None = None
 ) -> "Figure":
     """A matplotlib figure: the mesh translucent, the curve coloured by radius.
 
@@ -167,7 +168,7 @@ def figure(
 
 
 def picture(
-    skeleton: "Skeleton", mesh: Any = None, *, elevation: float | None = None, azimuth: float | None = None
+    skeleton: "Skeleton", mesh: MeshLike | None = None, *, elevation: float | None = None, azimuth: float | None = None
 ) -> bytes:
     """`figure` as the bytes of a PNG file."""
     buffer = io.BytesIO()

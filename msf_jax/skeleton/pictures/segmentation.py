@@ -1,6 +1,6 @@
 """Segmentation of the surface by branch, with the map from the surface to the curve."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import trimesh
@@ -8,6 +8,7 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -59,7 +60,7 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
         of_face = owner[piece]
 
 
-def segments(skeleton: "Skeleton", mesh: Any) -> list[trimesh.Trimesh]:
+def segments(skeleton: "Skeleton", mesh: MeshLike) -> list[trimesh.Trimesh]:
     """See `Skeleton.segments`."""
     vertices, faces = reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))

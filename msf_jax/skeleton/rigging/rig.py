@@ -13,10 +13,12 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.curve import branches
 from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, biped, naming
 from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without
 from msf_jax.skeleton.rigging.cutting import FEWEST_HELD
+from msf_jax.skeleton.source import bound
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -61,7 +63,7 @@ class Rig:
         """The number of vertices of the mesh."""
         return len(self.weights.indptr) - 1
 
-    def save(self, path: str | os.PathLike[str], mesh: Any) -> None:
+    def save(self, path: str | os.PathLike[str], mesh: MeshLike) -> None:
         """Write ``mesh``, as `skeletonize` took it, on these bones to a ``.glb`` file, atomically.
 
         Raises:
@@ -155,7 +157,7 @@ class Rig:
         )
 
 
-def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any, names: str | None) -> Rig:
+def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: MeshLike | None, names: str | None) -> Rig:
     """See `Skeleton.rig`."""
     if names is not None and names not in biped.STANDARDS:
         raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(biped.STANDARDS)}")
@@ -211,7 +213,7 @@ def _made(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int |
 
 def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of the mesh that the curve was made from, if they can be known without the mesh."""
-    surface, num = skeleton.surface, len(skeleton.mesh_map)
+    surface, num = bound(skeleton.source, skeleton.mesh_map), len(skeleton.mesh_map)
     if len(np.unique(surface.vertex)) < num:
         raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh=...)")
     return surface.given(num), surface.vertex[surface.solid.shape.faces]
