@@ -146,11 +146,12 @@ class Config:
             a volume_tolerance of 0 a run makes all of its max_iterations.
         free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
-        step_tolerance: a contraction is also solved when a CG step moves no vertex by more than this part of t_c.
+        step_tolerance: a contraction also ends when a CG step moves no vertex by more than this part of t_c. This says
+            little about its error, see ``Report.unsolved``.
         preconditioner: of the contraction's conjugate gradients: "jacobi", or "factored", a sparse factorisation that
             the host computes in every iteration, for systems too ill-conditioned for "jacobi" (see `numerics.factors`).
             Such systems are solved in float64, whatever JAX is set to.
-        solve_steps: CG steps after which a solve gives up; the report counts such solves.
+        solve_steps: CG steps after which a solve gives up; the report counts such solves (``out_of_steps``).
         surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         prune: least slenderness of the solid's limbs (see `limbs.caps`): length over radius, and half of that below
