@@ -235,6 +235,7 @@ def _solved(
     and are NaN if not. (Limits as a second array are refused, because JAX transposes only what depends on the tangents
     altogether. A report as auxiliary data becomes a batch under `jax.jacfwd`, which is refused, too.)
     """
+    operator, b, left, lengths = _together((operator, b, left, lengths))
     size = norm(b)
     right = b if left is None else b - size * left
     zero = jnp.zeros((), b.dtype)
@@ -265,6 +266,22 @@ def _solved(
     is_nothing = lax.stop_gradient(size) == 0
     is_solved, has_ended = (is_solved > 0) | is_nothing, (has_ended > 0) | is_nothing
     return found[:-6], SolveReport(steps.astype(int), residual, is_solved, has_ended, rest, error, bound)
+
+
+def _together(values: Any) -> Any:
+    """``values``, each declared to differ between the devices of a `jax.shard_map` if one of them does.
+
+    JAX would declare it inside the solve, where it is refused if a scan has declared the values outside since.
+    """
+    arrays, structure = jax.tree_util.tree_flatten(values)
+    arrays = [jnp.asarray(array) for array in arrays]
+    axes = [jax.typeof(array).mat.varying for array in arrays]
+    every = frozenset().union(*axes)
+    spread = (
+        lax.pcast(array, tuple(every - own), to="varying") if every - own else array
+        for array, own in zip(arrays, axes, strict=True)
+    )
+    return structure.unflatten(spread)
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
