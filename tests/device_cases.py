@@ -91,6 +91,9 @@ class Diagonal(NamedTuple):
     def diagonal(self):
         return jnp.ones_like(self.entries)
 
+    def least(self):
+        return self.entries.min(), self.entries.min()
+
 
 # Surfaces
 

@@ -240,8 +240,21 @@ def test_running_out_of_iterations_is_said():
 
 def test_a_solve_that_runs_out_of_steps_is_said():
     skeleton = msf_jax.skeletonize(blob(1), config=Config(max_iterations=2, solver=SolverOptions(max_steps=3)))
-    assert skeleton.report.unsolved >= 2
-    assert "a linear solve stopped far from its solution" in str(skeleton.report)
+    assert skeleton.report.unsolved == skeleton.report.out_of_steps == 2
+    assert "in 2 iterations a linear solve ran out of steps" in str(skeleton.report)
+
+
+def test_a_loose_solve_is_not_said_to_be_solved():
+    """It ends by a short step, as it should, which says little about its error. A tight one is near its solution."""
+    mesh = blob(2)
+    mesh.apply_scale([1.0, 0.4, 0.4])
+    loose, tight = (
+        msf_jax.skeletonize(mesh, config=replace(config, max_iterations=3)).report
+        for config in (Config(), Config().tight())
+    )
+    assert loose.unsolved >= 1 and tight.unsolved == 0 and tight.solve_error < 0.1 < loose.solve_error
+    assert loose.out_of_steps == tight.out_of_steps == 0
+    assert "linear solve" not in str(loose)
 
 
 def test_weights_that_blow_up_are_said():

@@ -376,6 +376,25 @@ def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch, compilations):
         assert bool(compilations) == is_new
 
 
+def test_a_first_eager_gradient_compiles_few_programs(limbs, monkeypatch, compilations):
+    """Padding, the curve, cutting, and the slope of each. The curve's are those of all meshes of its capacity."""
+    module = importlib.import_module("msf_jax.gradients.follow")
+    for name in ("_padded", "_follow", "_cut"):  # as in a new process
+        function = getattr(module, name).__wrapped__
+        static = {} if name == "_follow" else {"static_argnums": 1}
+        monkeypatch.setattr(module, name, jax.jit(lambda *given, f=function: f(*given), **static))
+    vertices, _, skeleton = limbs
+    other = skeleton.resample(0.2)
+    assert other.binding.capacity == skeleton.binding.capacity and len(other.vertices) != len(skeleton.vertices)
+    counts = []
+    for followed in (skeleton, skeleton, other):
+        compilations.clear()
+        found, back = jax.vjp(lambda moved, of=followed: tuple(msf_jax.follow(of, moved)), vertices)
+        assert np.isfinite(back(found)[0]).all()
+        counts.append(len(compilations))
+    assert counts == [6, 0, 2], counts
+
+
 def test_a_capacity_over_the_limit_does_not_make_every_program_again(monkeypatch):
     """In rounds, where the one that was used longest ago is always the next."""
     module = importlib.import_module("msf_jax.gradients.follow")

@@ -1,7 +1,11 @@
 """The replay: equal to the run, differentiable, and the same whatever the padding."""
 
+import os
+import subprocess
+import sys
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 import jax
 import jax.numpy as jnp
@@ -294,6 +298,45 @@ def test_radii_are_distances_to_the_recorded_triangle(flow):
 def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     monkeypatch.setattr(replay, "MOST_STEPS", 2)
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
+
+
+SHARDED = """
+import jax, numpy as np
+jax.config.update("jax_enable_x64", True)
+from jax.sharding import Mesh, PartitionSpec
+import msf_jax
+from msf_jax import Config, Weights
+from conftest import blob
+
+assert jax.device_count() == 4
+tape = msf_jax.contract(blob(1, 1), config=Config(max_iterations=1)).tape
+weights = Weights(np.ones(4), np.linspace(0.1, 0.4, 4), np.full(4, 0.4), np.full(4, 0.001))
+many = jax.vmap(jax.value_and_grad(lambda weights: (msf_jax.replay(tape, weights) ** 2).sum()))
+spread = jax.shard_map(
+    many, mesh=Mesh(np.array(jax.devices()), ("w",)), in_specs=PartitionSpec("w"), out_specs=PartitionSpec("w")
+)
+for one, other in zip(*(jax.tree.leaves(jax.jit(each)(weights)) for each in (spread, many))):
+    assert len(one.sharding.device_set) == 4 and np.abs(other).max() > 0
+    np.testing.assert_allclose(one, other, rtol=1e-6, atol=1e-9 * np.abs(other).max())
+print("spread over", jax.device_count())
+"""
+
+
+@pytest.mark.system
+def test_replays_are_spread_over_devices(tmp_path):
+    """And checked: what differs between devices is declared so, loops inside the solves included."""
+    (tmp_path / "sharded.py").write_text(SHARDED)
+    tests = Path(__file__).parent
+    flags = "--xla_force_host_platform_device_count=4 --xla_backend_optimization_level=0"
+    paths = f"{tests.parent}{os.pathsep}{tests}"
+    done = subprocess.run(
+        [sys.executable, str(tmp_path / "sharded.py")],
+        env=os.environ | {"XLA_FLAGS": flags, "PYTHONPATH": paths},
+        capture_output=True,
+        text=True,
+        timeout=600,
+    )
+    assert "spread over 4" in done.stdout, done.stderr[-3000:]
 
 
 @pytest.mark.slow  # that a tape is one is in test_tape, too

@@ -8,7 +8,7 @@ those of the solution, A dx = db - dA x. Each derivative costs one more solve. W
 """
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple, Protocol
@@ -24,8 +24,7 @@ with warnings.catch_warnings():
 from msf_jax.base.options import Solver
 
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
-WINDOW = 16  # steps whose lengths are compared with those of as many before, see `_distance_left`
-SLOWEST = 0.95  # largest ratio of the two that is believed: an error of 19 times the last steps
+CAUTION = 0.5  # of the least eigenvalue that an operator expects, in the bound of the error, see `_distances`
 LONG_REDUCTION = 4096  # entries: XLA on the CPU has a library for longer reductions
 MOST_HALVINGS = 6  # so that the compiled code does not grow with the mesh
 
@@ -41,6 +40,10 @@ class Operator(Protocol):
         """(n,) the diagonal of A."""
         ...
 
+    def least(self) -> tuple[jax.Array, jax.Array]:
+        """The least eigenvalues of A and of A over its diagonal, as far as known; only errors are estimated by them."""
+        ...
+
 
 def _jacobi(operator: Operator) -> Callable[[jax.Array], jax.Array]:
     inverse = 1.0 / operator.diagonal()[:, None]
@@ -54,28 +57,56 @@ PRECONDITIONERS: dict[str, Callable[[Any], Callable[[jax.Array], jax.Array]]] = 
 class SolveReport(NamedTuple):
     """The result of a solve of A x = b, or of A x = b - |b| left, besides x.
 
-    steps: of CG. residual: the norm of ``left``. is_solved: whether it reached its tolerance, or ended by its last step
-    with an ``error`` below the norm of x and a residual below 1. left: (n, c) the residual over |b|; CG's recursive
-    one, which differs from the right-hand side minus A x by rounding, or that difference. error: an estimate of the
-    norm of x minus the solution, see `_distance_left`.
+    steps: of CG. residual: the norm of ``left``. is_solved: whether the ``bound`` is at most the error that was
+    allowed, or without one, whether the residual reached its tolerance. has_ended: whether it ended by its tolerance or
+    by a short step, and not by the number of steps or an A without positive curvature. left: (n, c) the residual over
+    |b|; CG's recursive one, which differs from the right-hand side minus A x by rounding, or that difference. error: an
+    estimate of the norm of x minus the solution. bound: one that is not exceeded, see `_distances`.
     """
 
     steps: jax.Array
     residual: jax.Array
     is_solved: jax.Array
+    has_ended: jax.Array
     left: jax.Array
     error: jax.Array
+    bound: jax.Array
+
+
+class Ritz(NamedTuple):
+    """What `Ritz.after` needs of the steps before, see there; a scalar each."""
+
+    turn: jax.Array  # beta over the length of the step
+    last: jax.Array  # |R^-1 e|^2, for the last unit vector e
+    most: jax.Array  # |R^-1 v|^2, for a unit vector v that makes it large
+    both: jax.Array  # the scalar product of R^-1 e and R^-1 v
+
+    def after(self, step: jax.Array, beta: jax.Array) -> "Ritz":
+        """With one more step of CG. 1 / ``most`` estimates the smallest Ritz value, which tends to the least eigenvalue
+        of M A from above.
+
+        Steps and betas are the Cholesky factor R of the Lanczos matrix. R grows by a column, and v is turned towards
+        the new unit vector so that |R^-1 v| is largest (Meurant, Tichy 2019, "Approximating the extreme Ritz values").
+        """
+        tilt = jnp.sqrt(self.turn * step)
+        last, across = tilt**2 * self.last + step, -tilt * self.both
+        angle = 0.5 * jnp.arctan2(2 * across, self.most - last)
+        most = (self.most + last) / 2 + jnp.hypot((self.most - last) / 2, across)
+        both = jnp.cos(angle) * across + jnp.sin(angle) * last
+        return Ritz(beta / jnp.where(step > 0, step, 1.0), last, most, both)
 
 
 class CGState(NamedTuple):
-    """State of the iteration; ``iter_num`` and ``error`` are jaxopt's names. lengths: of the last steps, in a ring."""
+    """State of the iteration; ``iter_num`` and ``error`` are jaxopt's names. share: of the squared length of the
+    direction that is the residual's, both measured by M."""
 
     iter_num: jax.Array
     error: jax.Array
     residual: jax.Array
     direction: jax.Array
     gamma: jax.Array
-    lengths: jax.Array
+    share: jax.Array
+    ritz: Ritz
 
 
 @dataclass(eq=False)
@@ -99,7 +130,9 @@ class ConjugateGradients(base.IterativeSolver):
     def init_state(self, init_params: jax.Array, b: jax.Array) -> CGState:
         del init_params  # zero: the residual is b
         z = self.precondition(b)
-        return CGState(jnp.asarray(0), jnp.sqrt(dot(b, b)), b, z, dot(b, z), jnp.zeros(2 * WINDOW, b.dtype))
+        gamma = dot(b, z)
+        zero = jnp.zeros_like(gamma)
+        return CGState(jnp.asarray(0), jnp.sqrt(dot(b, b)), b, z, gamma, zero + 1, Ritz(zero, zero, zero, zero))
 
     def update(self, params: jax.Array, state: CGState, b: jax.Array) -> base.OptStep:
         del b
@@ -115,9 +148,9 @@ class ConjugateGradients(base.IterativeSolver):
         is_small = (jnp.abs(step * state.direction) < self.smallest).all()
         error = jnp.sqrt(dot(residual, residual))
         error = jnp.where(is_curved | (error <= self.tol), jnp.where(is_small, 0.0, error), jnp.nan)
-        length = step * jnp.sqrt(dot(state.direction, state.direction))
-        lengths = state.lengths.at[state.iter_num % (2 * WINDOW)].set(length)
-        following = CGState(state.iter_num + 1, error, residual, z + beta * state.direction, gamma, lengths)
+        share = state.share / (state.share + beta)
+        ritz = state.ritz.after(step, beta)
+        following = CGState(state.iter_num + 1, error, residual, z + beta * state.direction, gamma, share, ritz)
         return base.OptStep(params + step * state.direction, following)
 
     def run(self, init_params: jax.Array, *args: Any, **kwargs: Any) -> base.OptStep:
@@ -165,12 +198,17 @@ def norm(x: jax.Array) -> jax.Array:
 
 
 def solve(
-    operator: Any, b: jax.Array, solver: Solver, smallest: Any = 0.0, left: jax.Array | None = None
+    operator: Any,
+    b: jax.Array,
+    solver: Solver,
+    smallest: Any = 0.0,
+    left: jax.Array | None = None,
+    allowed: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """Solve A x = b - |b| left for an `Operator` A and b (n, c), from x = 0; without ``left``, A x = b.
 
     Stops when the norm of the residual is at most the solver's tolerance times |b|, or when a step changes every entry
-    of x by less than ``smallest``.
+    of x by less than ``smallest``. With ``allowed``, a norm, it counts as solved if the error is at most that for sure.
     If the tolerance is loose, it runs in float32, where a step takes two thirds of the time. The entries of A must then
     be in float32's range. Under differentiation it runs in the type of b.
     Differentiable in: operator, b; implicitly, to any order, by solves to the tolerance. A derivative whose solve does
@@ -178,8 +216,8 @@ def solve(
     """
     # A traced tolerance may be tight.
     if isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE:
-        return _rounded(solver, operator, b, smallest, left)
-    return _solved(solver, operator, b, smallest, left)
+        return _rounded(solver, operator, b, (smallest, allowed), left)
+    return _solved(solver, operator, b, (smallest, allowed), left)
 
 
 def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
@@ -188,49 +226,68 @@ def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
 
 
 def _solved(
-    solver: Solver, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
+    solver: Solver, operator: Any, b: jax.Array, lengths: tuple[Any, Any], left: Any, is_short: bool = False
 ) -> tuple[jax.Array, SolveReport]:
-    """`solve` in the type of b, or in float32 if ``is_short``.
+    """`solve` in the type of b, or in float32 if ``is_short``. ``lengths``: smallest and allowed.
 
-    Four further rows of the right-hand side have the limits of the solve, |b| and ``smallest``; those of the unknown
-    have its report. JAX calls the same function for derivatives, whose limits are 0: they are solved to the tolerance,
+    Six further rows of the right-hand side have the limits of the solve, |b| and ``lengths``; those of the unknown have
+    its report. JAX calls the same function for derivatives, whose limits are 0: they are solved to the tolerance,
     and are NaN if not. (Limits as a second array are refused, because JAX transposes only what depends on the tangents
     altogether. A report as auxiliary data becomes a batch under `jax.jacfwd`, which is refused, too.)
     """
+    operator, b, left, lengths = _together((operator, b, left, lengths))
     size = norm(b)
     right = b if left is None else b - size * left
     zero = jnp.zeros((), b.dtype)
-    limits = lax.stop_gradient(jnp.stack([size, jnp.asarray(smallest, b.dtype), zero, zero]))
+    limits = jnp.stack([size, *(jnp.asarray(length, b.dtype) for length in lengths), zero, zero, zero])
+    limits = lax.stop_gradient(limits)
 
     def columns(rows: jax.Array) -> jax.Array:
-        return jnp.broadcast_to(rows[:, None], (4, b.shape[1]))
+        return jnp.broadcast_to(rows[:, None], (6, b.shape[1]))
 
     def product(unknown: jax.Array) -> jax.Array:
-        return jnp.concatenate([operator(unknown[:-4]), unknown[-4:]])
+        return jnp.concatenate([operator(unknown[:-6]), unknown[-6:]])
 
     def solved(_: Any, given: jax.Array) -> jax.Array:
-        rhs, size, smallest = given[:-4], given[-4, 0], given[-3, 0]
+        rhs, size, lengths = given[:-6], given[-6, 0], (given[-5, 0], given[-4, 0])
         is_first = ~(size == 0)
-        x, report = _run(operator, rhs, jnp.where(is_first, size, norm(rhs)), solver, smallest, is_short)
-        said = (report.steps, report.residual, report.is_solved, report.error)
+        x, report = _run(operator, rhs, jnp.where(is_first, size, norm(rhs)), solver, lengths, is_short)
+        said = (report.steps, report.residual, report.is_solved, report.has_ended, report.error, report.bound)
         said = columns(jnp.stack([jnp.asarray(value, b.dtype) for value in said]))
         is_given = is_first | (rhs == 0).all()  # a first solve for 0, too
         x = jnp.where(is_given | report.is_solved, x, jnp.nan)
-        return jnp.concatenate([x, jnp.where(is_first, said, given[-4:])])
+        return jnp.concatenate([x, jnp.where(is_first, said, given[-6:])])
 
     given = jnp.concatenate([right, columns(limits)])
     found = lax.custom_linear_solve(product, given, solved, symmetric=True)
-    steps, residual, is_solved, error = lax.stop_gradient(found[-4:, 0])
-    x, given, operator = lax.stop_gradient((found[:-4], right, operator))
+    steps, residual, is_solved, has_ended, error, bound = lax.stop_gradient(found[-6:, 0])
+    x, given, operator = lax.stop_gradient((found[:-6], right, operator))
     rest = (given - operator(x)) / lax.stop_gradient(_scale(size))
-    is_solved = (is_solved > 0) | (lax.stop_gradient(size) == 0)
-    return found[:-4], SolveReport(steps.astype(int), residual, is_solved, rest, error)
+    is_nothing = lax.stop_gradient(size) == 0
+    is_solved, has_ended = (is_solved > 0) | is_nothing, (has_ended > 0) | is_nothing
+    return found[:-6], SolveReport(steps.astype(int), residual, is_solved, has_ended, rest, error, bound)
+
+
+def _together(values: Any) -> Any:
+    """``values``, each declared to differ between the devices of a `jax.shard_map` if one of them does.
+
+    JAX would declare it inside the solve, where it is refused if a scan has declared the values outside since.
+    """
+    arrays, structure = jax.tree_util.tree_flatten(values)
+    arrays = [jnp.asarray(array) for array in arrays]
+    axes = [jax.typeof(array).mat.varying for array in arrays]
+    every = frozenset().union(*axes)
+    spread = (
+        lax.pcast(array, tuple(every - own), to="varying") if every - own else array
+        for array, own in zip(arrays, axes, strict=True)
+    )
+    return structure.unflatten(spread)
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _rounded(solver: Solver, operator: Any, b: jax.Array, smallest: Any, left: Any) -> tuple[jax.Array, SolveReport]:
+def _rounded(solver: Solver, operator: Any, b: jax.Array, lengths: Any, left: Any) -> tuple[jax.Array, SolveReport]:
     """`solve` in float32. Partial evaluation may drop the rule below: then derivatives are computed in float32, too."""
-    return _solved(solver, operator, b, smallest, left, is_short=True)
+    return _solved(solver, operator, b, lengths, left, is_short=True)
 
 
 @_rounded.defjvp
@@ -239,17 +296,25 @@ def _rounded_jvp(solver: Solver, primals: Any, tangents: Any) -> Any:
 
 
 def solve_outside(
-    operator: Any, b: jax.Array, solver: Solver, precondition: Callable[[jax.Array], jax.Array], smallest: Any = 0.0
+    operator: Any,
+    b: jax.Array,
+    solver: Solver,
+    precondition: Callable[[jax.Array], jax.Array],
+    smallest: Any = 0.0,
+    allowed: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """Like `solve`, with a loop in Python. It cannot be jitted or differentiated.
 
-    So ``precondition``, r -> M r, may be a function on the host, unlike those of `PRECONDITIONERS`.
+    So ``precondition``, r -> M r, may be a function on the host, unlike those of `PRECONDITIONERS`. M A is to be almost
+    1, as errors are estimated by that.
     """
     scale = _scale(norm(b))
-    found = _iterated(
-        partial(_product, operator), precondition, b / scale, solver, smallest / scale, jit=False, unroll=True
+    A = partial(_product, operator)
+    least = operator.least()[0], jnp.ones_like(scale)
+    x, report = _iterated(
+        A, precondition, b / scale, solver, (smallest / scale, allowed / scale), least, jit=False, unroll=True
     )
-    return scale * found[0], found[1]._replace(error=scale * found[1].error)
+    return scale * x, report._replace(error=scale * report.error, bound=scale * report.bound)
 
 
 @jax.jit
@@ -263,12 +328,12 @@ def _scale(size: jax.Array) -> jax.Array:
 
 
 def _run(
-    operator: Any, b: jax.Array, size: jax.Array, solver: Solver, smallest: Any, is_short: bool
+    operator: Any, b: jax.Array, size: jax.Array, solver: Solver, lengths: Sequence[Any], is_short: bool
 ) -> tuple[jax.Array, SolveReport]:
-    """Solve for b; residuals are relative to ``size``.
+    """Solve for b; residuals are relative to ``size``. ``lengths``: smallest and allowed.
 
     If it ``is_short``, it runs in float32. The residual is computed from x, so that what the solve leaves is as exact
-    as b, and the solve counts as solved if rounding has at most doubled it.
+    as b. Rounding may at most double a residual at its tolerance, and what it adds is added to the bound.
     """
 
     def short(values: Any) -> jax.Array:
@@ -276,42 +341,59 @@ def _run(
         return jnp.asarray(values, jnp.float32 if is_real and is_short else None)
 
     scale = _scale(size)
-    A, right, least = jax.tree_util.tree_map(short, (operator, b / scale, smallest / scale))
-    x, report = _iterated(A, PRECONDITIONERS[solver.preconditioner](A), right, solver, least)
+    lengths = [length / scale for length in lengths]
+    A, right, limits = jax.tree_util.tree_map(short, (operator, b / scale, lengths))
+    M = PRECONDITIONERS[solver.preconditioner](A)
+    x, report = _iterated(A, M, right, solver, limits, A.least())
     if x.dtype != b.dtype:
         x = x.astype(b.dtype)
         left = b / scale - operator(x)
         residual = jnp.sqrt(dot(left, left))
-        ends_by_step = report.residual > solver.tolerance  # each entry changed by less than ``smallest``
-        is_solved = report.is_solved & (ends_by_step | (residual <= 2 * solver.tolerance))
-        report = report._replace(left=left, residual=residual, is_solved=is_solved)
-    return scale * x, report._replace(error=scale * report.error.astype(scale.dtype))
+        rounded = left - report.left.astype(b.dtype)
+        bound = report.bound.astype(b.dtype) + jnp.sqrt(dot(rounded, rounded)) / (CAUTION * operator.least()[0])
+        has_ended = report.has_ended & ((report.residual > solver.tolerance) | (residual <= 2 * solver.tolerance))
+        is_near = jnp.where(lengths[1] > 0, bound <= lengths[1], residual <= 2 * solver.tolerance)
+        is_solved = report.is_solved & is_near
+        report = report._replace(left=left, residual=residual, bound=bound, is_solved=is_solved, has_ended=has_ended)
+    error, bound = (scale * length.astype(scale.dtype) for length in (report.error, report.bound))
+    return scale * x, report._replace(error=error, bound=bound)
 
 
-def _distance_left(state: CGState) -> jax.Array:
-    """An estimate of the norm of x minus the solution: the lengths of the last steps, continued geometrically.
+def _distances(state: CGState, least: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, jax.Array]:
+    """An estimate of the norm of x minus the solution, and a bound.
 
-    A step's own length bounds nothing, as many short ones may follow. Nor is this a bound: on three surfaces it was
-    between an eighth of the error and 18 times as much, with a median of 1.4. It was less than half of it in solves of
-    20 to 40 steps, and down to a fortieth with weights of almost 0. Bounds of Gauss and Radau, from the least of
-    w_H^2 + w_M^2, are right, and were 4 to 1,300 times too large.
+    The squared error, in A's norm, is at most that of the residual, in M's norm, times its share in the direction, over
+    the least eigenvalue of M A (Meurant, Tichy 2019: a simpler bound than that of Gauss and Radau). The estimate takes
+    the smallest Ritz value for that, which is right once CG has met the slowest part of the error. The bound takes half
+    of what the operator expects, if that is less. Both go from A's norm to the plain one by the eigenvalue that the
+    operator expects of A. On twenty shapes with six weights each, no error was more than 0.93 where the bound was 1;
+    with the factor 1 in place of a half, it was 1.1.
     """
-    window = jnp.clip(state.iter_num // 2, 1, WINDOW)
-    age = (state.iter_num - 1 - jnp.arange(2 * WINDOW)) % (2 * WINDOW)
-    last = jnp.where(age < window, state.lengths, 0).sum()
-    before = jnp.where((age >= window) & (age < 2 * window), state.lengths, 0).sum()
-    ratio = jnp.where(before > 0, jnp.minimum(last / jnp.where(before > 0, before, 1.0), SLOWEST), 0.5)
-    return last * ratio / (1 - ratio)
+    of_A, of_both = least
+    found = jnp.where(state.ritz.most > 0, 1 / state.ritz.most, 0.0)
+    square = state.gamma * state.share
+
+    def distance(least: jax.Array) -> jax.Array:
+        return jnp.where(state.gamma == 0, 0.0, jnp.sqrt(square / (least * of_A)))  # infinite where nothing is known
+
+    return distance(found), distance(jnp.minimum(found, CAUTION * of_both))
 
 
 def _iterated(
-    matvec: Any, precondition: Any, b: jax.Array, solver: Solver, smallest: Any, **options: bool
+    matvec: Any,
+    precondition: Any,
+    b: jax.Array,
+    solver: Solver,
+    lengths: Sequence[Any],
+    least: tuple[jax.Array, jax.Array],
+    **options: bool,
 ) -> tuple[jax.Array, SolveReport]:
-    """Solve for b of about norm 1."""
+    """Solve for b of about norm 1. ``lengths``: smallest and allowed. ``least``: eigenvalues of A and M A."""
+    smallest, allowed = lengths
     solving = ConjugateGradients(matvec, precondition, smallest, solver.max_steps, solver.tolerance, **options)
     x, state = solving.run(jnp.zeros_like(b), b)
     residual = jnp.sqrt(dot(state.residual, state.residual))
-    error = _distance_left(state)
-    is_close = (residual < 1) & (error <= jnp.maximum(jnp.sqrt(dot(x, x)), smallest * x.size**0.5))
-    is_solved = (state.error <= solver.tolerance) & (is_close | (residual <= solver.tolerance))
-    return x, SolveReport(state.iter_num, residual, is_solved, state.residual, error)
+    error, bound = _distances(state, least)
+    has_ended = state.error <= solver.tolerance
+    is_solved = ~jnp.isnan(state.error) & jnp.where(allowed > 0, bound <= allowed, residual <= solver.tolerance)
+    return x, SolveReport(state.iter_num, residual, is_solved, has_ended, state.residual, error, bound)

@@ -268,6 +268,7 @@ def report_of(
         live=sum(state.meso.num_live for state in states),
         volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
         unsolved=sum(not line.is_solved for line in history),
+        out_of_steps=sum(not line.has_ended for line in history),
         solve_error=max((line.error for line in history), default=0.0),
         solve_steps=sum(line.steps + line.smoothing_steps for line in history),
         coarsened=sum(state.num_coarsened for state in states),

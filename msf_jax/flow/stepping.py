@@ -56,6 +56,7 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
     solves, num = moved.solves, len(order)
     left = solves.left[:, :num].copy()
     free, pull = (np.array(values[:num]) for values in (packed.buffers.free, packed.buffers.pull))
+    unit = max(float(free.sum()), 1.0) ** 0.5 * state.t_c  # of the norm of an error whose RMS is t_c
     state.steps.append(Step(order, before, packed.rings, packed.degree, free, pull, left, moved.factor, meso.edits))
     meso.edits = []
     state.history.append(
@@ -76,7 +77,9 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
             smoothing_residual=float(solves.residual[1]),
             moved=displacement,
             redone=moved.retries,
-            error=float(solves.error[0]) / max(float(free.sum()), 1.0) ** 0.5 / state.t_c,
+            has_ended=bool(solves.has_ended.all()),
+            error=float(solves.error[0]) / unit,
+            bound=float(solves.bound[0]) / unit,
         )
     )
     state.t_c = fixing.threshold(len(state.history), *config.flow.thresholds)

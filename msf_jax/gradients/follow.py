@@ -74,10 +74,8 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         array = checked_vertices(skeleton, vertices)
         rest = ((0, binding.num_vertices - len(array)), (0, 0))
         if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
-            found = Followed(*_follow(binding, jnp.pad(array, rest)))
-            if isinstance(skeleton, Binding):
-                return found
-            return Followed(*(part[: len(skeleton.vertices)] for part in found))
+            found = _follow(binding, array if rest[0][1] == 0 else _padded(array, rest))
+            return Followed(*(found if isinstance(skeleton, Binding) else _cut(found, len(skeleton.vertices))))
         devices = array.devices() if isinstance(array, jax.Array) else ()
         device = next(iter(devices)) if len(devices) == 1 else None
         # NumPy pads and cuts, because JAX would compile this for every size.
@@ -97,7 +95,10 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     return Followed(*(jax.device_put(part[:num].copy(), device) for part in (nodes, radii)))
 
 
+# Three programs, also of an eager gradient: the large one is the same for all meshes of a capacity.
 _follow = jax.jit(following.follow)
+_padded = jax.jit(jnp.pad, static_argnums=1)
+_cut = jax.jit(lambda parts, num: tuple(part[:num] for part in parts), static_argnums=1)
 
 
 _programs: dict[Hashable, Callable[..., Any]] = {}
@@ -130,16 +131,17 @@ def binding_of(skeleton: Any) -> Binding:
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     """``vertices`` as a JAX or NumPy array (V, 3). Only the shape of a traced array is checked. Vertices that no face
     of the surface uses may be at any position."""
-    is_plain = isinstance(vertices, np.ndarray) and vertices.dtype.kind in "fiu"
+    is_plain = isinstance(vertices, Tracer) or (isinstance(vertices, np.ndarray) and vertices.dtype.kind in "fiu")
     try:
-        array = vertices if is_plain else jnp.asarray(vertices)  # of a NumPy array, this compiles a copy for every size
+        array = vertices if is_plain else jnp.asarray(vertices)  # of others, this compiles a copy for every size
     except (TypeError, ValueError) as error:
         raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
     if not jnp.isdtype(array.dtype, ("real floating", "integral")):
         raise MeshError(f"vertices has the type {array.dtype}: expected real numbers, (V, 3)")
     is_real = jnp.isdtype(array.dtype, "real floating")
     dtype = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
-    array = array.astype(jax.dtypes.canonicalize_dtype(dtype))
+    dtype = jax.dtypes.canonicalize_dtype(dtype)
+    array = array if array.dtype == dtype else array.astype(dtype)
     binding = binding_of(skeleton)
     if isinstance(skeleton, Binding):
         if array.ndim != 2 or array.shape[1] != 3 or len(array) > binding.num_vertices:

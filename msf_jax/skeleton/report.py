@@ -71,11 +71,12 @@ class Report:
         wavefronts: curves of components that geodesic wavefronts made, as edges are longer than their limbs are thick.
             Branches are then measured by their balls, see `Branch`.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
-        unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance, or was ended by a
-            short step although the estimated error is larger than the motion.
-        solve_error: the largest estimated RMS error of a contraction's solve, in collapse thresholds t_c. With the
-            default tolerances it is 1 to 27, and the errors themselves are 0.1 to 1. So a run follows the equation only
-            that closely, see the guide *gradients*.
+        out_of_steps: iterations in which a linear solve ended by ``Config(solve_steps=...)``, or by an equation that is
+            not positive definite.
+        unsolved: iterations whose solves may be further from their solutions than an RMS error of one collapse
+            threshold t_c. With the default tolerances most are: they end by a short step, see the guide *gradients*.
+        solve_error: the largest estimated RMS error of a contraction's solve, in t_c. With the default tolerances it is
+            1 to 8, and the errors themselves are 0.1 to 4. So a run follows the equation only that closely.
         solve_steps: CG steps of all solves.
         doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
             a surface that crosses itself.
@@ -104,6 +105,7 @@ class Report:
     wavefronts: int = 0
     cut: int = 0
     is_tree: bool = False
+    out_of_steps: int = 0
     solve_error: float = 0.0
     loops: int | None = None
     in_sheets: float | None = None
@@ -211,8 +213,8 @@ class Report:
             lines.append(IN_SHEETS.format(self.in_sheets))
         if self.pruned or self.grown:
             lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
-        if self.unsolved:
-            lines.append(f"in {self.unsolved} iterations a linear solve stopped far from its solution")
+        if self.out_of_steps:
+            lines.append(f"in {self.out_of_steps} iterations a linear solve ran out of steps")
         if self.figures:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"in doubt: {doubt}" for doubt in self.doubts if doubt not in self.not_limbs]

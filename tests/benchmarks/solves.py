@@ -1,0 +1,122 @@
+"""How far from their solutions do the contraction's solves end, and what do they say about it?
+
+python -m tests.benchmarks.solves [NAME|FILE ...] [--tight]      (python -m tests.benchmarks.solves --help)
+
+Each solve of a run's first iterations is compared with a sparse factorisation, refined in float64, with the default
+weights and with weights that make it hard. Lengths are RMS over free vertices, in t_c.
+"""
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import jax
+import numpy as np
+import scipy.sparse as sp
+import trimesh
+from scipy.sparse.linalg import splu
+
+from msf_jax import Config, Weights, ground_truth
+from msf_jax.base.clock import Clock
+from msf_jax.device.cg import SolveReport
+from msf_jax.device.contraction import Gram
+from msf_jax.device.iteration import _energies, _equations, jitted_move
+from msf_jax.flow import starting, stepping
+from msf_jax.meshes import checking
+
+NAMES = ("arc_coarse", "y_coarse", "helix_coarse", "tree_coarse", "octopus_low", "hand", "pawn_low", "comb", "theta")
+WEIGHTS = {
+    "default": Weights(),
+    "w_H 0.001": Weights(w_H=0.001),
+    "w_H 0.001, w_M 0": Weights(w_H=0.001, w_M=0.0),
+    "w_H 0.02, w_M 0.1": Weights(w_H=0.02, w_M=0.1),
+    "w_M 0": Weights(w_M=0.0),
+    "w_H 1": Weights(w_H=1.0),
+}
+ITERATIONS = 8, 4  # with the default weights, and with others
+REFINEMENTS = 3
+
+
+def matrix(operator: Gram) -> sp.csr_matrix:
+    """The equations of the free vertices."""
+    num, free = len(operator.own), np.asarray(operator.free)
+    row = np.concatenate([np.tile(np.arange(level.rows), level.slots) for level in operator.layout.levels])
+    first, second = (
+        sp.csr_matrix((weights, (row, np.asarray(operator.neighbour))), shape=(num, num)) + sp.diags(operator.own)
+        for weights in np.asarray(operator.weights)
+    )
+    whole = second @ first + sp.diags(operator.shift)
+    return whole.tocsr()[free > 0][:, free > 0]
+
+
+def solved(A: sp.csr_matrix, b: np.ndarray) -> np.ndarray:
+    """The solution to rounding."""
+    factors = splu(A.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    x = factors.solve(b)
+    for _ in range(REFINEMENTS):
+        x += factors.solve(b - A @ x)
+    return x
+
+
+def solves(mesh: trimesh.Trimesh, weights: Weights, config: Config, most: int) -> list[dict[str, Any]]:
+    """The figures of each solve of a run's first iterations."""
+    state, found = starting.init(checking.prepare(mesh).components[0], 0, config, Clock()), []
+    while len(found) < most and not state.failure and state.meso.num_live - int(state.meso.is_fixed.sum()) > 20:
+        packed = stepping._pack(state, weights, Clock())
+        given = jax.tree_util.tree_map(lambda value: jax.numpy.asarray(value, float), packed.weights)
+        given, buffers = replace(given, smoothing=jax.numpy.zeros(())), jax.device_put(packed.buffers)
+        settings, layout = config.on_device, packed.layout
+        operator, b = _equations(buffers, _energies(buffers, given, settings, layout)[0], settings, layout)
+        moved = jitted_move(buffers, given, settings, layout)
+        free = np.asarray(operator.free) > 0
+        exact = solved(matrix(operator), np.asarray(b)[free])
+        error = np.asarray(moved.positions - buffers.positions)[free] - exact
+        report: SolveReport = moved.contraction
+        unit = float(buffers.t_c) * free.sum() ** 0.5
+        figures = {name: float(getattr(report, name)) / unit for name in ("error", "bound")}
+        figures |= {name: getattr(report, name).item() for name in ("steps", "is_solved", "has_ended")}
+        figures |= {"true": np.linalg.norm(error) / unit, "motion": np.linalg.norm(exact) / unit}
+        found.append(figures | {"farthest": np.linalg.norm(error, axis=1).max() / float(buffers.t_c)})
+        state = stepping.step(state, weights, config, Clock())
+    return found
+
+
+def line(label: str, found: list[dict[str, Any]]) -> str:
+    """One row of the table."""
+    said = [each for each in found if each["is_solved"]]
+    ratios = [each["error"] / each["true"] for each in found]
+    cells = [
+        label,
+        f"{len(found)}, {sum(each['steps'] for each in found):,}",
+        f"{min(each['true'] for each in found):.2f} to {max(each['true'] for each in found):.2f}",
+        f"{min(ratios):.1f}, {np.median(ratios):.1f}, {max(ratios):.0f}",
+        f"{min(each['bound'] / each['true'] for each in found):.1f}",
+        f"{len(said)}",
+        f"{max((each['true'] for each in said), default=0.0):.2f}",
+        f"{max((each['farthest'] for each in said), default=0.0):.1f}",
+        f"{sum(not each['has_ended'] for each in found)}",
+    ]
+    return f"| {' | '.join(cells)} |"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", default=NAMES, help="shapes of known truth, or files")
+    parser.add_argument("--tight", action="store_true", help="with Config.tight()")
+    options = parser.parse_args()
+    jax.config.update("jax_enable_x64", True)
+    config = Config().tight() if options.tight else Config()
+    meshes = [
+        trimesh.load(name, process=False) if Path(name).exists() else ground_truth.make(name).mesh
+        for name in options.names
+    ]
+    print("| weights | solves, steps | error | estimate / error | bound / error | solved | of these | farthest | out |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
+    for label, weights in WEIGHTS.items():
+        most = ITERATIONS[label != "default"]
+        print(line(label, [each for mesh in meshes for each in solves(mesh, weights, config, most)]), flush=True)
+
+
+if __name__ == "__main__":
+    main()
