@@ -513,9 +513,12 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []
 
 
-def figure(shift: float, head: float, front: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def figure(
+    shift: float, head: float, front: float = 0.0, palms: tuple[float, ...] = ()
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it. Feet go
-    by ``front`` to the front, which is z."""
+    by ``front`` to the front, which is z. Three fingers begin at x = 4 and three at x = -4, but for the second and the
+    third of each side, which begin by one of ``palms`` beyond."""
     chains = [
         [(shift, 5.0, 0), (0, 8.0, 0)],  # from the pelvis to the arms
         [(0, 8.0, 0), (0, 10.5, 0)],
@@ -526,6 +529,10 @@ def figure(shift: float, head: float, front: float = 0.0) -> tuple[np.ndarray, n
     ]
     if front:
         chains += [[(side, 0, 0), (side, 0, front)] for side in (1.0, -1.0)]
+    for side, palm in zip((1.0, -1.0), palms, strict=False):
+        begin, other = (side * 4.0, 8.0, 0), (side * (4.0 + palm), 8.0, 0)
+        chains += [[begin, (side * 6.0, 8.0, 0.5)], [other, (side * 6.2, 8.0, 0)], [other, (side * 6.1, 8.0, -0.5)]]
+        chains += [[begin, other]] if palm else []
     points = np.unique(
         np.concatenate([np.linspace(a, b, 26) for chain in chains for a, b in pairwise(np.array(chain))]).round(9),
         axis=0,
@@ -564,6 +571,20 @@ def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
     arm = [name for name in left if found.joints[names.index(name), 1] > 7]
     begin, elbow = sorted(found.joints[names.index(name), 0] for name in arm)
     assert abs(elbow - (begin + 4) / 2) < 1e-9  # straight: at the half
+
+
+@pytest.mark.parametrize("palms", [(0.1, 0.0), (0.0, 0.35), (0.1, 0.35), (0.7, 0.0)])
+def test_where_fingers_begin_changes_no_name(palms):
+    """At one junction or at two, near each other or with a bone between them, on one side or on both."""
+    alike, other = (bones.bones_of(*figure(0.0, 1.0, palms=each), 50) for each in ((0.0, 0.0), palms))
+    names = [[name for name in naming.names_of(found) if "trunk" not in name] for found in (alike, other)]
+    assert sorted(names[0]) == sorted(names[1]) and sum(name.endswith("_1.L") for name in names[0]) == 4
+    is_one = max(palms) < 0.5  # there is no length for a bone between the junctions
+    assert len(alike.joints) == len(other.joints) - (0 if is_one else 1)
+    names = naming.names_of(other)
+    for name in (each for each in names if is_one and each.endswith(".L")):
+        one, image = other.joints[names.index(name)], other.joints[names.index(name[:-1] + "R")]
+        np.testing.assert_allclose(one * [-1, 1, 1], image, atol=0.2)
 
 
 def test_a_bone_with_few_vertices_is_joined_to_the_next_so_that_a_limb_begins_at_its_root():
@@ -681,7 +702,7 @@ def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where
 
 
 def test_what_is_no_biped_is_refused_with_the_reason():
-    with pytest.raises(ConfigError, match=r"its legs are at [789]\d degrees to its spine"):
+    with pytest.raises(ConfigError, match=r"it stands on four legs: its hind legs are at [789]\d degrees to its trunk"):
         bones.bones_of(*four_legged(0.9, False, 0.2), 50, is_biped=True)
     skeleton, mesh = known("y")
     with pytest.raises(ConfigError, match="no two pairs of limbs are mirror images: expected names=None"):
