@@ -14,7 +14,7 @@ from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.meshes import reading, shading
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding, bones, naming, rig
+from msf_jax.skeleton.rigging import binding, bones, mirror, naming, rig
 from msf_jax.skeleton.skeleton import Skeleton
 
 SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
@@ -571,6 +571,42 @@ def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
     arm = [name for name in left if found.joints[names.index(name), 1] > 7]
     begin, elbow = sorted(found.joints[names.index(name), 0] for name in arm)
     assert abs(elbow - (begin + 4) / 2) < 1e-9  # straight: at the half
+
+
+def stubbed(beyond: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Four arms along x and y, 1 long, and a branch between two of them. Mirrored in x it would miss the curve along
+    ``beyond``; in the diagonal it stays where it is. Also the ends."""
+    reach = (
+        np.sqrt(2) * 0.04 * np.sqrt(8) + beyond
+    )  # the diagonal of the curve is nearly sqrt 8; arms are at 45 degrees
+    ends = np.array([[1.0, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [reach / np.sqrt(2), reach / np.sqrt(2), 0]])
+    chains = [np.linspace(0, 1, 401)[1:, None] * end for end in ends]
+    edges = np.concatenate([chain_of([0, *range(1 + 400 * k, 401 + 400 * k)]) for k in range(5)])
+    return np.concatenate([np.zeros((1, 3)), *chains]), edges, 400 * np.arange(1, 6)
+
+
+@pytest.mark.parametrize(("beyond", "is_diagonal"), [(0.05, False), (0.12, True)])
+def test_a_plane_across_a_coordinate_axis_wins_unless_another_matches_two_hundredths_more(beyond, is_diagonal):
+    plane = mirror.mirror_of(*stubbed(beyond))
+    assert plane is not None and (np.abs(plane.normal).max() < 0.8) == is_diagonal
+
+
+@pytest.mark.parametrize(("away", "expected"), [(0.08, [1, 0]), (0.12, [-1, -1])])
+def test_images_are_within_a_tenth_of_the_curve(away, expected):
+    plane = mirror.Mirror(np.array([1.0, 0, 0]), 0.0, 1.0)
+    assert mirror.images(plane, np.array([[1.0, 0, 0], [-1, away, 0]])).tolist() == expected
+
+
+@pytest.mark.parametrize(("tail", "has_plane"), [(1.2, True), (2.0, False)])
+def test_three_fifths_of_a_curve_must_have_an_image(tail, has_plane):
+    """Two arms of 1, and a branch that leaves the plane between them at once."""
+    nodes = [
+        np.linspace(0, 1, 101)[1:, None] * np.array([end]) for end in ([1.0, 0, 0], [-1, 0, 0], [tail, tail, tail])
+    ]
+    nodes[2] /= np.sqrt(3)
+    edges = np.concatenate([chain_of([0, *range(1 + 100 * k, 101 + 100 * k)]) for k in range(3)])
+    found = mirror.mirror_of(np.concatenate([np.zeros((1, 3)), *nodes]), edges, np.array([100, 200, 300]))
+    assert (found is not None) == has_plane
 
 
 @pytest.mark.parametrize("palms", [(0.1, 0.0), (0.0, 0.35), (0.1, 0.35), (0.7, 0.0)])

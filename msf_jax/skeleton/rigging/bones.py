@@ -73,7 +73,7 @@ def bones_of(
     held = np.full(len(vertices), cutting.FEWEST_HELD) if held is None else held
     tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)  # without those that cuts make
     edges = edges[branches.cut_loops(len(vertices), edges, size)]
-    plane = mirror.mirror_of(vertices, edges, radii, tips)
+    plane = mirror.mirror_of(vertices, edges, tips)
     body = girdles.body_of(vertices, edges, radii, tips, plane)
     stays, target = _limbs(vertices, edges, radii, max(1, int(for_limbs * most)), plane)
     vertices, edges, size, met = _met(vertices, edges[stays[edges].all(axis=1)], size, radii, plane, body)
