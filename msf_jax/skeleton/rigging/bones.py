@@ -196,11 +196,11 @@ def _met(
         for number in {one, other} - {-1}:
             ends = target[trunks[number][[0, -1]]]
             joined = np.isin(target, np.r_[ends, trunks[number]])
-            stays = [int(end) for end in ends if end in body_ends] or [int(ends[size[ends].argmax()])]
-            target[joined] = stays[0]
-            size[stays[0]] = size[ends].max()
-            if stays[0] not in body_ends:
-                vertices[stays[0]] = of_place[joined & junctions].mean(axis=0)
+            own = next((end for end in ends.tolist() if end in body_ends), int(ends[size[ends].argmax()]))
+            target[joined] = own
+            size[own] = size[ends].max()
+            if own not in body_ends:
+                vertices[own] = of_place[joined & junctions].mean(axis=0)
         edges = np.unique(np.sort(target[edges], axis=1), axis=0)
         edges = edges[edges[:, 0] != edges[:, 1]]
 
