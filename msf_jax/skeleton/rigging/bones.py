@@ -177,7 +177,7 @@ def _met(
     (N,). Mirror images stay or go together. Returns vertices, edges, sizes, and the node that replaces each (N,).
     """
     vertices, size, target = vertices.copy(), size.copy(), np.arange(len(vertices))
-    of_place, body_ends = vertices.copy(), {body.pelvis, body.shoulders}
+    of_place, body_ends = vertices.copy(), {end for end in (body.pelvis, body.shoulders) if end is not None}
     junctions = graphs.degrees(len(vertices), edges) > 2
     while True:
         degree = graphs.degrees(len(vertices), edges)
@@ -196,7 +196,8 @@ def _met(
         for number in {one, other} - {-1}:
             ends = target[trunks[number][[0, -1]]]
             joined = np.isin(target, np.r_[ends, trunks[number]])
-            own = next((end for end in ends.tolist() if end in body_ends), int(ends[size[ends].argmax()]))
+            held = body_ends.intersection(ends.tolist())
+            own = held.pop() if held else int(ends[size[ends].argmax()])
             target[joined] = own
             size[own] = size[ends].max()
             if own not in body_ends:
