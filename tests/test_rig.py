@@ -737,11 +737,45 @@ def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where
     assert {"mixamorig:LeftUpLeg", "mixamorig:RightForeArm"} <= set(names[0]) and {"thigh_l", "hand_r"} <= set(names[2])
 
 
+def shares_of(found: bones.Bones, names: tuple[str, ...], first: str) -> list[float]:
+    """Where the bones of a straight chain that begins with ``first`` begin, as shares of its length."""
+    chain = [names.index(first)]
+    while len(onward := np.flatnonzero((found.parents == chain[-1]) & (found.branch == found.branch[chain[0]]))):
+        chain.append(int(onward[0]))
+    begin, end = found.joints[chain[0]], found.tails[chain[-1]]
+    return (np.linalg.norm(found.joints[chain] - begin, axis=1) / np.linalg.norm(end - begin)).tolist()
+
+
+def test_joints_of_a_biped_without_bends_are_where_anatomy_has_them():
+    """A head turns at a third of the neck and head; a hand is a quarter of an arm, or an eighth up to the fingers."""
+    for palms, wrist in (((), 0.75), ((0.0, 0.0), 0.87)):
+        found = bones.bones_of(*figure(0.0, 1.0, 1.2, palms), 50, is_biped=True)
+        names = naming.names_of(found, "vrm")
+        np.testing.assert_allclose(shares_of(found, names, "neck"), [0, 1 / 3], atol=1e-9)
+        np.testing.assert_allclose(shares_of(found, names, "leftUpperArm"), [0, wrist / 2, wrist], atol=1e-9)
+    points, edges, radii = figure(0.0, 1.0)
+    points[points[:, 1] < 5] *= [0.5, 1, 1]  # straighter legs
+    found = bones.bones_of(points, edges, radii, 50, is_biped=True)
+    leg = shares_of(found, naming.names_of(found, "vrm"), "leftUpperLeg")
+    assert leg[2] == pytest.approx(0.85, abs=0.02) and leg[3] == pytest.approx(0.925, abs=0.02)
+
+
+@pytest.mark.parametrize(("front", "is_swapped"), [(-0.2, False), (-0.45, True)])
+def test_feet_tell_the_front_if_they_stand_out_by_a_twentieth_of_the_leg(front, is_swapped):
+    found = bones.bones_of(*figure(0.0, 1.0, front), 50, is_biped=True)
+    at = dict(zip(naming.names_of(found, "vrm"), found.joints, strict=True))
+    assert (at["leftHand"][0] < 0) == is_swapped
+
+
 def test_what_is_no_biped_is_refused_with_the_reason():
     with pytest.raises(ConfigError, match=r"it stands on four legs: its hind legs are at [789]\d degrees to its trunk"):
         bones.bones_of(*four_legged(0.9, False, 0.2), 50, is_biped=True)
     skeleton, mesh = known("y")
     with pytest.raises(ConfigError, match="no two pairs of limbs are mirror images: expected names=None"):
         skeleton.rig(mesh=mesh, names="unreal")
+    points, edges, radii = figure(0.0, 1.0)
+    two = np.concatenate([points, points * [1, 0.7, 1] + [9, 0, 0]]), np.concatenate([edges, edges + len(points)])
+    with pytest.raises(ConfigError, match=r'the curve is in 2 pieces, and repair="join" makes one solid of parts'):
+        bones.bones_of(*two, np.tile(radii, 2), 50, is_biped=True)
     with pytest.raises(ConfigError, match="names is 'maya': expected None or one of mixamo, vrm, unreal"):
         skeleton.rig(mesh=mesh, names="maya")

@@ -51,14 +51,15 @@ class Plan(NamedTuple):
     is_swapped: bool
 
 
-def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None) -> Plan:
-    """The joints of a biped.
+def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None, num_pieces: int) -> Plan:
+    """The joints of a biped, of a curve in ``num_pieces``.
 
     Raises:
         ConfigError: the shape is none; the message says why.
     """
     if plane is None or body.pelvis is None or body.shoulders is None:
-        raise _refused("no two pairs of limbs are mirror images")
+        apart = f'; the curve is in {num_pieces} pieces, and repair="join" makes one solid of parts'
+        raise _refused("no two pairs of limbs are mirror images" + (apart if num_pieces > 1 else ""))
     trunk = [number for number, path in enumerate(paths) if path.is_spine and path.nodes[-1] == body.shoulders]
     if not trunk:
         raise _refused("the pelvis and the shoulders are not the two ends of one branch")

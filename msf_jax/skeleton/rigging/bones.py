@@ -80,7 +80,7 @@ def bones_of(
     stays, target = stays & (met == np.arange(len(met))), met[target]
     body = body._replace(girdles=[int(met[node]) for node in body.girdles if stays[met[node]]])
     roots, paths = rooting.paths_of(vertices, edges, size, stays, most, plane, body)
-    plan = biped.plan(paths, body, plane) if is_biped else biped.Plan({}, {}, False)
+    plan = biped.plan(paths, body, plane, len(roots)) if is_biped else biped.Plan({}, {}, False)
     cuts = cutting.cuts_of(paths, most - len(roots), held, fill, plan.stops)
     role: list[str] = []
     joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
