@@ -314,6 +314,17 @@ def test_options_are_checked(tmp_path, options, says):
         batch.run(**{"paths": ["a.off"], "out": tmp_path, **options})
 
 
+@pytest.mark.parametrize("inner", ["", "inner"])
+def test_a_folder_that_is_a_file_or_a_link_to_nothing_is_told(tmp_path, inner):
+    (tmp_path / "file").write_text("")
+    (tmp_path / "link").symlink_to(tmp_path / "nothing")
+    with pytest.raises(ConfigError, match="link' is a link to nothing: expected a folder"):
+        batch.run(["a.off"], tmp_path / "link" / inner)
+    with pytest.raises(ConfigError, match="file' is a file: expected a folder"):
+        batch.run(["a.off"], tmp_path / "file" / inner)
+    assert not (tmp_path / "nothing").exists()
+
+
 def test_a_place_is_not_taken_by_another_mesh(here, tmp_path):
     """Names are relative to what the meshes of a call have in common: the same name can be another mesh's."""
     for folder in ("one", "two"):

@@ -294,6 +294,7 @@ WRONG_SWC = {
     "infinite parent": b"1 1 0 0 0 1 -1\n2 1 1 0 0 1 inf\n",
     "broken parent": b"1 1 0 0 0 1 -1\n2 1 1 0 0 1 1.7\n",
     "an id twice": b"1 1 0 0 0 1 -1\n1 1 1 0 0 1 1\n",
+    "its own parent": b"1 1 0 0 0 1 -1\n2 1 1 0 0 1 2\n",
 }
 
 

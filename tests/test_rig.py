@@ -14,7 +14,7 @@ from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.meshes import reading, shading
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding, bones, naming, rig
+from msf_jax.skeleton.rigging import binding, bones, mirror, naming, rig
 from msf_jax.skeleton.skeleton import Skeleton
 
 SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
@@ -513,9 +513,12 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []
 
 
-def figure(shift: float, head: float, front: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def figure(
+    shift: float, head: float, front: float = 0.0, palms: tuple[float, ...] = ()
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it. Feet go
-    by ``front`` to the front, which is z."""
+    by ``front`` to the front, which is z. Three fingers begin at x = 4 and three at x = -4, but for the second and the
+    third of each side, which begin by one of ``palms`` beyond."""
     chains = [
         [(shift, 5.0, 0), (0, 8.0, 0)],  # from the pelvis to the arms
         [(0, 8.0, 0), (0, 10.5, 0)],
@@ -526,6 +529,10 @@ def figure(shift: float, head: float, front: float = 0.0) -> tuple[np.ndarray, n
     ]
     if front:
         chains += [[(side, 0, 0), (side, 0, front)] for side in (1.0, -1.0)]
+    for side, palm in zip((1.0, -1.0), palms, strict=False):
+        begin, other = (side * 4.0, 8.0, 0), (side * (4.0 + palm), 8.0, 0)
+        chains += [[begin, (side * 6.0, 8.0, 0.5)], [other, (side * 6.2, 8.0, 0)], [other, (side * 6.1, 8.0, -0.5)]]
+        chains += [[begin, other]] if palm else []
     points = np.unique(
         np.concatenate([np.linspace(a, b, 26) for chain in chains for a, b in pairwise(np.array(chain))]).round(9),
         axis=0,
@@ -564,6 +571,56 @@ def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
     arm = [name for name in left if found.joints[names.index(name), 1] > 7]
     begin, elbow = sorted(found.joints[names.index(name), 0] for name in arm)
     assert abs(elbow - (begin + 4) / 2) < 1e-9  # straight: at the half
+
+
+def stubbed(beyond: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Four arms along x and y, 1 long, and a branch between two of them. Mirrored in x it would miss the curve along
+    ``beyond``; in the diagonal it stays where it is. Also the ends."""
+    reach = (
+        np.sqrt(2) * 0.04 * np.sqrt(8) + beyond
+    )  # the diagonal of the curve is nearly sqrt 8; arms are at 45 degrees
+    ends = np.array([[1.0, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [reach / np.sqrt(2), reach / np.sqrt(2), 0]])
+    chains = [np.linspace(0, 1, 401)[1:, None] * end for end in ends]
+    edges = np.concatenate([chain_of([0, *range(1 + 400 * k, 401 + 400 * k)]) for k in range(5)])
+    return np.concatenate([np.zeros((1, 3)), *chains]), edges, 400 * np.arange(1, 6)
+
+
+@pytest.mark.parametrize(("beyond", "is_diagonal"), [(0.05, False), (0.12, True)])
+def test_a_plane_across_a_coordinate_axis_wins_unless_another_matches_two_hundredths_more(beyond, is_diagonal):
+    plane = mirror.mirror_of(*stubbed(beyond))
+    assert plane is not None and (np.abs(plane.normal).max() < 0.8) == is_diagonal
+
+
+@pytest.mark.parametrize(("away", "expected"), [(0.08, [1, 0]), (0.12, [-1, -1])])
+def test_images_are_within_a_tenth_of_the_curve(away, expected):
+    plane = mirror.Mirror(np.array([1.0, 0, 0]), 0.0, 1.0)
+    assert mirror.images(plane, np.array([[1.0, 0, 0], [-1, away, 0]])).tolist() == expected
+
+
+@pytest.mark.parametrize(("tail", "has_plane"), [(1.2, True), (2.0, False)])
+def test_three_fifths_of_a_curve_must_have_an_image(tail, has_plane):
+    """Two arms of 1, and a branch that leaves the plane between them at once."""
+    nodes = [
+        np.linspace(0, 1, 101)[1:, None] * np.array([end]) for end in ([1.0, 0, 0], [-1, 0, 0], [tail, tail, tail])
+    ]
+    nodes[2] /= np.sqrt(3)
+    edges = np.concatenate([chain_of([0, *range(1 + 100 * k, 101 + 100 * k)]) for k in range(3)])
+    found = mirror.mirror_of(np.concatenate([np.zeros((1, 3)), *nodes]), edges, np.array([100, 200, 300]))
+    assert (found is not None) == has_plane
+
+
+@pytest.mark.parametrize("palms", [(0.1, 0.0), (0.0, 0.35), (0.1, 0.35), (0.7, 0.0)])
+def test_where_fingers_begin_changes_no_name(palms):
+    """At one junction or at two, near each other or with a bone between them, on one side or on both."""
+    alike, other = (bones.bones_of(*figure(0.0, 1.0, palms=each), 50) for each in ((0.0, 0.0), palms))
+    names = [[name for name in naming.names_of(found) if "trunk" not in name] for found in (alike, other)]
+    assert sorted(names[0]) == sorted(names[1]) and sum(name.endswith("_1.L") for name in names[0]) == 4
+    is_one = max(palms) < 0.5  # there is no length for a bone between the junctions
+    assert len(alike.joints) == len(other.joints) - (0 if is_one else 1)
+    names = naming.names_of(other)
+    for name in (each for each in names if is_one and each.endswith(".L")):
+        one, image = other.joints[names.index(name)], other.joints[names.index(name[:-1] + "R")]
+        np.testing.assert_allclose(one * [-1, 1, 1], image, atol=0.2)
 
 
 def test_a_bone_with_few_vertices_is_joined_to_the_next_so_that_a_limb_begins_at_its_root():
@@ -680,11 +737,45 @@ def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where
     assert {"mixamorig:LeftUpLeg", "mixamorig:RightForeArm"} <= set(names[0]) and {"thigh_l", "hand_r"} <= set(names[2])
 
 
+def shares_of(found: bones.Bones, names: tuple[str, ...], first: str) -> list[float]:
+    """Where the bones of a straight chain that begins with ``first`` begin, as shares of its length."""
+    chain = [names.index(first)]
+    while len(onward := np.flatnonzero((found.parents == chain[-1]) & (found.branch == found.branch[chain[0]]))):
+        chain.append(int(onward[0]))
+    begin, end = found.joints[chain[0]], found.tails[chain[-1]]
+    return (np.linalg.norm(found.joints[chain] - begin, axis=1) / np.linalg.norm(end - begin)).tolist()
+
+
+def test_joints_of_a_biped_without_bends_are_where_anatomy_has_them():
+    """A head turns at a third of the neck and head; a hand is a quarter of an arm, or an eighth up to the fingers."""
+    for palms, wrist in (((), 0.75), ((0.0, 0.0), 0.87)):
+        found = bones.bones_of(*figure(0.0, 1.0, 1.2, palms), 50, is_biped=True)
+        names = naming.names_of(found, "vrm")
+        np.testing.assert_allclose(shares_of(found, names, "neck"), [0, 1 / 3], atol=1e-9)
+        np.testing.assert_allclose(shares_of(found, names, "leftUpperArm"), [0, wrist / 2, wrist], atol=1e-9)
+    points, edges, radii = figure(0.0, 1.0)
+    points[points[:, 1] < 5] *= [0.5, 1, 1]  # straighter legs
+    found = bones.bones_of(points, edges, radii, 50, is_biped=True)
+    leg = shares_of(found, naming.names_of(found, "vrm"), "leftUpperLeg")
+    assert leg[2] == pytest.approx(0.85, abs=0.02) and leg[3] == pytest.approx(0.925, abs=0.02)
+
+
+@pytest.mark.parametrize(("front", "is_swapped"), [(-0.2, False), (-0.45, True)])
+def test_feet_tell_the_front_if_they_stand_out_by_a_twentieth_of_the_leg(front, is_swapped):
+    found = bones.bones_of(*figure(0.0, 1.0, front), 50, is_biped=True)
+    at = dict(zip(naming.names_of(found, "vrm"), found.joints, strict=True))
+    assert (at["leftHand"][0] < 0) == is_swapped
+
+
 def test_what_is_no_biped_is_refused_with_the_reason():
-    with pytest.raises(ConfigError, match=r"its legs are at [789]\d degrees to its spine"):
+    with pytest.raises(ConfigError, match=r"it stands on four legs: its hind legs are at [789]\d degrees to its trunk"):
         bones.bones_of(*four_legged(0.9, False, 0.2), 50, is_biped=True)
     skeleton, mesh = known("y")
     with pytest.raises(ConfigError, match="no two pairs of limbs are mirror images: expected names=None"):
         skeleton.rig(mesh=mesh, names="unreal")
+    points, edges, radii = figure(0.0, 1.0)
+    two = np.concatenate([points, points * [1, 0.7, 1] + [9, 0, 0]]), np.concatenate([edges, edges + len(points)])
+    with pytest.raises(ConfigError, match=r'the curve is in 2 pieces, and repair="join" makes one solid of parts'):
+        bones.bones_of(*two, np.tile(radii, 2), 50, is_biped=True)
     with pytest.raises(ConfigError, match="names is 'maya': expected None or one of mixamo, vrm, unreal"):
         skeleton.rig(mesh=mesh, names="maya")

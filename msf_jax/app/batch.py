@@ -30,7 +30,7 @@ from msf_jax.base.errors import ConfigError, FlowError, MeshError
 from msf_jax.base.options import Config, Weights
 from msf_jax.base.progress import showing
 from msf_jax.base.version import VERSION
-from msf_jax.base.writing import write_whole
+from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.device.caching import cache_compilations
 from msf_jax.flow.request import checked_options
 from msf_jax.meshes import reading
@@ -147,7 +147,7 @@ def run(
     shared = (numbers, config, as_repair(repair), max_vertices, timeout, is_double, shaping)
     cache = str(getattr(jax.config, "jax_compilation_cache_dir", None) or (folder / ROWS / "compiled").absolute())
     planned = [BatchJob(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
-    (folder / ROWS).mkdir(parents=True, exist_ok=True)
+    made_folder(folder / ROWS)
     for job in planned:
         _check_owner(job)
     known = {job.source: _known(job) for job in planned}

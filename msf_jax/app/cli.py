@@ -23,7 +23,7 @@ from msf_jax.app import shaping
 from msf_jax.app.parser import configured, parsed, parser_of, repair_of
 from msf_jax.base.clock import TICK, Clock, Work, counted
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
-from msf_jax.base.writing import write_whole
+from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.formats.text import plain
 
@@ -297,8 +297,7 @@ def _checked_target(path: str, *others: str) -> Path:
 
 
 def _demo(arguments: argparse.Namespace) -> int:
-    folder = Path(arguments.output)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = made_folder(arguments.output)
     _start_jax(arguments)
     from msf_jax import shapes
     from msf_jax.flow.skeletonize import skeletonize

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.progress import shown
-from msf_jax.base.writing import write_whole
+from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.gradients.track import FAULTS, Tracker, curve_of
 from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import export
@@ -53,8 +53,7 @@ def run(
     Raises:
         MeshError: a frame cannot be read, or has other faces. The frames before it have their curves and rows.
     """
-    folder = Path(output)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder = made_folder(output)
     tracker = Tracker(skeleton)
     lacking, doubtful, text = [], [], io.StringIO()
     table = csv.writer(text)

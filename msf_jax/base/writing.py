@@ -1,9 +1,28 @@
-"""Atomic writing of files: a file is written under another name, then renamed."""
+"""Atomic writing of files: a file is written under another name, then renamed. And folders that are there or made."""
 
 import os
 import secrets
 import shutil
 from pathlib import Path
+
+from msf_jax.base.errors import ConfigError
+
+
+def made_folder(path: str | os.PathLike[str]) -> Path:
+    """The folder ``path``. It is made, and those above it, where they are missing.
+
+    Raises:
+        ConfigError: a file, or a link to nothing, has this name or that of a folder above.
+        OSError: it cannot be made.
+    """
+    folder = Path(path)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        taken = next(each for each in (folder, *folder.parents) if os.path.lexists(each) and not each.is_dir())
+        kind = "a link to nothing" if taken.is_symlink() else "a file"
+        raise ConfigError(f"{str(taken)!r} is {kind}: expected a folder, or a name that is free") from None
+    return folder
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:

@@ -22,6 +22,7 @@ from scipy import optimize, sparse
 from scipy.sparse import linalg
 
 from msf_jax.limbs.levels import levels
+from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import triangle_areas, unit
@@ -80,14 +81,8 @@ def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np
     is_same = owner[inner[own.row]] == owner[inner[own.col]]
     own = sparse.coo_matrix((own.data[is_same], (own.row[is_same], own.col[is_same])), own.shape).tocsc()
     found = np.zeros(len(vertices))
-    found[inner] = factored(own).solve(share[inner])
+    found[inner] = surface_factor(own).solve(share[inner])
     return found
-
-
-def factored(matrix: sparse.csc_matrix | sparse.csc_array) -> linalg.SuperLU:
-    """The factors of a symmetric matrix (V, V) with the pattern of a surface's edges."""
-    # relax=1: SuperLU joins no columns of unlike patterns. Joined, those of a round solid took up to 20 times as long.
-    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", relax=1, options={"SymmetricMode": True})
 
 
 def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:

@@ -13,6 +13,7 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax.limbs import ends
+from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid.geometry import cross, unit
 
 SCALES = 0.2 * 1.8 ** -np.arange(5)  # square roots of the area: from a head's to a toe's; between two, h falls by 4 %
@@ -31,7 +32,7 @@ def protrusions(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     )
     found, mass = np.empty((len(SCALES), len(vertices))), sparse.diags_array(share)
     for row, scale in enumerate(sorted(SCALES * size)):
-        solver = ends.factored((mass + scale**2 / 4 * matrix).tocsc())
+        solver = surface_factor((mass + scale**2 / 4 * matrix).tocsc())
         found[row] = np.einsum("vi,vi->v", normal, vertices - solver.solve(share[:, None] * vertices)) / scale
     return found
 

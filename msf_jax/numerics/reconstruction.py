@@ -13,6 +13,7 @@ import numpy as np
 from scipy import fft, sparse, special
 from scipy.sparse import linalg
 
+from msf_jax.numerics.factors import surface_factor
 from msf_jax.topology import graphs
 
 SHIFT = -1e-4  # eigenvalue: the shift of shift-invert, slightly below 0 because D - A is singular
@@ -49,12 +50,7 @@ def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
     laplacian = graph_laplacian(faces, num_vertices)
     if 3 * k >= num_vertices:
         return np.linalg.eigh(laplacian.toarray())[1][:, :k]
-    factor = linalg.splu(
-        laplacian - SHIFT * sparse.identity(num_vertices, format="csc"),
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True},
-    )
+    factor = surface_factor(laplacian - SHIFT * sparse.identity(num_vertices, format="csc"))
     inverse = linalg.aslinearoperator(_Inverse(factor, num_vertices))
     start = np.cos(np.arange(num_vertices))  # a fixed vector, for the same bits on every run; it is no eigenvector
     return linalg.eigsh(laplacian, k=k, sigma=SHIFT, OPinv=inverse, v0=start)[1]

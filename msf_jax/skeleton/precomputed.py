@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.writing import write_whole
+from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.skeleton.formats import swc
 from msf_jax.topology import graphs
 
@@ -34,7 +34,7 @@ def save(skeleton: "Skeleton", folder: str | os.PathLike[str], segment: Any) -> 
     known = place / "info"
     if known.exists() and json.loads(known.read_text()) != info:
         raise ConfigError(f"{str(known)!r} is of other skeletons, or other units: expected a folder of its own")
-    place.mkdir(parents=True, exist_ok=True)
+    made_folder(place)
     write_whole(known, json.dumps(info) + "\n")
     write_whole(place / str(int(segment)), content(skeleton))
 

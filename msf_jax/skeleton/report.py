@@ -71,8 +71,8 @@ class Report:
         wavefronts: curves of components that geodesic wavefronts made, as edges are longer than their limbs are thick.
             Branches are then measured by their balls, see `Branch`.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
-        out_of_steps: iterations in which a linear solve ended by ``SolverOptions(max_steps=...)``, or by an equation that is
-            not positive definite.
+        out_of_steps: iterations in which a linear solve ended by ``SolverOptions(max_steps=...)``, or by an equation
+            that is not positive definite.
         unsolved: iterations whose solves may be further from their solutions than an RMS error of one collapse
             threshold t_c. With the default tolerances most are: they end by a short step, see the guide *gradients*.
         solve_error: the largest estimated RMS error of a contraction's solve, in t_c. With the default tolerances it is

@@ -74,13 +74,14 @@ def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, list[tuple[int, int
             continue
         try:
             key, parent = _whole(words[0]), _whole(words[6])
-            if key in rows:
+            if key in rows or parent == key:
                 raise ValueError
             rows[key] = [float(value) for value in words[2:6]]
             parents[key] = parent
         except (ValueError, IndexError):
             raise ConfigError(
-                f"line {row} of {name!r} is {line[:60]!r}: expected id, type, x, y, z, radius, parent, each id once"
+                f"line {row} of {name!r} is {line[:60]!r}: expected id, type, x, y, z, radius, parent, each id once, "
+                "and -1 for no parent"
             ) from None
     place = {key: row for row, key in enumerate(rows)}
     joined = [(key, parent) for key, parent in parents.items() if parent >= 0]

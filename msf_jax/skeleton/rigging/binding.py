@@ -18,8 +18,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse import csgraph, linalg
+from scipy.sparse import csgraph
 
+from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
@@ -93,12 +94,7 @@ class Heat:
         """The w (n, k) with (L + H) w = H ``source`` (n, k)."""
         pull = self.area / self.away**2
         if self._factor is None:
-            self._factor = linalg.splu(
-                (self.laplacian + sparse.diags(pull)).tocsc(),
-                permc_spec="MMD_AT_PLUS_A",
-                diag_pivot_thresh=0.0,
-                options={"SymmetricMode": True},
-            )
+            self._factor = surface_factor((self.laplacian + sparse.diags(pull)).tocsc())
         return self._factor.solve(np.asfortranarray(pull[:, None] * source))
 
 

@@ -1,7 +1,8 @@
 """Bipeds: which branch is an arm, a leg, the neck; where their joints are; and what programs call their bones.
 
 A biped has a pelvis and shoulders with one pair of limbs each, see `girdles`, and its legs go on in the direction of
-its spine. On four legs they are across it.
+its trunk: in the mean of the spine's and of that from its hands to its feet, whose places are sure where a fat body
+hides those of girdles. On four legs they are across it.
 """
 
 from typing import NamedTuple
@@ -13,7 +14,7 @@ from msf_jax.skeleton.rigging import cutting
 from msf_jax.skeleton.rigging.girdles import BodyGirdles
 from msf_jax.skeleton.rigging.mirror import Mirror
 from msf_jax.skeleton.rigging.rooting import BonePath
-from msf_jax.solid.geometry import arc_length, at
+from msf_jax.solid.geometry import arc_length, at, unit
 
 STANDARDS = ("mixamo", "vrm", "unreal")
 # What a bone is: its name in each of the standards, with {} for the side.
@@ -33,7 +34,7 @@ NAMES = {
     "toes": ("mixamorig:{}ToeBase", "{}Toes", "ball_{}"),
 }
 SIDE_NAMES = {1: ("Left", "left", "l"), -1: ("Right", "right", "r")}
-ASTRIDE = np.radians(55.0)  # between legs and spine, at most: legs of four-legged animals are at some 90 degrees
+ASTRIDE = np.radians(58.0)  # between legs and trunk, at most: bipeds had up to 47, animals on four legs from 69
 NECK = 1 / 3  # share of the way from the shoulders to the top of the head, where the head turns
 WRIST = 0.75, 0.87  # share of an arm, where the hand is part of it, and where it ends at the fingers' junction
 LOWER = 0.55  # share of a leg: the ankle is below
@@ -50,14 +51,15 @@ class Plan(NamedTuple):
     is_swapped: bool
 
 
-def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None) -> Plan:
-    """The joints of a biped.
+def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None, num_pieces: int) -> Plan:
+    """The joints of a biped, of a curve in ``num_pieces``.
 
     Raises:
         ConfigError: the shape is none; the message says why.
     """
     if plane is None or body.pelvis is None or body.shoulders is None:
-        raise _refused("no two pairs of limbs are mirror images")
+        apart = f'; the curve is in {num_pieces} pieces, and repair="join" makes one solid of parts'
+        raise _refused("no two pairs of limbs are mirror images" + (apart if num_pieces > 1 else ""))
     trunk = [number for number, path in enumerate(paths) if path.is_spine and path.nodes[-1] == body.shoulders]
     if not trunk:
         raise _refused("the pelvis and the shoulders are not the two ends of one branch")
@@ -67,10 +69,14 @@ def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None) -> Plan
         raise _refused(f"there are no {'legs' if not legs else 'arms' if not arms else 'neck and head'}")
     line = paths[trunk[0]].line
     down = line[0] - line[-1]
-    along = np.mean([paths[leg].line[-1] - paths[leg].line[0] for leg in legs], axis=0)  # without the spread
-    between = np.arccos(np.clip(along @ down / np.linalg.norm(along) / np.linalg.norm(down), -1, 1))
+    along = unit(np.mean([paths[leg].line[-1] - paths[leg].line[0] for leg in legs], axis=0))  # without the spread
+    hands, feet = (np.mean([paths[limb].line[-1] for limb in pair], axis=0) for pair in (arms, legs))
+    between = float(np.mean(np.arccos(np.clip([along @ unit(down), along @ unit(feet - hands)], -1, 1))))
     if between > ASTRIDE:
-        raise _refused(f"its legs are at {np.degrees(between):.0f} degrees to its spine: expected at most 55")
+        raise _refused(
+            f"it stands on four legs: its hind legs are at {np.degrees(between):.0f} degrees to its trunk, and those "
+            f"of a biped at {np.degrees(ASTRIDE):.0f} at most"
+        )
     found = Plan({}, {}, False)
     spine = paths[trunk[0]].begin
     found.stops[trunk[0]] = [*(spine + cutting.SPINE_STEP * k for k in range(cutting.SPINE_JOINTS)), 1.0]

@@ -73,11 +73,14 @@ def bones_of(
     held = np.full(len(vertices), cutting.FEWEST_HELD) if held is None else held
     tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)  # without those that cuts make
     edges = edges[branches.cut_loops(len(vertices), edges, size)]
-    plane = mirror.mirror_of(vertices, edges, radii, tips)
+    plane = mirror.mirror_of(vertices, edges, tips)
     body = girdles.body_of(vertices, edges, radii, tips, plane)
     stays, target = _limbs(vertices, edges, radii, max(1, int(for_limbs * most)), plane)
-    roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], size, radii, stays, most, plane, body)
-    plan = biped.plan(paths, body, plane) if is_biped else biped.Plan({}, {}, False)
+    vertices, edges, size, met = _met(vertices, edges[stays[edges].all(axis=1)], size, radii, plane, body)
+    stays, target = stays & (met == np.arange(len(met))), met[target]
+    body = body._replace(girdles=[int(met[node]) for node in body.girdles if stays[met[node]]])
+    roots, paths = rooting.paths_of(vertices, edges, size, stays, most, plane, body)
+    plan = biped.plan(paths, body, plane, len(roots)) if is_biped else biped.Plan({}, {}, False)
     cuts = cutting.cuts_of(paths, most - len(roots), held, fill, plan.stops)
     role: list[str] = []
     joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
@@ -158,6 +161,56 @@ def without(bones: Bones, bone: int) -> tuple[Bones, np.ndarray]:
     columns = columns._replace(parents=moved[0], twin=moved[1])
     kept = [values[stays] for values in columns[:-1]]
     return Bones._make([*kept, rank[columns.of_node]]), rank
+
+
+def _met(
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    size: np.ndarray,
+    radii: np.ndarray,
+    plane: mirror.Mirror | None,
+    body: girdles.BodyGirdles,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Join junctions with no length for a bone between them: how many of them a hand or a head has is chance.
+
+    The pelvis and the shoulders stay where they are; others are joined in their middle, with their largest ``size``
+    (N,). Mirror images stay or go together. Returns vertices, edges, sizes, and the node that replaces each (N,).
+    """
+    vertices, size, target = vertices.copy(), size.copy(), np.arange(len(vertices))
+    of_place, body_ends = vertices.copy(), {end for end in (body.pelvis, body.shoulders) if end is not None}
+    junctions = graphs.degrees(len(vertices), edges) > 2
+    while True:
+        degree = graphs.degrees(len(vertices), edges)
+        trunks = [np.array(nodes) for nodes in graphs.trace(len(vertices), edges)]
+        trunks = [
+            nodes
+            for nodes in trunks
+            if (degree[nodes[[0, -1]]] > 2).all() and not body_ends.issuperset(nodes[[0, -1]].tolist())
+        ]
+        length = np.array([_between(vertices, size, radii, nodes) for nodes in trunks])
+        if not (length < 1).any():
+            return vertices, edges, size, target
+        one = int(length.argmin())
+        middle = np.stack([vertices[nodes[[0, -1]]].mean(axis=0) for nodes in trunks])
+        other = one if plane is None else int(mirror.images(plane, middle)[one])
+        for number in {one, other} - {-1}:
+            ends = target[trunks[number][[0, -1]]]
+            joined = np.isin(target, np.r_[ends, trunks[number]])
+            held = body_ends.intersection(ends.tolist())
+            own = held.pop() if held else int(ends[size[ends].argmax()])
+            target[joined] = own
+            size[own] = size[ends].max()
+            if own not in body_ends:
+                vertices[own] = of_place[joined & junctions].mean(axis=0)
+        edges = np.unique(np.sort(target[edges], axis=1), axis=0)
+        edges = edges[edges[:, 0] != edges[:, 1]]
+
+
+def _between(vertices: np.ndarray, size: np.ndarray, radii: np.ndarray, nodes: np.ndarray) -> float:
+    """The length of a branch outside the larger ball at its ends, over the least length of a bone."""
+    length = float(arc_length(vertices[nodes])[-1])
+    start = min(float(size[nodes[[0, -1]]].max()), rooting.LEAVES * length)
+    return (length - start) / max(rooting.SHORTEST * float(np.percentile(radii[nodes], rooting.USUAL)), 1e-300)
 
 
 def _limbs(

@@ -27,7 +27,7 @@ def cuts_of(
     are neither, as long as they are not too short; those of a spine last. Mirror images are cut together. A cut leaves
     `FEWEST_HELD` vertices on both sides; nodes have ``held`` (N,).
     """
-    cuts = [[path.begin, 1.0] if path.begin < 1 else [1.0] for path in paths]
+    cuts = [[path.begin, 1.0] for path in paths]
     for number, stops in fixed.items():
         cuts[number] = stops
     left = most - sum(len(stops) - 1 for stops in cuts)
@@ -40,7 +40,7 @@ def cuts_of(
             heapq.heappush(heap, (is_spine, badness <= 1, -length, number, begin, end, where))
 
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
-        if number in fixed or len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
+        if number in fixed or -1 < path.image < number:  # its image is cut with it
             continue
         if path.is_spine and left >= SPINE_JOINTS - 1:
             cuts[number] = [path.begin + SPINE_STEP * k for k in range(SPINE_JOINTS)] + [1.0]

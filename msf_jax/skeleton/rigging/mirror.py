@@ -11,12 +11,7 @@ from scipy import spatial
 
 ALIKE = 0.1  # diagonals of the curve: distance between a part's ends and those of its mirror image, at most
 NEAR = 0.04  # diagonals: distance of a mirrored node from the curve, at most, if it counts as matched
-BETTER = 0.05  # share of the length: a plane that is tried later must match so much more, so that coordinates win
-AS_THICK = 0.5  # ratio of radii, at least, if a node is matched: an arm is no image of a head
-UNLIKE = 4.0  # lengths with an image that one without counts for: like front and hind legs make no plane of an animal
-FARTHEST_TIPS = 16  # tips: planes are tried between any two of those farthest from the middle
-FITS = 20  # steps to the plane that fits best, at most; about ten are enough
-SETTLED = 1e-9  # radians: the last turn of the plane
+BETTER = 0.02  # share of the length: a plane that is tried later must match so much more, so that coordinates win
 ENOUGH = 0.6  # share of the curve's length that has a mirror image in a symmetric shape, at least
 
 
@@ -40,47 +35,34 @@ class Mirror(NamedTuple):
         return points - self.height(points)[..., None] * self.normal
 
 
-def mirror_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray) -> Mirror | None:
-    """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` with ``radii`` (N,) and ends ``tips`` (T,).
+def mirror_of(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mirror | None:
+    """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` with ends ``tips`` (T,).
 
-    Tried are planes across the coordinate axes, through its middle, and half-way between any two of its far tips. A
-    plane counts by the length beside it that has a mirror image, less `UNLIKE` times the length that has none; at least
+    Tried are planes across the coordinate axes, and across the principal axes of the curve, as a plane of symmetry is
+    across one of these. Each is moved to where it fits best, and counts by the length that has a mirror image; at least
     two tips must be each other's image.
     """
-    used = np.unique(edges)
     if len(tips) < 2:
         return None
-    points = vertices[used]
+    used = np.unique(edges)
+    points, is_tip = vertices[used], np.isin(used, tips)
     step = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     weight = np.bincount(edges.ravel(), np.repeat(step / 2, 2), len(vertices))[used]
     weight /= max(float(weight.sum()), 1e-300)
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
-    middle = weight @ points
-    tree = spatial.KDTree(points)
-    best, found = -np.inf, None
-    far = vertices[tips]
-    far = far[np.argsort(-np.linalg.norm(far - middle, axis=1), kind="stable")[:FARTHEST_TIPS]]
-    one, other = np.triu_indices(len(far), 1)
-    centre = (points.max(axis=0) + points.min(axis=0)) / 2
-    starts = [
-        *zip(np.eye(3), np.tile(centre, (3, 1)), strict=True),
-        *zip(np.eye(3), np.tile(middle, (3, 1)), strict=True),
-    ]
-    starts += zip(far[one] - far[other], (far[one] + far[other]) / 2, strict=True)
-    for axis, point in starts:  # later ones count only if they are clearly better
-        normal = axis / max(float(np.linalg.norm(axis)), 1e-300) * np.sign(axis[np.abs(axis).argmax()])
-        tried = _centred(Mirror(normal, float(point @ normal), size), vertices[tips])
+    middle, tree = weight @ points, spatial.KDTree(points)
+    principal = np.linalg.eigh((points - middle).T @ ((points - middle) * weight[:, None]))[1].T
+    best, found = 0.0, None
+    for axis in (*np.eye(3), *principal):  # later ones count only if they are clearly better
+        normal = axis * np.sign(axis[np.abs(axis).argmax()])
+        tried = _centred(Mirror(normal, float(middle @ normal), size), vertices[tips])
         if tried is None:
             continue
-        away, match = tree.query(tried.flipped(points))
-        thickness = radii[used] / np.maximum(radii[used][match], 1e-300)
-        is_near = (away < NEAR * size) & (thickness > AS_THICK) & (thickness < 1 / AS_THICK)
-        is_aside = np.abs(tried.height(points)) > NEAR * size
-        share, aside = float(weight @ is_near), float(weight @ (is_near & is_aside))
-        score = aside - UNLIKE * (1 - share)
-        if share > ENOUGH and score > best + BETTER:
-            best, found = score, tried
-    return None if found is None else _fitted(found, points, weight, np.isin(used, tips), tree)
+        tried = _fitted(tried, points, weight, is_tip, tree)
+        share = float(weight @ (tree.query(tried.flipped(points))[0] < NEAR * size))
+        if share > max(best + BETTER, ENOUGH):
+            best, found = share, tried
+    return found
 
 
 def _fitted(mirror: Mirror, points: np.ndarray, weight: np.ndarray, is_tip: np.ndarray, tree: spatial.KDTree) -> Mirror:
@@ -88,10 +70,15 @@ def _fitted(mirror: Mirror, points: np.ndarray, weight: np.ndarray, is_tip: np.n
 
     With q the point nearest to the mirror image of p, the sum of w |flip(p) - q|^2 is least where the normal is the
     first eigenvector of the symmetric part of -sum w p q^T, about the means of p and q. Only the better half counts, as
-    a limb may be bent on one side, and the tips, without which nothing fixes a plane through a straight trunk.
+    a limb may be bent on one side, and the tips, without which nothing fixes a plane through a straight trunk. It ends
+    when each q is that of an earlier step.
     """
-    for _ in range(FITS):
+    seen: set[bytes] = set()
+    while True:
         away, match = tree.query(mirror.flipped(points))
+        if match.tobytes() in seen:
+            return mirror
+        seen.add(match.tobytes())
         order = np.argsort(away, kind="stable")
         half = away[order[np.searchsorted(np.cumsum(weight[order]), weight.sum() / 2)]]
         share = weight * ((away <= half) | (is_tip & (away < NEAR * mirror.size)))
@@ -99,11 +86,7 @@ def _fitted(mirror: Mirror, points: np.ndarray, weight: np.ndarray, is_tip: np.n
         moment = -((points - middle) * share[:, None]).T @ (points[match] - partner)
         normal = np.linalg.eigh(moment + moment.T)[1][:, -1]
         normal *= np.sign(normal @ mirror.normal) or 1.0
-        turn = np.linalg.norm(normal - mirror.normal)
         mirror = mirror._replace(normal=normal, offset=float((middle + partner) @ normal / 2))
-        if turn < SETTLED:
-            break
-    return mirror
 
 
 def _centred(mirror: Mirror, tips: np.ndarray) -> Mirror | None:

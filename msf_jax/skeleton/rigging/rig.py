@@ -39,7 +39,7 @@ class Rig:
         joints: (B, 3) the start of each bone, about which it turns; in the caller's units, parents first.
         tails: (B, 3) the end of each bone.
         parents: (B,) int, the parent of each bone; -1 for a root.
-        names: of the bones: root, trunk1_1, limb2_3.L (branch 2, the third bone from the root, on the left side).
+        names: of the bones: root, trunk1_1, limb2_3.L (the third bone of the second limb on the left side).
         weights: sparse (V, B); each row sums to 1.
         notes: what is not as it was asked for, or was cut; empty if there is nothing to tell.
     """

@@ -9,7 +9,7 @@ import networkx as nx
 import numpy as np
 
 from msf_jax.skeleton.rigging.girdles import BodyGirdles
-from msf_jax.skeleton.rigging.mirror import Mirror, images
+from msf_jax.skeleton.rigging.mirror import ALIKE, Mirror, images
 from msf_jax.solid.geometry import arc_length, at
 from msf_jax.topology import graphs
 
@@ -26,7 +26,7 @@ class BonePath(NamedTuple):
 
     nodes: (n,) from the junction on. part: (n,) the place of each node on the line: 0 at its start, 1 at its end, and
     negative within the ball of the junction. stops: (m,) places from 0 to 1, line: (m, 3) its points there, and size:
-    (m,) the radii. begin: the place of the first joint; 1 if there is no bone. is_limb: whether it ends in a tip.
+    (m,) the radii. begin: the place of the first joint. is_limb: whether it ends in a tip.
     image: the path that is its mirror image, -1 without one.
     side: 1 on the left, -1 on the right, 0 else. is_spine: from the pelvis towards the shoulders.
     """
@@ -55,13 +55,13 @@ def paths_of(
     vertices: np.ndarray,
     edges: np.ndarray,
     radii: np.ndarray,
-    balls: np.ndarray,
     stays: np.ndarray,
     most: int,
     plane: Mirror | None,
     body: BodyGirdles,
 ) -> tuple[list[Root], list[BonePath]]:
-    """The root of each component, and the branches directed away from it, those nearer to it first."""
+    """The root of each component, and the branches directed away from it, each after the one that it begins at; else
+    those first beyond which is the tip that is farthest from all tips."""
     num = len(vertices)
     degree = np.bincount(edges.ravel(), minlength=num)
     label = graphs.labels(num, *edges.T)
@@ -87,6 +87,7 @@ def paths_of(
         if len(chosen) + len(paths) + 1 + tree.degree[root] > most and chosen:
             break
         chosen.append(root)
+        own = len(paths)
         rank_of = _by_tips(vertices, tree, root, tips)
         queue = [(root, -1)]
         for node, before in queue:
@@ -94,22 +95,21 @@ def paths_of(
                 nodes = [node, onward]
                 while not is_end[nodes[-1]]:
                     nodes.append(next(other for other in sorted(tree[nodes[-1]]) if other != nodes[-2]))
-                paths.append(_path(vertices, radii, balls, np.array(nodes), bool(degree[nodes[-1]] == 1)))
+                paths.append(_path(vertices, radii, np.array(nodes), bool(degree[nodes[-1]] == 1)))
                 queue.append((nodes[-1], nodes[-2]))
+        paths[own:] = sorted(paths[own:], key=lambda path: -rank_of[int(path.nodes[-1])])
     if plane is not None:
         paths = _paired(vertices, paths, plane)
     return [_rooted(vertices, radii, paths, root, plane, root == body.pelvis) for root in chosen], paths
 
 
-def _path(vertices: np.ndarray, radii: np.ndarray, balls: np.ndarray, nodes: np.ndarray, is_limb: bool) -> BonePath:
+def _path(vertices: np.ndarray, radii: np.ndarray, nodes: np.ndarray, is_limb: bool) -> BonePath:
     along = arc_length(vertices[nodes])
-    start, begin = min(float(radii[nodes[0]]), LEAVES * float(along[-1])), 0.0
-    if not is_limb and along[-1] - start < SHORTEST * np.percentile(balls[nodes], USUAL):
-        begin = 1.0  # the junctions are too close for a bone between them
+    start = min(float(radii[nodes[0]]), LEAVES * float(along[-1]))
     part = (along - start) / max(float(along[-1]) - start, 1e-300)
     stops = np.r_[0.0, part[(part > 0) & (part < 1)], 1.0]
     line = at(vertices[nodes], part, stops)
-    return BonePath(nodes, part, stops, line, np.interp(stops, part, radii[nodes]), begin, is_limb)
+    return BonePath(nodes, part, stops, line, np.interp(stops, part, radii[nodes]), 0.0, is_limb)
 
 
 def _by_tips(vertices: np.ndarray, tree: nx.Graph, root: int, tips: np.ndarray) -> dict[int, float]:
@@ -124,10 +124,10 @@ def _by_tips(vertices: np.ndarray, tree: nx.Graph, root: int, tips: np.ndarray) 
 
 def _paired(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> list[BonePath]:
     """The paths with their images; each has the mean of its line and its image's, if the shape is as symmetric."""
-    ends = np.stack([[path.nodes[0], path.nodes[-1]] for path in paths]) if paths else np.empty((0, 2), dtype=int)
-    image = images(plane, vertices[ends])
+    ends = np.array([path.nodes[-1] for path in paths], dtype=np.int64)
+    image = _images(vertices, paths, plane)
     tips = [k for k in np.flatnonzero(image >= 0) if paths[k].is_limb and paths[image[k]].is_limb]
-    away = np.linalg.norm(vertices[ends[tips, 1]] - plane.flipped(vertices[ends[image[tips], 1]]), axis=1)
+    away = np.linalg.norm(vertices[ends[tips]] - plane.flipped(vertices[ends[image[tips]]]), axis=1)
     is_exact = len(tips) > 0 and bool(np.mean(away) < EXACT * plane.size)
     found = []
     for number, (path, other) in enumerate(zip(paths, image.tolist(), strict=True)):
@@ -142,14 +142,39 @@ def _paired(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> list[
             is_exact and (np.linalg.norm(own - mirrored, axis=1) / 2 < size).all()
         ):  # else a bent arm beside a straight one
             own = (own + mirrored) / 2
-        side = 0 if other == number else int(np.sign(plane.height(vertices[ends]).sum(axis=1)[number])) or 1
-        begin = max(path.begin, twin.begin)
+        side = 0 if other == number else int(np.sign(plane.height(vertices[ends[number]]))) or 1
         image_of = -1 if other == number else other
         is_limb = path.is_limb or twin.is_limb  # an arm, though the curve has fingers on one side only
-        found.append(
-            path._replace(stops=stops, line=own, size=size, begin=begin, is_limb=is_limb, image=image_of, side=side)
-        )
+        found.append(path._replace(stops=stops, line=own, size=size, is_limb=is_limb, image=image_of, side=side))
     return found
+
+
+def _images(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> np.ndarray:
+    """(P,) the mirror image of each path: beyond it are the images of the tips beyond the path, and of several such it
+    is the one that begins nearest to the image of its beginning; -1 if none begins near it.
+
+    Tips are where the shape has them. At which of some junctions near each other a finger begins is chance.
+    """
+    leaves = np.array([path.nodes[-1] for path in paths if path.is_limb], dtype=np.int64)
+    partner = images(plane, vertices[leaves])
+    twin = {int(tip): int(leaves[k]) for tip, k in zip(leaves, partner, strict=True) if k >= 0}
+    at_node: dict[int, frozenset[int]] = {}  # the tips with an image beyond each node
+    beyond = [frozenset[int]()] * len(paths)
+    for number in range(len(paths) - 1, -1, -1):
+        start, end = int(paths[number].nodes[0]), int(paths[number].nodes[-1])
+        beyond[number] = at_node.get(end, frozenset()) | (twin.keys() & {end})
+        at_node[start] = at_node.get(start, frozenset()) | beyond[number]
+    alike: dict[frozenset[int], list[int]] = {}
+    for number, tips in enumerate(beyond):
+        alike.setdefault(tips, []).append(number)
+    starts = vertices[[int(path.nodes[0]) for path in paths]] if paths else np.empty((0, 3))
+    image = np.full(len(paths), -1)
+    for number, tips in enumerate(beyond):
+        others = alike.get(frozenset(twin[tip] for tip in tips), []) if tips else []
+        away = np.linalg.norm(starts[others] - plane.flipped(starts[number]), axis=1)
+        if away.min(initial=np.inf) < ALIKE * plane.size:
+            image[number] = others[int(away.argmin())]
+    return np.where(image[image] == np.arange(len(paths)), image, -1)
 
 
 def _rooted(
