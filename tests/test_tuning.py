@@ -16,6 +16,8 @@ from msf_jax import Config, ConfigError, Weights, objectives
 from msf_jax.tuning import tuner
 from msf_jax.tuning.search import Search
 
+pytestmark = pytest.mark.usefixtures("few_rows")
+
 
 def bone() -> trimesh.Trimesh:
     """A capsule that is thinner in the middle: a profile turned about the axis, as trimesh's own differ by version."""
