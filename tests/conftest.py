@@ -9,13 +9,15 @@ import tempfile
 from importlib.metadata import version
 from pathlib import Path
 
-# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, and two
-# thirds of the rest with its older emitters, which jaxlib 0.10 still has; later ones refuse the flag. Tests that
-# compare bits, in test_determinism, are compiled as a user's programs are, and so are those of the smoke.
+# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, two
+# thirds of the rest with its older emitters, and a fifth of what is left where no program is divided among threads.
+# jaxlib 0.10 knows the last two flags; later ones may refuse them. Tests that compare bits, in test_determinism, are
+# compiled as a user's programs are, and so are those of the smoke.
 os.environ.setdefault(
     "XLA_FLAGS",
     "--xla_backend_optimization_level=0"
-    + (" --xla_cpu_use_fusion_emitters=false" if version("jaxlib").startswith("0.10.") else ""),
+    + " --xla_cpu_use_fusion_emitters=false --xla_cpu_parallel_codegen_split_count=1"
+    * version("jaxlib").startswith("0.10."),
 )
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
@@ -31,6 +33,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from msf_jax.base import layout
 from msf_jax.gradients import compiler
 
 hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
@@ -38,6 +41,10 @@ hypothesis.settings.load_profile("same")
 jax.config.update("jax_enable_x64", True)
 matplotlib.use("Agg")
 gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the search for cycles among JAX's objects
+
+# A surface of a few hundred vertices is in 1024 rows, not in 2048: programs that are not optimised take time for each,
+# a third of a short run. The curves of six meshes were the same to the last bit in both.
+OWN_SMALLEST_CAPACITY, layout.SMALLEST_CAPACITY = layout.SMALLEST_CAPACITY, 1024
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
 CACHE = "MSF_JAX_TEST_CACHE"
@@ -59,6 +66,14 @@ def pytest_configure(config: pytest.Config) -> None:
 
 # The research meshes are not part of the project; tests that want them skip where the folder is absent.
 MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shared" / "meshes"))
+
+
+@pytest.fixture(scope="module")
+def few_rows():
+    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(layout, "SMALLEST_CAPACITY", 256)
+        yield
 
 
 @pytest.fixture

@@ -59,9 +59,15 @@ def table(path):
 
 @pytest.fixture
 def here(monkeypatch):
-    """No process is started: this one does the work of all."""
-    monkeypatch.setattr(batch, "_in_processes", lambda _: nullcontext(lambda jobs: (batch.work(job) for job in jobs)))
-    yield
+    """No process is started: this one does the work of all. How many were asked for."""
+    asked = []
+
+    def alone(num):
+        asked.append(num)
+        return nullcontext(lambda jobs: (batch.work(job) for job in jobs))
+
+    monkeypatch.setattr(batch, "_in_processes", alone)
+    yield asked
     jax.config.update("jax_enable_x64", True)  # a worker sets what its job says
 
 
@@ -106,7 +112,7 @@ def test_two_batches_at_once_have_all_rows_in_one_table(folder, here, tmp_path, 
 
 
 @pytest.mark.system
-def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path):
+def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path, request):
     done = batch.run(paths_in(folder), tmp_path, jobs=2)
     assert (len(done.rows), done.num_done, done.num_failed) == (NUM + BROKEN, NUM + BROKEN, BROKEN)
     rows = {Path(row["path"]).name: row for row in table(done.manifest)}
@@ -117,6 +123,7 @@ def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path):
     again = batch.run(paths_in(folder), tmp_path, jobs=2)
     assert again.num_done == 0 and table(again.manifest) == table(done.manifest)
     assert (tmp_path / "0.off.swc").stat().st_mtime_ns == before
+    request.getfixturevalue("here")  # what is left and what failed is chosen before a process is started
     (tmp_path / "0.off.swc").unlink()
     assert batch.run(paths_in(folder), tmp_path, jobs=1).num_done == 1
     assert batch.run(paths_in(folder), tmp_path, jobs=1, retry=True).num_done == BROKEN
@@ -191,8 +198,8 @@ def test_killed_half_way_it_does_the_rest(folder, tmp_path):
 def test_workers_are_replaced(folder, tmp_path, monkeypatch):
     """After every second mesh, and none is lost."""
     monkeypatch.setattr(batch, "TASKS", 2)
-    done = batch.run(paths_in(folder)[:5], tmp_path, jobs=1)
-    assert len(done.rows) == done.num_done == 5
+    done = batch.run(paths_in(folder)[:3], tmp_path, jobs=1)
+    assert len(done.rows) == done.num_done == 3
 
 
 def dying(job):
@@ -210,9 +217,10 @@ def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch
     assert errors == {"0.off": "", "2.off": batch.DIED, "4.off": ""}
 
 
-@pytest.mark.system
-def test_on_the_command_line(folder, tmp_path, capsys):
-    assert main(["batch", str(folder), str(tmp_path / "out"), "--jobs", "2"]) == 1
+@pytest.mark.slow  # of what the command passes on and prints; processes are above
+def test_on_the_command_line(folder, here, tmp_path, capsys):
+    assert main(["batch", str(folder), str(tmp_path / "out"), "--jobs", "3"]) == 1
+    assert here == [3]
     said = capsys.readouterr()
     assert f"{NUM + BROKEN} meshes, {NUM + BROKEN} of them now, {BROKEN} failed" in said.out
     assert re.search(r"broken.off: cannot read.*\n.*open.ply: the mesh is open", said.err)

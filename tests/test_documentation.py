@@ -16,6 +16,7 @@ import pyvista
 
 import msf_jax
 from msf_jax import ground_truth
+from msf_jax.base import layout
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
@@ -58,10 +59,12 @@ def test_every_task_has_its_page():
 def test_every_block_runs(tmp_path, number, block, monkeypatch):
     """Each on its own, where a reader would be after the first command of the README, but with three limbs for a hand.
 
-    Those that take derivatives have a short tube instead, which is compiled in a fifth of the time. The table of a
-    batch is there for whoever only reads it.
+    Those that take derivatives have a short tube instead, which is compiled in a fifth of the time, and few rows. The
+    table of a batch is there for whoever only reads it.
     """
     has_slopes = any(call in block for call in ("jax.grad(", "_grad(", "sensitivity(", "tune("))
+    if has_slopes:
+        monkeypatch.setattr(layout, "SMALLEST_CAPACITY", 256)
     mesh = ground_truth.make("straight_coarse" if has_slopes else "y_coarse").mesh
     mesh.export(tmp_path / "hand.off")
     (tmp_path / "curves").mkdir()

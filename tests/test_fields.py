@@ -9,6 +9,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, Weights, ground_truth, objectives
 from msf_jax.tuning import surface
 
+pytestmark = pytest.mark.usefixtures("few_rows")
 LINE = np.linspace([0, 0, 0], [2.2, 0, 0], 100)  # the axis of the tube below
 
 

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import pyvista
 import trimesh
 
 import msf_jax
@@ -144,6 +143,7 @@ def test_an_stl_has_each_vertex_once_and_asks_for_no_repair(tmp_path: Path, kind
 @pytest.mark.parametrize("suffix", ["vtp", "vtk"])
 def test_vtk_files_and_pyvista_objects_are_meshes(tmp_path: Path, suffix):
     """Quads become triangles; the points keep their numbers."""
+    pyvista = pytest.importorskip("pyvista")
     box = pyvista.Box((0, 1, 0, 2, 0, 3))  # six quads, each with corners of its own
     box.save(tmp_path / f"box.{suffix}")
     for mesh in (box, tmp_path / f"box.{suffix}"):
@@ -153,6 +153,7 @@ def test_vtk_files_and_pyvista_objects_are_meshes(tmp_path: Path, suffix):
 
 
 def test_a_grid_is_its_boundary(tmp_path: Path):
+    pyvista = pytest.importorskip("pyvista")
     grid = pyvista.ImageData(dimensions=(4, 4, 4)).cast_to_unstructured_grid()
     grid.save(tmp_path / "grid.vtu")
     for mesh in (grid, tmp_path / "grid.vtu"):

@@ -2,13 +2,22 @@
 
 import numpy as np
 import pytest
-from conftest import blob, torus
+from conftest import OWN_SMALLEST_CAPACITY, blob, torus
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from msf_jax.base import layout as capacities
 from msf_jax.base.layout import Layout, capacity_for, fits, layout_after, layout_for, rectangle, staircase
 from msf_jax.meso import collapse, packing
 from msf_jax.meso.meso import Meso
+
+
+@pytest.fixture(scope="module", autouse=True)
+def of_the_package():
+    """The smallest capacity is the package's own here; other tests have a smaller one (see conftest)."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(capacities, "SMALLEST_CAPACITY", OWN_SMALLEST_CAPACITY)
+        yield
 
 
 def spindle(sides: int) -> Meso:

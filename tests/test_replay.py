@@ -22,6 +22,7 @@ from msf_jax.gradients import replay, tape
 from msf_jax.recording import padded
 from msf_jax.recording.stretches import Planned
 
+pytestmark = pytest.mark.usefixtures("few_rows")
 TIGHT = 1e-15  # of the solves, where differences of replays are taken
 
 
@@ -217,7 +218,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
 
     def other_plan(steps, before):
         beyond = [40] * 24
-        return [Planned(0, 1, layout_for(3000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
+        return [Planned(0, 1, layout_for(2000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
 
     assert flow.tape.num_nodes  # recorded by now
     monkeypatch.setattr(padded, "stretches_of", other_plan)

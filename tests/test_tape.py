@@ -10,15 +10,8 @@ from conftest import blob
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Tape, Weights
-from msf_jax.base import layout
 
-
-@pytest.fixture(scope="module", autouse=True)
-def few_rows():
-    """A surface of a few hundred vertices is in as many rows, not in 2048: a replay takes time for each of them."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(layout, "SMALLEST_CAPACITY", 256)
-        yield
+pytestmark = pytest.mark.usefixtures("few_rows")
 
 
 def mesh() -> trimesh.Trimesh:

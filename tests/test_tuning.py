@@ -16,6 +16,8 @@ from msf_jax import Config, ConfigError, Weights, objectives
 from msf_jax.tuning import tuner
 from msf_jax.tuning.search import Search
 
+pytestmark = pytest.mark.usefixtures("few_rows")
+
 
 def bone() -> trimesh.Trimesh:
     """A capsule that is thinner in the middle: a profile turned about the axis, as trimesh's own differ by version."""
@@ -30,22 +32,26 @@ def bone() -> trimesh.Trimesh:
 OBJECTIVE = objectives.explained() + 0.02 * objectives.centred()
 
 
+def check_taken(found, steps):
+    """Each proposal that was taken is better than those before, and the last one is the result."""
+    taken = [step.found for step in found.trajectory if step.is_taken]
+    assert found.value == min(taken) and taken == sorted(taken, reverse=True)
+    assert len(found.trajectory) <= steps + 2 and found.reason
+
+
 @pytest.mark.slow  # the way by fresh runs is quick
 def test_poor_weights_get_better():
-    """Every value is a fresh run's, the best is kept, and no weight leaves its bounds."""
-    steps = 2
+    """Every value is a fresh run's, the best is kept, and no weight leaves its bounds. More steps: below."""
     poor = Weights(10.0, 0.05, 0.1, 0.001)
-    found = msf_jax.tune(bone(), OBJECTIVE, poor, of="flow", steps=steps, inner_steps=1, bounds={"w_L": (0.01, 12.0)})
+    found = msf_jax.tune(bone(), OBJECTIVE, poor, of="flow", steps=1, inner_steps=1, bounds={"w_L": (0.01, 12.0)})
     values = [step.found for step in found.trajectory]
-    taken = [step.found for step in found.trajectory if step.is_taken]
-    assert found.value == min(taken) < values[0]
-    assert taken == sorted(taken, reverse=True)
+    check_taken(found, 1)
+    assert found.value < values[0]
     config = found.flows[0].config
     assert (config.solver.tolerance, config.solver.step_tolerance) == (1e-6, 0.0)  # else tapes do not predict runs
     again = msf_jax.contract(bone(), found.weights, config)
     assert objectives.value(OBJECTIVE, again.tape, again.weights) == pytest.approx(found.value, rel=1e-6)
     assert all(0.01 <= float(step.weights.w_L) <= 12.0 for step in found.trajectory)
-    assert len(found.trajectory) <= steps + 2 and found.reason
     assert found.trajectory[1].weights == Weights() and found.of_defaults == values[1]  # they are tried first
     assert ("nothing beats them" in str(found)) == (found.value == found.of_defaults)
     last = found.trajectory[-1]
@@ -69,9 +75,10 @@ def test_tapes_of_one_mesh_share_programs(compilations):
     numbers = []
     for steps in (1, 3):
         compilations.clear()
-        msf_jax.tune(bone(), OBJECTIVE, Weights(w_H=0.2), of="flow", steps=steps, inner_steps=1)
+        found = msf_jax.tune(bone(), OBJECTIVE, Weights(w_H=0.2), of="flow", steps=steps, inner_steps=1)
         numbers.append(len(compilations))
-    assert numbers[1] <= 6
+        check_taken(found, steps)
+    assert numbers[1] <= 6 and len(found.trajectory) > 3
 
 
 def test_the_finished_curve_by_fresh_runs(tmp_path):
