@@ -34,7 +34,8 @@ from msf_jax.flow.state import Limits
 from msf_jax import shapes
 checkpoint = sys.argv[3] if len(sys.argv) > 3 else None
 often = Limits(checkpoint_every=1)
-run = loop.contract(shapes.hand(0.06), config=msf_jax.Config(t_min=0.003), checkpoint=checkpoint, limits=often)
+config = msf_jax.Config().replace(flow={"threshold_min": 0.003})
+run = loop.contract(shapes.hand(0.06), config=config, checkpoint=checkpoint, limits=often)
 digest = hashlib.sha256(repr(run.history).encode())
 for array in (*jax.tree_util.tree_leaves(run.tape), *vars(run.skeleton).values()):
     if isinstance(array, np.ndarray):

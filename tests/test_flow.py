@@ -249,7 +249,7 @@ def test_a_loose_solve_is_not_said_to_be_solved():
     mesh = blob(2)
     mesh.apply_scale([1.0, 0.4, 0.4])
     loose, tight = (
-        msf_jax.skeletonize(mesh, config=replace(config, max_iterations=3)).report
+        msf_jax.skeletonize(mesh, config=config.replace(max_iterations=3)).report
         for config in (Config(), Config().tight())
     )
     assert loose.unsolved >= 1 and tight.unsolved == 0 and tight.solve_error < 0.1 < loose.solve_error
