@@ -115,7 +115,9 @@ def test_path3d_has_the_same_length(lollipop):
 
 
 def test_an_unknown_suffix_is_named(lollipop, tmp_path):
-    with pytest.raises(ConfigError, match=r"no format for 'a\.xyz'.*\.swc"):
+    with pytest.raises(ConfigError, match=r"no format for 'a\.inp'.*\.swc.*skeleton\.frame\(\)\.save"):
+        lollipop.save(tmp_path / "a.inp")
+    with pytest.raises(ConfigError, match=r"no format for 'a\.xyz'.*\.glb$"):
         lollipop.save(tmp_path / "a.xyz")
     assert list(tmp_path.iterdir()) == []
 

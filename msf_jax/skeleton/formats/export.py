@@ -36,7 +36,8 @@ def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str |
             if suffix not in NEED_MESH:
                 return lambda skeleton, mesh: writer(skeleton)
             return lambda skeleton, mesh: writer(skeleton, _needed(mesh, suffix))
-    raise ConfigError(f"no format for {Path(path).name!r}: expected one of the suffixes {', '.join(WRITERS)}")
+    beams = "; skeleton.frame().save(...) in Python writes beams" if name.endswith(".inp") else ""
+    raise ConfigError(f"no format for {Path(path).name!r}: expected one of the suffixes {', '.join(WRITERS)}{beams}")
 
 
 def _needed(mesh: MeshLike | None, suffix: str) -> Any:
