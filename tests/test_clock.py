@@ -322,7 +322,7 @@ def test_the_seconds_of_a_command_count_from_its_begin(mesh, monkeypatch, tmp_pa
     assert ended.wait(PATIENT)
 
 
-def test_a_run_in_a_command_has_what_is_left_of_the_seconds(mesh):
+def test_a_run_in_a_command_has_what_is_left_of_the_seconds(mesh, ctrl_c):
     with counted() as presses:
         assert presses is not None
         presses.begun -= PATIENT
