@@ -95,6 +95,16 @@ def renamed_leaves():
 def test_every_option_has_one_flat_name():
     assert sorted(flat.FLAT.values()) == sorted(renamed_leaves())
     assert set(OF_040) | {"detail", "max_seconds"} == set(flat.FLAT)
+    assert {name: path for name, path in flat.FLAT.items() if path.rpartition(".")[2] != name} == {
+        "weights_of": "system",
+        "t_min": "flow.threshold_min",
+        "t_step": "flow.threshold_step",
+        "t_max": "flow.threshold_max",
+        "growth": "flow.w_L_growth",
+        "solve_tolerance": "solver.tolerance",
+        "solve_steps": "solver.max_steps",
+        "prune": "least_slenderness",
+    }
     assert Config()._asdict() == OF_040 | {"detail": 0.5, "max_seconds": None}
 
 
