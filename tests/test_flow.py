@@ -498,9 +498,9 @@ def test_spread_says_how_far_jittered_runs_are():
     assert 0 < found.report.figures["spread"] < 0.05 and found.report.figures["spread_leaves"] == 0
     assert "spread" in str(found.report) and not plain.report.figures
     for options, message in (
-        ({"spread": -1}, "spread is -1"),
-        ({"spread": 1, "pins": [0]}, "expected neither"),
-        ({"spread": 1, "weights": Weights(w_L=np.ones(len(mesh.vertices)))}, "expected neither"),
+        ({"jittered_runs": -1}, "jittered_runs is -1"),
+        ({"jittered_runs": 1, "pins": [0]}, "expected neither"),
+        ({"jittered_runs": 1, "weights": Weights(w_L=np.ones(len(mesh.vertices)))}, "expected neither"),
     ):
         with pytest.raises(ConfigError, match=message):
             msf_jax.skeletonize(mesh, **options)
