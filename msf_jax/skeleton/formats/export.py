@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.meshes.reading import MeshLike
 
 if TYPE_CHECKING:
+    from msf_jax.meshes.reading import MeshLike
     from msf_jax.skeleton.skeleton import Skeleton
 
 
-def save(skeleton: "Skeleton", path: str | os.PathLike[str], mesh: MeshLike | None = None) -> None:
+def save(skeleton: "Skeleton", path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> None:
     """Write ``skeleton`` to ``path`` in the format of its suffix; see `Skeleton.save`."""
     write_whole(path, writer_for(path)(skeleton, mesh))
 
@@ -40,7 +40,7 @@ def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str |
     raise ConfigError(f"no format for {Path(path).name!r}: expected one of the suffixes {', '.join(WRITERS)}{beams}")
 
 
-def _needed(mesh: MeshLike | None, suffix: str) -> Any:
+def _needed(mesh: "MeshLike | None", suffix: str) -> Any:
     if mesh is None:
         raise ConfigError(f"a {suffix} file contains the mesh, too: expected save(path, mesh)")
     return mesh
