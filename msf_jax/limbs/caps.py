@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 import trimesh
 
-from msf_jax.limbs import ends, fronts, protrusion, symmetry
+from msf_jax.limbs import ends, fronts, protrusion
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, largest_of_each
 from msf_jax.topology import graphs
@@ -116,7 +116,6 @@ class Caps:
         self._rows = np.empty((MOST_DISCS + 4, 9))
         self._region = np.empty(len(x) + 1, dtype=np.int64)
         self._found: dict[float, Limbs] = {}
-        self._images: list[np.ndarray] | None = None  # see `_image`
 
     def grown(
         self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL_CAP
@@ -212,9 +211,8 @@ class Caps:
         rest = tips[is_whole[self._component[tips]]]
         limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, blunt, 0.5)]
         caps = [
-            cap
+            self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
             for number, (tip, enough) in enumerate(limbs, 1)
-            for cap in self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
         ]
         count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
         for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
@@ -250,14 +248,10 @@ class Caps:
         x, raised = self.surface.points, []
         others = np.zeros(len(x), dtype=np.int64)
         others[[cap.tip for cap in caps]] = 1
-
-        def is_end(tip: int, scale: float) -> bool:
-            near = np.flatnonzero(others)
-            is_near = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
-            return is_near or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip))
-
         for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
-            if is_end(tip, scale):
+            near = np.flatnonzero(others)
+            is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
+            if is_end or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip)):
                 continue
             if self._left[self._component[tip]] < 0:
                 self.was_hit = True
@@ -274,20 +268,10 @@ class Caps:
             score = min(height / RAISED, value[best] / need)
             region = self.grown(tip, others, float(value[best]), LARGEST_CAP, 0.0)[1]
             if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
-                for place, part in [(int(tip), region), *self._image(int(tip), region)]:
-                    if not is_end(place, scale):
-                        cap = Cap(place, float(value[best]), float(rows[best, 2]), part)
-                        raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
-                        others[place] = 1
+                cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
+                raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
+                others[tip] = 1
         return raised
-
-    def _image(self, tip: int, region: np.ndarray) -> list[tuple[int, np.ndarray]]:
-        """The mirror images of a tip and its cap's vertices, if the surface is symmetric: there are limbs, too."""
-        if self._images is None:
-            share = np.bincount(self.surface.faces.ravel(), np.repeat(self.area / 3, 3))
-            self._images = symmetry.images(self.shape, share, self._component)
-        parts = [(int(image[tip]), np.flatnonzero(np.isin(image, region))) for image in self._images]
-        return [(place, part) for place, part in parts if len(part)]
 
     def _is_end(self, cap: Cap, time: np.ndarray, vertex: int) -> bool:
         """Whether a vertex of a limb is within a width of its end."""
@@ -327,9 +311,8 @@ class Caps:
             most[tip] = rows[:, 0].max(initial=0.0)
             if most[tip] >= least and _own(rows) >= ROUND_END:
                 found.append((rows[-1, 2], best, region))
-        found += [(area, *image) for area, tip, region in found for image in self._image(tip, region)]
         limbs = []
-        for _, tip, region in sorted(found, key=lambda each: each[0]):
+        for _, tip, region in sorted(found, key=lambda each: each[:2]):
             if not owner[region].any():
                 limbs.append(tip)
                 owner[region] = owner.max() + 1
@@ -352,12 +335,9 @@ class Caps:
         limbs = []
         for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
             rows, region = self.grown(tip, (owner > 0).astype(np.int64), own)
-            if not len(rows) or rows[-1, 0] < own:
-                continue
-            for place, part in [(tip, region), *self._image(tip, region)]:
-                if not owner[part].any():
-                    limbs.append((place, own))
-                    owner[part] = owner.max() + 1
+            if len(rows) and rows[-1, 0] >= own:
+                limbs.append((tip, own))
+                owner[region] = owner.max() + 1
         return limbs
 
     def _slenderest(
@@ -386,12 +366,12 @@ class Caps:
             found[number] = self.grown(tip[number], others, enough, 1.0)[0][:, 0].max(initial=0.0)
         return found
 
-    def _of(self, tip: int, others: np.ndarray, enough: float) -> list[Cap]:
+    def _of(self, tip: int, others: np.ndarray, enough: float) -> Cap:
         """The slenderest cap around ``tip`` below half of the surface without a vertex of ``others`` (V,), or the first
-        cap of any size that is slender ``enough``; none around the image of a tip that is beside another limb."""
+        cap of any size that is slender ``enough``."""
         rows, region = self.grown(tip, others, enough, 0.5 if enough == np.inf else 1.0)
-        best = [int(rows[:, 0].argmax())] if len(rows) else []
-        return [Cap(tip, float(rows[row, 0]), float(rows[row, 2]), region) for row in best]
+        best = int(rows[:, 0].argmax())
+        return Cap(tip, float(rows[best, 0]), float(rows[best, 2]), region)
 
 
 def _own(rows: np.ndarray) -> float:
