@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from conftest import torus
-from test_checkpoint import SLOW, assert_same_bits
+from run_cases import SLOW, assert_same_bits
 
 import msf_jax
 from msf_jax import Config, ConfigError, FlowError, FlowOptions, Interrupted, SolverOptions

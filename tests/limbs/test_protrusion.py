@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 import trimesh
+from test_ends import Solid, as_shape, box, i_beam, round_bar
 
 import msf_jax
 from msf_jax.limbs import protrusion
 from msf_jax.limbs.caps import Caps, Limbs
 from msf_jax.solid.enclosure import Enclosure
-from tests.test_ends import Solid, as_shape, box, i_beam, round_bar
 
 
 def protrusions_and_scales(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:

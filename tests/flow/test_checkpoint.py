@@ -6,20 +6,19 @@ import signal
 import threading
 import zipfile
 
-import jax
 import numpy as np
 import pytest
 import trimesh
 from conftest import torus
+from run_cases import SLOW, assert_same_bits
 
 import msf_jax
-from msf_jax import Config, ConfigError, Interrupted, SolverOptions, Tape, Weights
+from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
 from msf_jax.base import archive
 from msf_jax.flow import loop, programs, starting, stepping
 from msf_jax.flow.state import Limits
 from msf_jax.skeleton.formats import export
 
-SLOW = Config(max_iterations=7, solver=SolverOptions(step_tolerance=0.1))
 ONCE = Config(max_iterations=1)
 
 
@@ -68,17 +67,6 @@ def dying_after(monkeypatch):
         return calls
 
     return arrange
-
-
-def assert_same_bits(one, other):
-    """Curve, map, history, tape."""
-    for name in ("vertices", "edges", "radii", "mesh_map"):
-        for left, right in ((one.skeleton, other.skeleton), (one.curve, other.curve)):
-            np.testing.assert_array_equal(getattr(left, name), getattr(right, name))
-    assert one.history == other.history
-    leaves = [jax.tree_util.tree_leaves(run.tape) for run in (one, other)]
-    for left, right in zip(*leaves, strict=True):
-        np.testing.assert_array_equal(left, right)
 
 
 @pytest.mark.parametrize(

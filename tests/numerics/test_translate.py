@@ -13,7 +13,7 @@ from llvmlite import binding as llvm
 
 from msf_jax.numerics import compiled
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PLATFORMS = {
     "Linux": "x86_64-unknown-linux-gnu",
     "Linux on Arm": "aarch64-unknown-linux-gnu",

@@ -9,8 +9,8 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
+from curve_cases import as_edges, chain
 from scipy.spatial.transform import Rotation
-from test_branches import as_edges, chain
 
 import msf_jax
 from msf_jax.limbs import caps

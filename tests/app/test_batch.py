@@ -177,7 +177,7 @@ def test_killed_half_way_it_does_the_rest(folder, tmp_path):
     """kill -9 of all its processes, once some rows are there."""
     command = [sys.executable, "-m", "msf_jax", "batch", str(folder), str(tmp_path), "--jobs", "1", "-q"]
     process = subprocess.Popen(
-        command, start_new_session=True, stderr=subprocess.DEVNULL, cwd=Path(__file__).parents[1]
+        command, start_new_session=True, stderr=subprocess.DEVNULL, cwd=Path(__file__).parents[2]
     )
     rows = tmp_path / batch.ROWS
     end = time.monotonic() + 120

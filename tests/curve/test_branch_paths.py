@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import trimesh
-from test_finishing import none_held, path
+from curve_cases import none_held, path
 
 import msf_jax
 from msf_jax.curve import branch_paths

@@ -128,9 +128,9 @@ def test_padding_and_company_change_no_bit(curves, tmp_path):
 
 def _in_process(script, *arguments, **variables):
     """What ``script`` writes, in a process that imports this folder's modules and optimises what it compiles."""
-    tests = Path(__file__).parent
+    tests = Path(__file__).parents[1]
     inherited = {name: value for name, value in os.environ.items() if name not in ("XLA_FLAGS",)}
-    path = f"{tests.parent}{os.pathsep}{tests}"
+    path = os.pathsep.join(map(str, (tests.parent, tests, Path(__file__).parent)))
     names = {"PYTHONPATH": path, **variables}
     command = [sys.executable, str(script), *arguments]
     done = subprocess.run(command, env=inherited | names, capture_output=True, text=True, timeout=600)

@@ -5,9 +5,9 @@ from itertools import pairwise
 import networkx as nx
 import numpy as np
 import pytest
+from curve_cases import GRAPHS, NONE, as_edges, chain, degrees, graphs
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_branches import GRAPHS, NONE, as_edges, chain, degrees, graphs
 
 from msf_jax.limbs import pruning
 from msf_jax.limbs.pruning import by_balls, measure

@@ -5,10 +5,9 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import torus
+from curve_cases import as_edges, bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
 from scipy import spatial
-from test_branches import as_edges
 from test_caps import LIMB, RADIUS, block, fingers, legs, solid
-from test_finishing import bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
 
 import msf_jax
 from msf_jax import ground_truth

@@ -25,7 +25,7 @@ from msf_jax.meshes import repair
 from msf_jax.skeleton import limbs, report
 from msf_jax.skeleton.formats import swc
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PACKAGE = Path(msf_jax.__file__).parent
 GUIDE = PACKAGE / "guide"
 TEXTS = [ROOT / "README.md", ROOT / ".github" / "CONTRIBUTING.md", *sorted(GUIDE.glob("*.md"))]
@@ -205,7 +205,7 @@ def test_a_release_is_tested_and_its_tag_is_the_version():
 @pytest.mark.parametrize("kind", [DeprecationWarning, FutureWarning])
 def test_what_others_deprecate_among_themselves_fails_no_test(kind):
     """By the filters of `pyproject.toml`: a call from this project's code does."""
-    for module in ("msf_jax.flow.loop", "tests.pages", "test_facts", "conftest", "block"):
+    for module in ("msf_jax.flow.loop", "tests.pages", "test_facts", "conftest", "curve_cases", "block"):
         with pytest.raises(kind):
             warnings.warn_explicit("old", kind, "file.py", 1, module)
     with warnings.catch_warnings(record=True) as shown:

@@ -100,7 +100,7 @@ jax.config.update("jax_enable_x64", True)
 msf_jax.cache_compilations({str(tmp_path / "cache")!r})
 msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)
 """
-    names = {"PYTHONPATH": str(Path(__file__).parents[1]), "TF_CPP_MIN_LOG_LEVEL": "3"}
+    names = {"PYTHONPATH": str(Path(__file__).parents[2]), "TF_CPP_MIN_LOG_LEVEL": "3"}
     inherited = {name: value for name, value in os.environ.items() if name != "XLA_FLAGS"}
     for _ in range(2):
         command = [sys.executable, "-c", program]

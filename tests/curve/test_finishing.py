@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
+from curve_cases import bored, bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, turns_of, unit_shape
 from scipy import spatial
 
 import msf_jax
@@ -20,43 +21,6 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION
 from msf_jax.solid.geometry import unit
 from msf_jax.topology.graphs import cycle_count
-
-
-def path(points):
-    """A polyline as (vertices, edges)."""
-    points = np.array(points, dtype=float)
-    return points, np.stack([np.arange(len(points) - 1), np.arange(1, len(points))], axis=1)
-
-
-def unit_shape(mesh):
-    """The mesh with a diagonal of 1 as an Enclosure, and the factor."""
-    size = np.linalg.norm(np.ptp(mesh.vertices, axis=0))
-    return Enclosure(np.asarray(mesh.vertices) / size, np.asarray(mesh.faces)), 1 / size
-
-
-def is_inside(shape, x, edges):
-    """By dense samples of the winding number, not by rays."""
-    points, _ = metrics.sample_curve(x, edges, 1e-4)
-    return shape.contains(points).all()
-
-
-def none_held(x):
-    return np.zeros(len(x), dtype=bool)
-
-
-def length_of(x, edges):
-    return np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1).sum()
-
-
-def tube(points, radius=0.15, sides=16):
-    points = np.array(points, dtype=float)
-    return ground_truth.swept_tube(points, np.full(len(points), radius), sides)
-
-
-def bow(turn, num=60):
-    """Points of an arc of radius 1 that goes ``turn`` of the way round."""
-    angle = np.linspace(0, 2 * np.pi * turn, num)
-    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
 
 
 def test_an_edge_across_a_bend_is_led_round_it():
@@ -119,17 +83,6 @@ def test_a_loop_may_graze_the_surface(width, is_in):
     assert (len(is_out) == 0) == is_in
 
 
-def turns_of(x, edges):
-    """Degrees by which the curve turns at each node with two edges."""
-    ends = np.concatenate([edges, edges[:, ::-1]])
-    ends = ends[np.argsort(ends[:, 0], kind="stable")]
-    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=len(x)) == 2)
-    start = np.searchsorted(ends[:, 0], inner)
-    a, b = x[inner] - x[ends[start, 1]], x[ends[start + 1, 1]] - x[inner]
-    cosine = np.einsum("ni,ni->n", a, b) / np.linalg.norm(a, axis=1) / np.linalg.norm(b, axis=1)
-    return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
-
-
 def test_a_loop_around_a_hole_is_not_folded_flat():
     """Of a triangle around it, with two more nodes on one side: each turns, and all shortcuts are inside."""
     shape, scale = unit_shape(torus(1.0, 0.6, 48, 24))
@@ -144,17 +97,6 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
     np.testing.assert_allclose(straight[3], (x[0] + x[1]) / 2, atol=1e-12)
 
 
-def job_of(shape):
-    """What a pass may ask of the solid ``shape``."""
-    return Job(shape, shape, 1.5, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape))
-
-
-def draft_of(x, edges):
-    """A curve as the flow leaves it, of which nothing is held."""
-    every = np.arange(len(x))
-    return Draft(x, edges, none_held(x), every, every, x, none_held(x))
-
-
 def loops_and_rank(shape, draft, job):
     """How many cycles there are in space, and how many handles they go around."""
     done = finishing.merge_coincident(draft, job)
@@ -164,13 +106,6 @@ def loops_and_rank(shape, draft, job):
 def moved_to(shape, edges, x, goal):
     """The nodes x, moved as far to their goals as the rule of moves allows."""
     return moves.taken(shape, shape.handles, moves.places_of(shape, x), goal - x, edges).x
-
-
-def bored(solid, at, radius):
-    """The mesh of a manifold3d solid with a hole along z drilled at (x, y)."""
-    drill = manifold3d.Manifold.cylinder(10.0, radius, radius, 12, True).translate((*at, 0.0))
-    found = (solid - drill).to_mesh()
-    return trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
 
 
 @pytest.mark.parametrize("step", [finishing.straighten, partial(finishing.centre_nodes, hold_leaves=False)])

@@ -19,7 +19,7 @@ from msf_jax import shapes
 from msf_jax.base.clock import Clock
 
 PROCESSES, KILLS = int(os.environ.get("MSF_JAX_PROCESSES", "2")), int(os.environ.get("MSF_JAX_KILLS", "2"))
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PROGRAM = """
 import hashlib, os, sys
 threads = int(sys.argv[1])

@@ -18,7 +18,7 @@ import msf_jax
 from msf_jax import ground_truth
 from msf_jax.base import layout
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
 
 

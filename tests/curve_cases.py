@@ -1,0 +1,129 @@
+"""Curves and solids for the tests of `curve` and `limbs`, and what is asked of them."""
+
+from functools import partial
+from itertools import pairwise
+
+import manifold3d
+import numpy as np
+import trimesh
+from hypothesis import strategies as st
+
+from msf_jax import ground_truth, metrics
+from msf_jax.curve import centring
+from msf_jax.curve.draft import Draft, Job
+from msf_jax.inside import containment
+from msf_jax.inside.roadmap import Roadmap
+from msf_jax.limbs.caps import Caps
+from msf_jax.solid.enclosure import Enclosure
+
+
+def path(points):
+    """A polyline as (vertices, edges)."""
+    points = np.array(points, dtype=float)
+    return points, np.stack([np.arange(len(points) - 1), np.arange(1, len(points))], axis=1)
+
+
+def unit_shape(mesh):
+    """The mesh with a diagonal of 1 as an Enclosure, and the factor."""
+    size = np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+    return Enclosure(np.asarray(mesh.vertices) / size, np.asarray(mesh.faces)), 1 / size
+
+
+def is_inside(shape, x, edges):
+    """By dense samples of the winding number, not by rays."""
+    points, _ = metrics.sample_curve(x, edges, 1e-4)
+    return shape.contains(points).all()
+
+
+def none_held(x):
+    return np.zeros(len(x), dtype=bool)
+
+
+def length_of(x, edges):
+    return np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1).sum()
+
+
+def tube(points, radius=0.15, sides=16):
+    points = np.array(points, dtype=float)
+    return ground_truth.swept_tube(points, np.full(len(points), radius), sides)
+
+
+def bow(turn, num=60):
+    """Points of an arc of radius 1 that goes ``turn`` of the way round."""
+    angle = np.linspace(0, 2 * np.pi * turn, num)
+    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+
+
+def turns_of(x, edges):
+    """Degrees by which the curve turns at each node with two edges."""
+    ends = np.concatenate([edges, edges[:, ::-1]])
+    ends = ends[np.argsort(ends[:, 0], kind="stable")]
+    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=len(x)) == 2)
+    start = np.searchsorted(ends[:, 0], inner)
+    a, b = x[inner] - x[ends[start, 1]], x[ends[start + 1, 1]] - x[inner]
+    cosine = np.einsum("ni,ni->n", a, b) / np.linalg.norm(a, axis=1) / np.linalg.norm(b, axis=1)
+    return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+
+
+def job_of(shape):
+    """What a pass may ask of the solid ``shape``."""
+    return Job(shape, shape, 1.5, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape))
+
+
+def draft_of(x, edges):
+    """A curve as the flow leaves it, of which nothing is held."""
+    every = np.arange(len(x))
+    return Draft(x, edges, none_held(x), every, every, x, none_held(x))
+
+
+def bored(solid, at, radius):
+    """The mesh of a manifold3d solid with a hole along z drilled at (x, y)."""
+    drill = manifold3d.Manifold.cylinder(10.0, radius, radius, 12, True).translate((*at, 0.0))
+    found = (solid - drill).to_mesh()
+    return trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
+
+
+NONE = np.empty((0, 2), dtype=np.int64)
+
+
+def chain(*nodes: int) -> list[tuple[int, int]]:
+    """The edges of a path through ``nodes``."""
+    return list(pairwise(nodes))
+
+
+GRAPHS = {  # number of nodes, edges, branches
+    "path": (4, chain(2, 0, 3, 1), [[1, 3, 0, 2]]),
+    "edge": (2, [(0, 1)], [[0, 1]]),
+    "loop": (4, chain(0, 2, 1, 3, 0), [[0, 2, 1, 3, 0]]),
+    "theta": (5, chain(0, 1) + chain(0, 2, 1) + chain(0, 3, 4, 1), [[0, 1], [0, 2, 1], [0, 3, 4, 1]]),
+    "lollipop": (5, chain(0, 1, 2) + chain(2, 3, 4, 2), [[0, 1, 2], [2, 3, 4, 2]]),
+    "star": (5, [(4, 0), (4, 1), (4, 2), (2, 3)], [[0, 4], [1, 4], [3, 2, 4]]),
+    "lone node": (1, [], [[0]]),
+    "lone nodes beside a path": (4, [(1, 3)], [[0], [1, 3], [2]]),
+    "figure eight": (5, chain(0, 1, 2, 0) + chain(0, 3, 4, 0), [[0, 1, 2, 0], [0, 3, 4, 0]]),
+    "spectacles": (7, chain(0, 1, 2, 0) + chain(0, 6, 3) + chain(3, 4, 5, 3), [[0, 1, 2, 0], [0, 6, 3], [3, 4, 5, 3]]),
+    "loop beside a path": (5, chain(1, 2, 4, 1) + [(0, 3)], [[0, 3], [1, 2, 4, 1]]),
+    "nothing": (0, [], []),
+}
+
+
+def as_edges(pairs: list[tuple[int, int]]) -> np.ndarray:
+    """Pairs (E, 2) as an array, also where there are none."""
+    return np.array(pairs, dtype=np.int64).reshape(-1, 2)
+
+
+def degrees(num: int, edges: np.ndarray) -> np.ndarray:
+    """Number of edges (N,) at each node."""
+    return np.bincount(edges.ravel(), minlength=num)
+
+
+@st.composite
+def graphs(draw, *, is_connected: bool = False) -> tuple[int, np.ndarray]:
+    """A tree or a forest of up to 14 nodes, and a few more edges."""
+    num = draw(st.integers(1, 14))
+    parents = [draw(st.integers(0 if is_connected else -1, node - 1)) for node in range(1, num)]
+    pairs = {(parent, node) for node, parent in enumerate(parents, 1) if parent >= 0}
+    node = st.integers(0, num - 1)
+    pairs |= {(min(pair), max(pair)) for pair in draw(st.lists(st.tuples(node, node), max_size=4))}
+    names = draw(st.permutations(range(num)))
+    return num, as_edges([(names[a], names[b]) for a, b in sorted(pairs) if a != b])
