@@ -48,3 +48,18 @@ def test_the_loop_of_a_torus_with_a_small_hole_is_a_circle(minor):
     x = skeleton.vertices
     assert skeleton.report.cycles == 1 and skeleton.report.are_limbs
     assert np.abs(np.linalg.norm(x[:, :2], axis=1) - 1).max() < 0.02 and np.abs(x[:, 2]).max() < 0.02
+
+
+def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():
+    """With weights of a bell over the way along it, and next to none, but not none, far away."""
+    random = np.random.default_rng(3)
+    curve, edges = path(np.cumsum(random.uniform(0.1, 1.0, (400, 3)), axis=0))
+    size, weight, clearance = random.uniform(0.5, 2.0, (3, len(curve)))
+    weight[100:150] = 0.0
+    weight[300:] = 0.0  # nothing is known within many sizes of the end
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
+    usual = np.average(size, weights=weight)
+    bell = (np.exp(-0.5 * ((along[:, None] - along) / usual) ** 2) + 1e-9) * weight
+    expected = bell @ size / bell.sum(axis=1)
+    found = branch_paths.sizes(curve, branch_paths.paths_of(curve, edges, none_held(curve)), size, weight, clearance)
+    np.testing.assert_allclose(found, expected, rtol=1e-5)

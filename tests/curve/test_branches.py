@@ -1,56 +1,21 @@
-"""Branches of a curve: on graphs small enough to list by hand, and on random ones against a plain search."""
+"""Branches of a curve: junctions in one ball, edges in one place, and branches beside each other become one."""
 
-from itertools import pairwise
+import itertools
 
 import manifold3d
 import numpy as np
 import pytest
-from curve_cases import GRAPHS, as_edges, chain, degrees, graphs
-from hypothesis import given, settings
+from graph_cases import as_edges, chain
 
-from msf_jax.curve.branches import merge_coincident, merge_junctions
+from msf_jax.curve import branches
+from msf_jax.curve.branches import merge_coincident, merge_junctions, zip_strands
 from msf_jax.solid.handles import Handles
-from msf_jax.topology.graphs import core, cycle_count, nearest_along, trace
+from msf_jax.topology.graphs import cycle_count, trace
 
 FOUR = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 
 
 NO_HANDLES = Handles(50.0 * np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) - 10, FOUR)  # a tetrahedron
-
-
-def one_way(nodes: list[int]) -> tuple[int, ...]:
-    """The same for a branch and its reverse, and for a closed one that starts elsewhere."""
-    return min(tuple(nodes), tuple(nodes[::-1]))
-
-
-@pytest.mark.parametrize("name", GRAPHS)
-def test_branches_are_the_paths_between_ends_and_junctions(name):
-    num, pairs, expected = GRAPHS[name]
-    assert sorted(map(one_way, trace(num, as_edges(pairs)))) == sorted(map(one_way, expected))
-
-
-@pytest.mark.parametrize("name", GRAPHS)
-def test_the_order_and_direction_of_edges_does_not_matter(name):
-    num, pairs, expected = GRAPHS[name]
-    random = np.random.default_rng(1)
-    for _ in range(5):
-        edges = as_edges(pairs)[random.permutation(len(pairs))]
-        edges = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
-        assert sorted(map(one_way, trace(num, edges))) == sorted(map(one_way, expected))
-
-
-@settings(max_examples=150, deadline=None)
-@given(graphs())
-def test_every_edge_is_in_one_branch_and_every_node_in_at_least_one(graph):
-    num, edges = graph
-    degree, paths = degrees(num, edges), trace(num, edges)
-    steps = [frozenset(step) for path in paths for step in pairwise(path)]
-    assert len(steps) == len(edges) and set(steps) == {frozenset(edge) for edge in edges.tolist()}
-    assert {node for path in paths for node in path} == set(range(num))
-    for path in paths:
-        assert (degree[path[1:-1]] == 2).all()
-        if degree[path[0]] == 2 or degree[path[-1]] == 2:
-            assert path[0] == path[-1] and (degree[path] == 2).all() and len(path) > 3
 
 
 def test_junctions_in_one_ball_are_one():
@@ -122,18 +87,78 @@ def test_a_loop_that_is_folded_flat_is_no_loop():
     assert nothing[0].all() and nothing[2].shape == (0, 2)
 
 
-def test_what_is_nearest_along_a_curve_is_not_what_is_nearest_in_space():
-    """On a hairpin the other side is nearer in space. A source is its own nearest one."""
-    x = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [3, 0.1, 0], [2, 0.1, 0], [1, 0.1, 0], [0, 0.1, 0]])
-    edges = np.stack([np.arange(7), np.arange(1, 8)], axis=1)
-    is_source = np.isin(np.arange(8), [0, 5])
-    np.testing.assert_array_equal(nearest_along(x, edges, is_source), [0, 0, 0, 5, 5, 5, 5, 5])
+def test_points_go_to_the_nearest_node_of_their_own_branch():
+    # A Y: branches 0-1-2, 0-3-4 and 0-5-6.
+    nodes = np.array([[0.0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 2, 0], [0, 4, 0], [-2, 0, 0], [-4, 0, 0]])
+    edges = np.array([[0, 1], [1, 2], [0, 3], [3, 4], [0, 5], [5, 6]])
+    points = np.array([[3.9, 1, 0], [0.1, 1, 0], [0, 3.9, 0], [-1.9, 0, 0], [-1.9, 0, 0]])
+    found = branches.nearest_on_branch(nodes, edges, points, np.array([1, 2, 1, 1, 0]))
+    assert found.tolist() == [2, 0, 0, 0, 5]
 
 
-def test_the_core_is_what_leaves_cannot_reach():
-    """Two triangles, the path between them, a tail with a fork at one of them, and a chain apart."""
-    loops = [(0, 1), (1, 2), (0, 2), (3, 4), (4, 5), (3, 5), (2, 6), (6, 3)]
-    tails = [(0, 7), (7, 8), (7, 9), (10, 11), (11, 12)]
-    assert np.flatnonzero(core(13, np.array(loops + tails))).tolist() == [0, 1, 2, 3, 4, 5, 6]
-    assert np.flatnonzero(core(13, np.array(loops + tails + loops))).tolist() == [0, 1, 2, 3, 4, 5, 6]
-    assert not core(13, np.array(tails)).any()
+def stepped(*points, step=0.2):
+    """Points about ``step`` apart along a polyline."""
+    found = [np.array(points[:1], dtype=float)]
+    for a, b in itertools.pairwise(points):
+        num = round(np.linalg.norm(np.subtract(b, a)) / step)
+        found.append(a + np.linspace(0, 1, num + 1)[1:, None] * np.subtract(b, a))
+    return np.concatenate(found)
+
+
+def joined(first, *chains):
+    """A curve of chains that all begin at the point ``first``."""
+    x, edges = [np.array([first], dtype=float)], []
+    for each in chains:
+        ids = [0, *range(sum(map(len, x)), sum(map(len, x)) + len(each) - 1)]
+        x.append(each[1:])
+        edges += itertools.pairwise(ids)
+    return np.concatenate(x), np.array(edges)
+
+
+def test_a_stem_does_not_run_out_along_its_lateral_and_back():
+    """The junction is out on the lateral: both halves of the stem come to it along the lateral."""
+    out = (0, 2, 0)
+    x, edges = joined(
+        out, stepped(out, (0, 0.05, 0), (5, 0, 0)), stepped(out, (0.02, 0, 0.02), (-5, 0, 0)), stepped(out, (0, 5, 0))
+    )
+    stays, target, found = zip_strands(x, edges, np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert cycle_count(int(stays.sum()), (np.cumsum(stays) - 1)[found]) == (1, 0)
+    degree = np.bincount(found.ravel(), minlength=len(x))
+    (junction,) = np.flatnonzero(degree == 3)
+    assert np.linalg.norm(x[junction]) < 0.5 and (degree[stays] == 1).sum() == 3
+    length = np.linalg.norm(x[found[:, 0]] - x[found[:, 1]], axis=1).sum()
+    assert 14.5 < length < 15.5  # it was 19
+    assert stays[target].all() and (np.linalg.norm(x[target] - x, axis=1) < 0.5).all()
+
+
+def test_branches_that_part_at_once_stay():
+    """`STRAND`: of a fork of 40 degrees, too, and those that a held node is on."""
+    way = [(5 * np.cos(a), 5 * np.sin(a), 0) for a in np.radians([0, 40, 180])]
+    x, edges = joined((0, 0, 0), *(stepped((0, 0, 0), each) for each in way))
+    stays, _, found = zip_strands(x, edges, np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert stays.all() and len(trace(len(x), found)) == 3
+    x, edges = joined(
+        (0, 0, 0), stepped((0, 0, 0), (5, 0, 0)), stepped((0, 0, 0), (5, 0.1, 0)), stepped((0, 0, 0), (-5, 0, 0))
+    )
+    held = np.ones(len(x), dtype=bool)
+    assert zip_strands(x, edges, np.full(len(x), 0.5), held)[0].all()
+    assert not zip_strands(x, edges, np.full(len(x), 0.5), ~held)[0].all()
+
+
+def test_two_branches_are_compared_once(monkeypatch):
+    """Of several places where strands become one, each is a round; branches that it does not change are known."""
+    x, edges, asked = np.empty((0, 3)), [], []
+    for number in range(4):
+        at, up = (20.0 * number, 0, 0), (20.0 * number + 4, 0, 0)
+        places, pairs = joined(at, stepped(at, up), stepped(at, (up[0], 0.1, 0)), stepped(at, (at[0] - 4, 0, 0)))
+        edges.append(pairs + len(x))
+        x = np.concatenate([x, places])
+
+    def counted(vertices, radii, one, other):
+        asked.append((one.tobytes(), other.tobytes()))
+        return beside(vertices, radii, one, other)
+
+    beside = branches._beside
+    monkeypatch.setattr(branches, "_beside", counted)
+    stays, _, _ = zip_strands(x, np.concatenate(edges), np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert not stays.all() and len(asked) == len(set(asked)) == 4 * 6

@@ -10,10 +10,20 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import Config, ConfigError, FlowError, FlowOptions, PreprocessingOptions, SolverOptions, Weights, shapes
+from msf_jax import (
+    Config,
+    ConfigError,
+    FlowError,
+    FlowOptions,
+    PreprocessingOptions,
+    SolverOptions,
+    Weights,
+    shapes,
+)
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
 from msf_jax.flow import loop, programs
+from msf_jax.flow.state import Iteration
 from msf_jax.meshes import checking
 
 SLOW = pytest.mark.slow  # more of the same
@@ -504,3 +514,17 @@ def test_spread_says_how_far_jittered_runs_are():
     ):
         with pytest.raises(ConfigError, match=message):
             msf_jax.skeletonize(mesh, **options)
+
+
+def test_a_flow_that_only_turns_on_the_spot_has_settled():
+    def history(volume, area):
+        return [
+            Iteration(0, k + 1, 0.005, 100, 50, 9, 9, volume, area(k), 1, 0.0, True, 1, 0.0, 0.01) for k in range(40)
+        ]
+
+    assert loop.is_settled(history(0.01, lambda k: 0.05 + 0.002 * (k % 2)), Config())
+    assert not loop.is_settled(history(0.01, lambda k: 0.5 * 0.95**k), Config())
+    assert not loop.is_settled(history(0.05, lambda k: 0.05), Config())
+    assert loop.is_settled(history(0.08, lambda k: 0.4), Config())  # a fifth as thick as at first: membranes
+    assert not loop.is_settled(history(0.15, lambda k: 0.9), Config())
+    assert not loop.is_settled(history(0.01, lambda k: 0.05)[:10], Config())

@@ -9,7 +9,7 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from curve_cases import as_edges, chain
+from graph_cases import as_edges, chain
 from scipy.spatial.transform import Rotation
 
 import msf_jax

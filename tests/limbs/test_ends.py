@@ -340,3 +340,15 @@ def test_a_bolt_with_a_socket_ends_on_its_axis():
     found = ends_of(lathed(profile, 0.1))
     assert len(found) == 2 and np.abs(found[:, :2]).max() < 0.03
     assert sorted(found[:, 2]) == pytest.approx([-6.3 + 0.3 * 0.63, 0.3], abs=0.15)
+
+
+def test_triangles_of_a_lid_in_a_line_have_exit_times():
+    """Of a tetrahedron, an edge has a vertex in its middle on one side only, and a triangle without area between."""
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.5, 0, 0]])
+    faces = np.array([[0, 2, 1], [0, 1, 4], [0, 4, 3], [4, 1, 3], [0, 3, 2], [1, 2, 3]])
+    assert trimesh.Trimesh(vertices, faces, process=False).is_watertight
+    time = ends.exit_times(vertices, faces, np.array([1, 1, 1, 0, 1]))
+    plain = ends.exit_times(
+        vertices[:4], np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]), np.array([1, 1, 1, 0])
+    )
+    np.testing.assert_allclose(time[:3], plain[:3], rtol=0.2)  # other triangles, so another discretisation

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import torus
-from curve_cases import as_edges, bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
+from curve_cases import bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
+from graph_cases import as_edges
 from scipy import spatial
 from test_caps import LIMB, RADIUS, block, fingers, legs, solid
 
@@ -230,3 +231,22 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     leaves = found.vertices[found.is_leaf()]
     assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)
     assert cycle_count(len(found.vertices), found.edges) == (1, 0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
+    """Not legs into corners, and no bump is left out, however it is turned."""
+
+    def cube(size):
+        return manifold3d.Manifold.cube((size, size, size), True)
+
+    bumps = [
+        manifold3d.Manifold.sphere(0.45, 24).translate(tuple(place)) for place in 1.2 * np.r_[np.eye(3), -np.eye(3)]
+    ]
+    for body, count in ((cube(2.0), 1), (sum(bumps, cube(2.0)), 6)):
+        found = body.rotate((40 * turn, 70 * turn, 20 * turn)).refine_to_length(0.15).to_mesh()
+        vertices = np.array(found.vert_properties[:, :3], dtype=float)
+        branches = msf_jax.skeletonize((vertices, found.tri_verts)).branches
+        assert len(branches) == count
+        assert max(branch.length for branch in branches) < 1.06 * min(branch.length for branch in branches) < 3.6 * 1.06

@@ -5,7 +5,7 @@ from itertools import pairwise
 import networkx as nx
 import numpy as np
 import pytest
-from curve_cases import GRAPHS, NONE, as_edges, chain, degrees, graphs
+from graph_cases import GRAPHS, NONE, as_edges, chain, degrees, graphs
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -1,13 +1,17 @@
-"""What a report knows of a curve beyond its counts: limbs that are none, paths that are arbitrary."""
+"""What a report knows of a curve beyond its counts: its loops, limbs that are none, paths that are arbitrary."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 import trimesh
+from conftest import torus
+from loop_cases import cycle
 
 import msf_jax
-from msf_jax.skeleton.report import assessed
+from msf_jax import Config, metrics
+from msf_jax.skeleton import changes
+from msf_jax.skeleton.report import assessed, loops_of
 from msf_jax.solid.enclosure import Enclosure
 
 
@@ -65,3 +69,59 @@ def test_a_report_says_what_it_weighs():
     doubted = replace(report, doubts=("the surface may be rough",))
     assert not doubted.is_sound and "in doubt: the surface may be rough" in str(doubted)
     assert skeleton.resample(0.1).report.is_sound
+
+
+@pytest.fixture(scope="module")
+def ring_curve():
+    return msf_jax.skeletonize(torus(minor=0.3), config=Config(least_slenderness=0.0))
+
+
+def changed(skeleton, vertices, edges):
+    return changes.changed(skeleton, np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
+
+
+def test_a_mutated_curve_is_not_sound(ring_curve):
+    """Its loop moved off the hole, doubled, gone round twice, cut, or led through the hole."""
+    assert ring_curve.report.is_sound and ring_curve.report.loops == 1
+    x, edges = ring_curve.vertices, ring_curve.edges
+    num = len(x)
+    assert changed(ring_curve, x, edges).is_sound
+    beside = x[0] + 0.02 * (x - x.mean(axis=0))
+    report = changed(ring_curve, beside, edges)
+    assert (report.loops, report.cycles, report.inside, report.is_sound) == (0, 1, 1.0, False)
+    assert "goes around no handle" in report.doubts[0] and "in doubt: the loop" in str(report)
+    assert "1 cycle for genus 1, around ONLY 0 handles" in str(report) and "around ONLY 0 handles" in repr(report)
+    bridge = [[0, num]]
+    report = changed(ring_curve, np.concatenate([x, 1.01 * x]), np.concatenate([edges, edges + num, bridge]))
+    assert (report.loops, report.cycles, report.is_sound) == (1, 2, False) and "of others" in report.doubts[0]
+    cut = changed(ring_curve, x, edges[1:])
+    assert (cut.loops, cut.cycles, cut.is_sound) == (0, 0, False)
+    through = changed(ring_curve, 1.4 * x, edges)
+    assert (through.loops, through.is_sound) == (0, False) and "leaves the solid" in through.doubts[0]
+    angle = np.arange(240) * 4 * np.pi / 240
+    twice = np.stack([np.cos(angle), np.sin(angle), 0.05 * np.sin(angle / 2)], axis=1)
+    solid = ring_curve.source.solid
+    around = loops_of(solid.shape, solid.enter(twice), cycle(240))
+    report = replace(ring_curve.report, cycles=1, **around)
+    assert report.loops == 1 and not report.is_sound and "more than once" in report.doubts[0]
+
+
+def test_a_tree_of_a_curve_in_doubt_stays_in_doubt(ring_curve):
+    x, edges = ring_curve.vertices, ring_curve.edges
+    false = changes.changed(ring_curve, x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
+    assert not false.to_tree().report.is_sound and ring_curve.to_tree().report.is_sound
+
+
+def test_a_report_without_loops_is_sound_where_there_is_no_cycle(ring_curve):
+    """One of an earlier version; of a cycle it says nothing."""
+    values = ring_curve.report.to_dict()
+    del values["loops"], values["doubts"]
+    old = msf_jax.Report.from_dict(values)
+    assert old.loops is None and not old.is_sound and replace(old, cycles=0, genus=0).is_sound
+
+
+def test_the_figures_count_loops(ring_curve):
+    mesh = torus(minor=0.3)
+    assert metrics.evaluate(mesh, ring_curve)["loops"] == 1
+    beside = ring_curve.vertices[0] + 0.02 * ring_curve.vertices
+    assert metrics.evaluate(mesh, (beside, ring_curve.edges))["loops"] == 0

@@ -1,71 +1,16 @@
-"""Which handles a curve goes around: against linking numbers known by hand, and what must not change them."""
+"""The classes of paths through a solid, against linking numbers known by hand, and what must not change them."""
 
-from dataclasses import replace
-from fractions import Fraction
 from itertools import pairwise
 
-import manifold3d
 import numpy as np
 import pytest
 import trimesh
 from conftest import torus
+from loop_cases import RING, circle, cycle, shape_of, theta, torus_knot
 
-import msf_jax
-from msf_jax import Config, ground_truth, metrics, shapes
-from msf_jax.curve import handle_loops
-from msf_jax.inside.containment import is_inside
-from msf_jax.inside.roadmap import Roadmap
 from msf_jax.meso import homology
-from msf_jax.skeleton import changes
-from msf_jax.skeleton.report import loops_of
 from msf_jax.solid import handles as handles_module
-from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.handles import Handles, surface_loops
-from msf_jax.solid.solid import Solid
-from msf_jax.topology.graphs import along_forest, cycle_count, shortest_forest
-
-TURN = np.linspace(0, 2 * np.pi, 120, endpoint=False)
-NO_EDGES = np.empty((0, 2), dtype=np.int64)
-
-
-def shape_of(mesh):
-    return Enclosure(np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=np.int64))
-
-
-def cycle(num, first=0):
-    """The edges of a closed polyline of ``num`` nodes."""
-    step = np.arange(num)
-    return first + np.stack([step, (step + 1) % num], axis=1)
-
-
-def circle(radius, centre=(0.0, 0.0, 0.0), num=120):
-    angle = np.linspace(0, 2 * np.pi, num, endpoint=False)
-    return np.array(centre) + radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-
-
-def torus_knot(along, across):
-    """Goes ``along`` times round the axis of a ring of radius 1, and ``across`` times round its middle."""
-    angle = np.linspace(0, 2 * np.pi, 120 * along, endpoint=False)
-    out = 1 + 0.15 * np.cos(across * angle)
-    return np.stack([out * np.cos(along * angle), out * np.sin(along * angle), 0.15 * np.sin(across * angle)], axis=1)
-
-
-def proof(shape, *polylines):
-    """Of closed ``polylines`` (n, 3)."""
-    first = np.cumsum([0, *map(len, polylines)]).tolist()
-    edges = np.concatenate([cycle(len(line), start) for line, start in zip(polylines, first, strict=False)])
-    return handle_loops.proof(shape, np.concatenate(polylines), edges)
-
-
-def counts(found):
-    """rank, and how many cycles go around nothing, again around others, several times, or outside."""
-    return found.rank, len(found.none), len(found.again), len(found.several), len(found.outside)
-
-
-RING = shape_of(torus(minor=0.3))
-
-
-# Closed forms
 
 
 @pytest.mark.parametrize("across", [-3, -1, 1, 2, 5])
@@ -78,113 +23,12 @@ def test_a_torus_knot_goes_around_as_often_as_it_goes_along(along, across):
     assert np.gcd.reduce(once) == 1
 
 
-@pytest.mark.parametrize(
-    ("curves", "expected"),
-    [
-        ([circle(1.0)], (1, 0, 0, 0, 0)),
-        ([circle(0.1, (1.0, 0, 0))], (0, 1, 0, 0, 0)),  # moved off the hole, into the tube
-        ([circle(1.0), circle(1.05)], (1, 0, 1, 0, 0)),
-        ([circle(0.1, (1.0, 0, 0)), circle(1.0), circle(1.05), circle(0.95)], (1, 1, 2, 0, 0)),
-        ([torus_knot(2, 1)], (1, 0, 0, 1, 0)),  # twice around: a rank of 1, but no middle of the ring
-        ([torus_knot(2, 1), torus_knot(3, 1)], (1, 0, 1, 1, 0)),
-        ([circle(0.6, (1.0, 0, 0))[:, [0, 2, 1]]], (0, 0, 0, 0, 1)),  # around the tube, outside
-        ([circle(1.4)], (0, 0, 0, 0, 1)),  # around the ring, outside
-    ],
-)
-def test_of_a_ring(curves, expected):
-    assert counts(proof(RING, *curves)) == expected
-
-
-def test_two_loops_are_no_basis_where_one_is_the_other_and_twice_a_third():
-    """Around holes a and a + 2 b of a plate: a rank of 2, and still no curve of it."""
-    shape = shape_of(shapes.plate(2))
-    one, other = circle(1.8, (2.5, 3.0, 0.5)), circle(-1.8, (7.5, 3.0, 0.5))
-    assert counts(proof(shape, one, other)) == (2, 0, 0, 0, 0)
-    both = np.concatenate([one, [[5.0, 3.0, 0.5]], other, circle(-1.6, (7.5, 3.0, 0.5)), [[5.0, 3.0, 0.4]]])
-    assert counts(proof(shape, both, circle(1.7, (2.5, 3.0, 0.4)))) == (2, 0, 0, 1, 0)
-
-
-@pytest.mark.parametrize("num_holes", [0, 1, 4, 9])
-def test_a_plate_has_a_loop_around_each_hole_and_one_around_several_adds_none(num_holes):
-    shape = shape_of(shapes.plate(num_holes))
-    assert shape.handles.genus == num_holes
-    columns = {0: 1, 1: 1, 4: 3, 9: 4}[num_holes]
-    rows = -(-num_holes // columns)
-    cell = np.array([10 / columns, 6 / max(rows, 1)])
-    places = [np.array([k % columns + 0.5, k // columns + 0.5]) * cell for k in range(num_holes)]
-    around = [circle(0.3 * cell.min(), (*place, 0.5)) for place in places]
-    rim = np.linspace(0, 2 * np.pi, 120, endpoint=False)
-    frame = np.clip(1.5 * np.stack([np.cos(rim), np.sin(rim)], axis=1), -1, 1) * [4.9, 2.9] + [5.0, 3.0]
-    all_of_them = np.column_stack([frame, np.full(120, 0.4)])
-    corner = circle(0.1, (0.2, 0.2, 0.5))
-    assert counts(proof(shape, *around, all_of_them, corner)) == (
-        (num_holes, 1, 1, 0, 0) if num_holes else (0, 2, 0, 0, 0)
-    )
-
-
-def test_the_linking_number_tells_linked_rings_from_rings_apart():
-    for are_linked in (True, False):
-        mesh, (points, edges) = shapes.rings(are_linked), shapes.ring_curves(are_linked)
-        assert counts(handle_loops.proof(shape_of(mesh), points, edges)) == (2, 0, 0, 0, 0)
-        one, _ = mesh.split()
-        own = proof(shape_of(one), points[:48]).rank + proof(shape_of(one), points[48:]).rank
-        assert own == 1
-        of_other = [shape_of(one).handles.windings(line, cycle(48))[1].any() for line in (points[:48], points[48:])]
-        assert sorted(of_other) == [are_linked, True]
-
-
-# What must not change it
-
-
-@pytest.fixture(scope="module")
-def theta():
-    """A solid of genus 2, and a curve in it: its own, a loop around both handles, one in a limb, and a lone node."""
-    shape = ground_truth.make("theta")
-    size = np.ptp(shape.mesh.vertices)
-    small = circle(0.05, shape.points[5], 12)
-    points = np.concatenate([shape.points, shape.points + [0.01, 0.0, 0.0], small, shape.points[:1]])
-    num = len(shape.points)
-    edges = np.concatenate([shape.edges, shape.edges + num, cycle(12, 2 * num)])
-    assert is_inside(shape_of(shape.mesh), *(points[edges[:, k]] for k in (0, 1))).all() and size > 0
-    return np.array(shape.mesh.vertices), np.array(shape.mesh.faces), points, edges
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_moves_scales_and_numbers_do_not_matter(theta, seed):
-    vertices, faces, points, edges = theta
-    assert counts(handle_loops.proof(Enclosure(vertices, faces), points, edges)) == (2, 1, 2, 0, 0)
-    random = np.random.default_rng(seed)
-    turn = trimesh.transformations.random_rotation_matrix(random.uniform(size=3))[:3, :3]
-    scale, shift = 10.0 ** random.uniform(-3, 3), random.normal(size=3)
-    order, number = random.permutation(len(vertices)), random.permutation(len(points))
-    moved, nodes = (scale * (each @ turn.T + shift) for each in (vertices, points))
-    turned = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
-    found = handle_loops.proof(
-        Enclosure(moved[order], random.permutation(np.argsort(order)[faces])),
-        nodes[np.argsort(number)],
-        number[turned][random.permutation(len(edges))],
-    )
-    assert counts(found) == (2, 1, 2, 0, 0)
-
-
 @pytest.mark.parametrize("scale", [1e-100, 1e-30, 1e30, 1e100])
-def test_units_do_not_matter(theta, scale):
-    vertices, faces, points, edges = theta
+def test_units_do_not_matter(scale):
+    vertices, faces, points, edges = theta()
     plain, scaled = (Handles(factor * vertices, faces) for factor in (1.0, scale))
     ends = [points[edges[:, k]] for k in (0, 1)]
     np.testing.assert_array_equal(scaled.linking(*(scale * end for end in ends)), plain.linking(*ends))
-
-
-def test_float32_and_faces_in_the_plane_of_the_curve_do_not_matter():
-    """A ring of squares on a grid of 1/8, whose curve runs through points of the same grid."""
-    step = np.array([[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]])
-    cells = [manifold3d.Manifold.cube([0.125] * 3).translate((0.125 * x, 0.125 * y, 0.0)) for x, y in step]
-    found = sum(cells[1:], cells[0]).to_mesh()
-    shape = Enclosure(found.vert_properties[:, :3].astype(np.float32).astype(float), found.tri_verts.astype(np.int64))
-    middle = np.column_stack([0.125 * step + 0.0625, np.full(8, 0.0625)])
-    assert counts(proof(shape, middle)) == (1, 0, 0, 0, 0)
-    along = shape.handles.linking(middle, middle + np.array([0, 0, 0.0625]))  # up to the surface, and back
-    np.testing.assert_array_equal(along, -shape.handles.linking(middle + np.array([0, 0, 0.0625]), middle))
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -201,8 +45,8 @@ def test_classes_add_up_along_any_path(seed):
     assert handles.classes(a, b).any() and not handles.classes(a, a).any()
 
 
-def test_batches_do_not_matter(theta, monkeypatch):
-    vertices, faces, points, edges = theta
+def test_batches_do_not_matter(monkeypatch):
+    vertices, faces, points, edges = theta()
     handles, ends = Handles(vertices, faces), [points[edges[:, k]] for k in (0, 1)]
     expected = handles.linking(*ends)
     assert expected.any()
@@ -229,9 +73,9 @@ def test_pairs_of_segments_are_all_that_cross():
     assert is_across.sum() > 20 and set(map(tuple, np.argwhere(is_across).tolist())) <= pairs
 
 
-def test_classes_of_paths_inside_are_those_of_the_surface_beside_them(theta):
+def test_classes_of_paths_inside_are_those_of_the_surface_beside_them():
     """A path over the surface, pushed in a little, has the class that the flow gives its edges, but for one sign."""
-    vertices, faces, _, _ = theta
+    vertices, faces, _, _ = theta()
     values = homology.half_edge_classes(vertices, faces)
     edges, generator, lines, _, _ = surface_loops(faces)
     normals = trimesh.Trimesh(vertices, faces, process=False).vertex_normals
@@ -257,290 +101,6 @@ def test_a_path_that_touches_the_surface_at_a_vertex_of_a_loop_is_none():
     a, b = (inward + random.uniform(-0.03, 0.03, inward.shape) for _ in range(2))
     around = handles.linking(at, a) + handles.linking(a, b) + handles.linking(b, at)
     assert not around.any()
-
-
-# Graphs
-
-
-def test_a_forest_takes_the_shortest_of_edges_side_by_side():
-    edges = np.array([[0, 1], [1, 0], [1, 2], [0, 2], [2, 2], [0, 1], [3, 4]])
-    length = np.array([2.0, 1.0, 0.5, 3.0, 0.0, 5.0, 9.0])
-    assert np.flatnonzero(shortest_forest(6, edges, length)).tolist() == [1, 2, 6]
-    assert shortest_forest(3, NO_EDGES, np.empty(0)).shape == (0,)
-    tied = shortest_forest(3, np.array([[0, 1], [1, 2], [0, 2]]), np.zeros(3))
-    assert tied.tolist() == [True, True, False]
-
-
-def test_edges_side_by_side_are_cycles_around_nothing():
-    """The same edge twice, either way, and an edge from a node to itself; components apart; no edge; no node."""
-    line, ends = circle(1.0), cycle(120)
-    doubled = np.concatenate([ends, ends[:3], ends[5:7, ::-1], [[9, 9]]])
-    assert counts(handle_loops.proof(RING, line, doubled)) == (1, 6, 0, 0, 0)
-    assert handle_loops.independent(RING, line, doubled).sum() == 120
-    for nodes in (line[:1], line[:0]):
-        assert counts(handle_loops.proof(RING, nodes, NO_EDGES)) == (0, 0, 0, 0, 0)
-    ball = shape_of(trimesh.creation.icosphere(2, 2.0))
-    assert counts(proof(ball, line)) == (0, 1, 0, 0, 0) and ball.handles.genus == 0
-
-
-def test_sums_along_a_forest_are_those_of_its_paths():
-    random = np.random.default_rng(5)
-    edges = np.array([[k, random.integers(k)] for k in range(1, 40) if k != 20])
-    edges = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
-    place = random.integers(-9, 9, (40, 3))
-    found = along_forest(40, edges, place[edges[:, 1]] - place[edges[:, 0]])
-    np.testing.assert_array_equal(found[edges[:, 1]] - found[edges[:, 0]], place[edges[:, 1]] - place[edges[:, 0]])
-    assert not found[[0, 20]].any()
-
-
-def rank_by_fractions(matrix):
-    rows, rank = [[Fraction(int(value)) for value in row] for row in matrix], 0
-    for column in range(matrix.shape[1]):
-        pivot = next((k for k in range(rank, len(rows)) if rows[k][column]), None)
-        if pivot is None:
-            continue
-        rows[rank], rows[pivot] = rows[pivot], rows[rank]
-        for k in range(rank + 1, len(rows)):
-            factor = rows[k][column] / rows[rank][column]
-            rows[k] = [one - factor * other for one, other in zip(rows[k], rows[rank], strict=True)]
-        rank += 1
-    return rank
-
-
-@pytest.mark.parametrize("seed", range(10))
-def test_the_rank_modulo_a_prime_is_that_of_fractions(seed):
-    """Row by row; entries of either sign, some as large as the prime."""
-    random = np.random.default_rng(seed)
-    few = random.integers(-3, 4, (3, 8))
-    matrix = np.concatenate([few, random.integers(-2, 3, (6, 3)) @ few, random.integers(-(2**40), 2**40, (3, 8))])
-    matrix = matrix[random.permutation(len(matrix))]
-    span = handle_loops.Span(8)
-    for k, row in enumerate(matrix):
-        before, after = (rank_by_fractions(matrix[:num]) for num in (k, k + 1))
-        assert span.adds(row) == (after > before)
-
-
-def rank_modulo(matrix, prime):
-    """Which rows (k,) of a matrix are outside the span of those before, by Python's integers."""
-    basis, is_new = [], []
-    for row in (matrix % prime).tolist():
-        for pivot, other in basis:
-            row = [(one - row[pivot] * two) % prime for one, two in zip(row, other, strict=True)]
-        pivot = next((k for k, one in enumerate(row) if one), None)
-        is_new.append(pivot is not None)
-        if pivot is not None:
-            basis.append((pivot, [one * pow(row[pivot], -1, prime) % prime for one in row]))
-    return is_new
-
-
-@pytest.mark.parametrize("prime", [handle_loops.PRIME, *handle_loops.FACTORS])
-def test_many_vectors_at_once_are_added_as_one_by_one(prime):
-    """More than a block holds, with entries of all sizes; a rank by halves of numbers is exact."""
-    random, num = np.random.default_rng(5), 2 * handle_loops.BLOCK + 10
-    few = random.integers(0, handle_loops.PRIME, (num, num + 5))
-    mixed = random.integers(-3, 4, (num, num)) @ few % handle_loops.PRIME
-    matrix = np.concatenate([few[:50], few[:20] + few[10:30], few[40:], mixed[:30]])
-    expected = rank_modulo(matrix, prime)
-    span = handle_loops.Span(matrix.shape[1], prime)
-    assert span.adds_all(matrix[:70]).tolist() + [span.adds(row) for row in matrix[70:]] == expected
-    assert sum(expected) == num or prime in handle_loops.FACTORS
-    assert not span.adds_all(matrix).any()
-
-
-@pytest.fixture(scope="module")
-def plate():
-    """A plate with four holes, and its skeleton."""
-    return (mesh := shapes.plate(4)), msf_jax.skeletonize(mesh)
-
-
-def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypatch):
-    """A limit on linking numbers just below, and far below, what the curve of a plate needs."""
-    mesh, skeleton = plate
-    curve, num = (skeleton.vertices, skeleton.edges), len(skeleton.edges)
-    assert skeleton.report.is_sound and skeleton.report.loops == 4
-    monkeypatch.setattr(handle_loops, "MOST_LINKING", 8 * num)
-    assert loops_of(shape_of(mesh), *curve)["loops"] == 4
-    monkeypatch.setattr(handle_loops, "MOST_LINKING", 8 * num - 1)
-    doubt = f"the loops were not proved: 4 handles are too many for a curve of {num} edges"
-    assert loops_of(shape_of(mesh), *curve) == {"loops": None, "doubts": (doubt,)}
-    assert np.isnan(metrics.evaluate(mesh, skeleton)["loops"])
-    monkeypatch.setattr(handle_loops, "MOST_LINKING", 0)
-    report = msf_jax.skeletonize(mesh).report
-    assert report.loops is None and not report.is_sound and "too many for a curve" in str(report)
-
-
-def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(monkeypatch):
-    """From a lone node, one in each round, so that loops begin at loops before them. The linking numbers of the curve
-    are computed once for all rounds, and the class of each edge between balls, too."""
-    mesh = shapes.plate(4)
-    solid, asked = Solid(np.array(mesh.vertices), np.array(mesh.faces)), []
-    nodes = Roadmap(solid.shape, is_inside).nearest(solid.shape.vertices[:1], np.ones(1))[0]
-    windings, classes = Handles.windings, Handles.classes
-
-    def counted(self, *given):
-        asked.append("windings")
-        return windings(self, *given)
-
-    def seen(self, a, b):
-        asked.extend(zip(map(tuple, a.tolist()), map(tuple, b.tolist()), strict=True))
-        return classes(self, a, b)
-
-    monkeypatch.setattr(Handles, "windings", counted)
-    monkeypatch.setattr(Handles, "classes", seen)
-    monkeypatch.setattr(handle_loops, "AT_ONCE", 1)
-    roadmap = Roadmap(solid.shape, is_inside)
-    x, e = handle_loops.completed(roadmap, nodes, NO_EDGES, 4)
-    assert asked.count("windings") == 1
-    of_curve = set(map(tuple, x.tolist()))
-    of_balls = [ends for ends in asked if ends != "windings" and not of_curve & set(ends)]
-    assert len(of_balls) == len(set(of_balls)) > 100
-    monkeypatch.undo()
-    assert cycle_count(len(x), e) == (1, 4) and counts(handle_loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
-
-
-def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
-    """Of a curve without loops in a plate with four holes, before the first path is tried."""
-    mesh, skeleton = plate
-    is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
-    curve = skeleton.vertices, skeleton.edges[is_in_tree]
-    whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))
-    assert len(handle_loops.completed(whole, *curve, 4)[1]) > len(curve[1])
-    assert whole.num_unsought == 0 and whole.num_linked > 0
-    monkeypatch.setattr(handle_loops, "MOST_LINKING", 8 * len(curve[1]))
-    cut.num_linked = handle_loops.MOST_LINKING
-    assert len(handle_loops.completed(cut, *curve, 4)[1]) == len(curve[1]) and cut.num_unsought == 4
-    monkeypatch.setattr(handle_loops, "MOST_LINKING", 0)
-    cut.num_unsought = 0
-    assert handle_loops.completed(cut, *curve, 4)[1] is curve[1] and cut.num_unsought == 4
-
-
-# Solids of several components
-
-
-def test_a_loop_proves_nothing_by_what_it_crosses_of_another_solid():
-    """Two bodies overlap: a loop in one, around the tube of the other where that is in the first, goes around none."""
-    ring, ball = torus(minor=0.2), trimesh.creation.icosphere(3, 0.6).apply_translation([1.0, 0, 0])
-    both = trimesh.util.concatenate([ring, ball])
-    shape = shape_of(both)
-    across = circle(0.4, (1.0, 0.0, 0.0))[:, [0, 2, 1]]
-    assert is_inside(shape, across, np.roll(across, -1, axis=0)).all()
-    node_of_vertex = np.r_[np.zeros(len(ring.vertices), int), np.full(len(ball.vertices), 120)]
-    nodes, edges = np.concatenate([circle(1.0), across]), np.concatenate([cycle(120), cycle(120, 120)])
-    assert counts(handle_loops.proof(shape, nodes, edges, node_of_vertex)) == (1, 1, 0, 0, 0)
-    assert counts(handle_loops.proof(shape, nodes, edges)) == (1, 1, 0, 0, 0)
-
-
-def test_a_ring_within_a_ring_has_its_own_loop():
-    """A ring within a ring: both curves are in the middle, or one is beside the other."""
-    outer, inner = torus(minor=0.35), torus(minor=0.15)
-    shape = shape_of(trimesh.util.concatenate([outer, inner]))
-    edges = np.concatenate([cycle(120), cycle(120, 120)])
-    node_of_vertex = np.r_[np.zeros(len(outer.vertices), int), np.full(len(inner.vertices), 120)]
-    both = np.concatenate([circle(1.0), circle(1.0)])
-    assert counts(handle_loops.proof(shape, both, edges, node_of_vertex)) == (2, 0, 0, 0, 0)
-    beside = np.concatenate([circle(1.0, (0, 0, 0.25)), circle(1.0)])
-    assert counts(handle_loops.proof(shape, beside, edges)) == (2, 0, 0, 0, 0)
-    report = msf_jax.skeletonize(trimesh.util.concatenate([outer, inner.invert() or inner])).report
-    assert report.loops == report.cycles == report.genus == 2  # a cavity that is one: all of the curve is in its wall
-    assert report.doubts == ("100% of the curve's length is in sheets, where its path is arbitrary",)
-
-
-# Loops that are laid
-
-
-def test_a_loop_that_is_missing_is_laid_around_the_hole():
-    """From half a ring, and from a lone node; a path from one part of a curve to another is no loop."""
-    shape = Enclosure(RING.vertices / 3, RING.faces)
-    half = circle(1 / 3)[:60]
-    edges = cycle(60)[:-1]
-    for nodes, links in ((half, edges), (half[:1], NO_EDGES)):
-        x, e = handle_loops.completed(Roadmap(shape, is_inside), nodes, links, 1)
-        assert cycle_count(len(x), e) == (1, 1) and counts(handle_loops.proof(shape, x, e)) == (1, 0, 0, 0, 0)
-        np.testing.assert_array_equal(x[: len(nodes)], nodes)
-    apart = np.concatenate([half[5:25], half[35:55]])
-    x, e = handle_loops.completed(Roadmap(shape, is_inside), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
-    assert (len(x), len(e)) == (40, 38)
-
-
-@pytest.mark.parametrize("is_complete", [False, True])
-def test_no_loop_is_laid_where_there_is_none_or_no_node_to_begin_at(is_complete):
-    shape = Enclosure(RING.vertices / 3, RING.faces)
-    whole, edges = circle(1 / 3), cycle(120)
-    x, e = handle_loops.completed(Roadmap(shape, is_inside), whole, edges, 1)
-    assert len(x) == 120 and len(e) == 120
-    outside = circle(0.6)[:50]
-    assert list(Roadmap(shape, is_inside).loops_from(outside, edges[:49], is_complete)) == []
-
-
-def test_false_cycles_are_cut_at_their_longest_edge_and_true_ones_stay():
-    nodes = np.concatenate([circle(1.0), circle(0.1, (1.0, 0, 0), 12), circle(1.05)])
-    edges = np.concatenate([cycle(120), cycle(12, 120), cycle(120, 132)])
-    nodes[125] += [-0.02, 0.0, 0.0]  # its two edges are the longest of the small one
-    stays = handle_loops.independent(RING, nodes, edges)
-    length = np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
-    gone = np.flatnonzero(~stays)
-    assert len(gone) == 2 and 120 <= gone[0] < 132 <= gone[1]
-    assert length[gone[0]] == length[120:132].max()
-    assert counts(handle_loops.proof(RING, nodes, edges[stays])) == (1, 0, 0, 0, 0)
-
-
-# Reports
-
-
-@pytest.fixture(scope="module")
-def ring_curve():
-    return msf_jax.skeletonize(torus(minor=0.3), config=Config(least_slenderness=0.0))
-
-
-def changed(skeleton, vertices, edges):
-    return changes.changed(skeleton, np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
-
-
-def test_a_mutated_curve_is_not_sound(ring_curve):
-    """Its loop moved off the hole, doubled, gone round twice, cut, or led through the hole."""
-    assert ring_curve.report.is_sound and ring_curve.report.loops == 1
-    x, edges = ring_curve.vertices, ring_curve.edges
-    num = len(x)
-    assert changed(ring_curve, x, edges).is_sound
-    beside = x[0] + 0.02 * (x - x.mean(axis=0))
-    report = changed(ring_curve, beside, edges)
-    assert (report.loops, report.cycles, report.inside, report.is_sound) == (0, 1, 1.0, False)
-    assert "goes around no handle" in report.doubts[0] and "in doubt: the loop" in str(report)
-    assert "1 cycle for genus 1, around ONLY 0 handles" in str(report) and "around ONLY 0 handles" in repr(report)
-    bridge = [[0, num]]
-    report = changed(ring_curve, np.concatenate([x, 1.01 * x]), np.concatenate([edges, edges + num, bridge]))
-    assert (report.loops, report.cycles, report.is_sound) == (1, 2, False) and "of others" in report.doubts[0]
-    cut = changed(ring_curve, x, edges[1:])
-    assert (cut.loops, cut.cycles, cut.is_sound) == (0, 0, False)
-    through = changed(ring_curve, 1.4 * x, edges)
-    assert (through.loops, through.is_sound) == (0, False) and "leaves the solid" in through.doubts[0]
-    angle = np.arange(240) * 4 * np.pi / 240
-    twice = np.stack([np.cos(angle), np.sin(angle), 0.05 * np.sin(angle / 2)], axis=1)
-    solid = ring_curve.source.solid
-    around = loops_of(solid.shape, solid.enter(twice), cycle(240))
-    report = replace(ring_curve.report, cycles=1, **around)
-    assert report.loops == 1 and not report.is_sound and "more than once" in report.doubts[0]
-
-
-def test_a_tree_of_a_curve_in_doubt_stays_in_doubt(ring_curve):
-    x, edges = ring_curve.vertices, ring_curve.edges
-    false = changes.changed(ring_curve, x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
-    assert not false.to_tree().report.is_sound and ring_curve.to_tree().report.is_sound
-
-
-def test_a_report_without_loops_is_sound_where_there_is_no_cycle(ring_curve):
-    """One of an earlier version; of a cycle it says nothing."""
-    values = ring_curve.report.to_dict()
-    del values["loops"], values["doubts"]
-    old = msf_jax.Report.from_dict(values)
-    assert old.loops is None and not old.is_sound and replace(old, cycles=0, genus=0).is_sound
-
-
-def test_the_figures_count_loops(ring_curve):
-    mesh = torus(minor=0.3)
-    assert metrics.evaluate(mesh, ring_curve)["loops"] == 1
-    beside = ring_curve.vertices[0] + 0.02 * ring_curve.vertices
-    assert metrics.evaluate(mesh, (beside, ring_curve.edges))["loops"] == 0
 
 
 @pytest.mark.parametrize("gap", [0, 3])

@@ -1,0 +1,164 @@
+"""Nodes that go to the middle of the solid, and no further along the curve."""
+
+import manifold3d
+import numpy as np
+import pytest
+import trimesh
+from curve_cases import (
+    bow,
+    none_held,
+    path,
+    tube,
+    turns_of,
+    unit_shape,
+)
+
+import msf_jax
+from msf_jax import ground_truth
+from msf_jax.curve import centring
+from msf_jax.inside import containment
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import unit
+
+
+def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
+    """So that the finished curve, which must be inside, is not led back there over kinks."""
+    plate = manifold3d.Manifold.cube([3, 2, 0.05], True)
+    for x in (-1, 0, 1):
+        plate -= manifold3d.Manifold.cylinder(1, 0.45, circular_segments=16, center=True).translate([x, 0, 0])
+    found = plate.to_mesh()
+    mesh = trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
+    seen = []
+
+    def watched(shape, x, edges, *others):
+        y = centre(shape, x, edges, *others)
+        seen.append([containment.is_inside(shape, z[edges[:, 0]], z[edges[:, 1]]).all() for z in (x, y)])
+        return y
+
+    centre = centring.centre
+    monkeypatch.setattr(centring, "centre", watched)
+    curve = msf_jax.skeletonize(mesh)
+    assert np.array(seen).shape == (2, 2) and np.array(seen).all()
+    assert curve.report.loops == curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
+
+
+def test_a_shifted_axis_goes_back_to_the_middle():
+    line = np.stack([np.linspace(-1, 1, 41), np.zeros(41), np.zeros(41)], axis=1)
+    shape, scale = unit_shape(tube(line, 0.2))
+    wavy = scale * (line[4:-4] + np.array([0, 0.1, 0.05]) * np.cos(7 * line[4:-4, :1]))
+    x = centring.centre(shape, *path(wavy), none_held(wavy))
+    assert np.linalg.norm(x[:, 1:], axis=1).max() < 0.01 * 0.2 * scale
+    held = np.arange(len(wavy)) == 10
+    x = centring.centre(shape, *path(wavy), held)
+    np.testing.assert_array_equal(x[10], wavy[10])
+    assert np.linalg.norm(x[:, 1:], axis=1)[20:].max() < 0.02 * 0.2 * scale
+
+
+def test_centring_comes_to_an_end():
+    """A further round moves no node, and nodes stay where they were along the curve."""
+    shape, scale = unit_shape(tube(bow(0.3)))
+    curve, edges = path(scale * (bow(0.3)[4:-4] + 0.05 * np.cos(9 * bow(0.3)[4:-4, 1:2])))
+    held = np.isin(np.arange(len(curve)), [0, len(curve) - 1])
+    x = centring.centre(shape, curve, edges, held)
+    again = centring.centre(shape, x, edges, held, rounds=1, places=curve, is_far=False)
+    assert np.linalg.norm(again - x, axis=1).max() < 1e-3 * 0.15 * scale
+    assert np.linalg.norm(x - curve, axis=1).max() > 0.1 * 0.15 * scale
+    share = [np.cumsum(np.linalg.norm(np.diff(y, axis=0), axis=1)) for y in (curve, x)]
+    np.testing.assert_allclose(share[0] / share[0][-1], share[1] / share[1][-1], atol=2e-3)
+
+
+def test_centring_turns_with_the_solid():
+    line = bow(0.3)
+    mesh = tube(line)
+    turn = trimesh.transformations.random_rotation_matrix(np.array([0.1, 0.7, 0.4]))[:3, :3]
+    shape, scale = unit_shape(mesh)
+    turned = Enclosure(shape.vertices @ turn.T, shape.faces)
+    wavy = scale * (line[5:-5] + 0.05 * np.sin(9 * line[5:-5, :1]))
+    x = centring.centre(shape, *path(wavy), none_held(wavy))
+    y = centring.centre(turned, *path(wavy @ turn.T), none_held(wavy))
+    assert np.abs(y - x @ turn.T).max() < 1e-7
+
+
+def test_a_curve_goes_to_the_middle_of_a_blob_that_it_had_a_junction_in():
+    """Between two limbs that leave it side by side it runs straight on, when nothing holds it."""
+    ball = manifold3d.Manifold.sphere(1.0, 48)
+    for side in (-0.5, 0.5):
+        limb = np.linspace([0.6, side, 0], [2.5, 1.4 * side, 0], 9)
+        ball += manifold3d.Manifold.batch_hull([manifold3d.Manifold.sphere(0.2, 16).translate(tuple(p)) for p in limb])
+    found = ball.refine_to_length(0.15).to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    legs = [np.linspace([2.5, 1.4 * side, 0], [0.8, 1.1 * side, 0], 18) for side in (-0.5, 0.5)]
+    into = [np.linspace(leg[-1], [0, 0, 0], 5)[1:-1] for leg in legs]
+    x = scale * np.concatenate([legs[0], into[0], np.zeros((1, 3)), into[1][::-1], legs[1][::-1]])
+    curve, edges = path(x)
+    middle = len(legs[0]) + len(into[0])
+    held, former_junctions = np.isin(np.arange(len(x)), [0, len(x) - 1]), np.arange(len(x)) == middle
+    away = [
+        np.linalg.norm(centring.centre(shape, curve, edges, held, former_junctions=each, is_far=False), axis=1).min()
+        / scale
+        for each in (none_held(x), former_junctions)
+    ]
+    assert away[1] < 0.3 < 0.45 < away[0]
+
+
+def test_a_budget_that_is_spent_leaves_one_round():
+    budget = centring.Budget()
+    budget.left = 0
+    shape, scale = unit_shape(tube(bow(0.3)))
+    wavy = scale * (bow(0.3)[5:-5] + 0.05 * np.sin(9 * bow(0.3)[5:-5, :1]))
+    x = centring.centre(shape, *path(wavy), none_held(wavy), budget=budget)
+    np.testing.assert_array_equal(x, centring.centre(shape, *path(wavy), none_held(wavy), rounds=1))
+    assert budget.was_hit
+
+
+def test_a_step_that_goes_back_is_shortened(monkeypatch):
+    """Steps that go as far beyond the middle as they came from: the second one, halved, ends there."""
+    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
+    nodes, edges = path(scale * np.linspace([-0.5, 0, 0.02], [0.5, 0, 0.02], 9))
+    seen = []
+
+    class Overshooting:
+        def __init__(self, x, paths, span, limb, *rest):
+            seen.append(x)
+            self.off = np.zeros((len(limb), 3))
+
+        def step(self, weight):
+            return np.array([0, 0, -2]) * seen[-1]
+
+    monkeypatch.setattr(centring, "_System", Overshooting)
+    x = centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
+    np.testing.assert_allclose(np.array([*seen, x])[:, 4, 2], 0.02 * scale * np.array([1, -1, 0, 0]), atol=1e-12)
+
+
+@pytest.mark.parametrize(("num", "held"), [(48, []), (200, []), (200, [100])])
+def test_the_nodes_of_a_ring_do_not_go_round(monkeypatch, num, held):
+    """However unevenly they are spaced: a ring has no end that would hold them. Nor does it fold back on itself."""
+    shape, scale = unit_shape(trimesh.creation.torus(1.0, 0.2, major_sections=64, minor_sections=24))
+    angle = 2 * np.pi * np.linspace(0, 1, num, endpoint=False) ** 1.3
+    nodes = scale * np.stack([1.05 * np.cos(angle), 1.05 * np.sin(angle), 0.03 * np.cos(5 * angle)], axis=1)
+    edges = np.stack([np.arange(num), np.roll(np.arange(num), -1)], axis=1)
+    monkeypatch.setattr(centring, "ANCHOR", 0.0)
+    x = centring.centre(shape, nodes, edges, np.isin(np.arange(num), held))
+    ahead = unit(np.roll(x, -1, axis=0) - x)
+    assert np.einsum("ni,ni->n", ahead, np.roll(ahead, 1, axis=0)).min() > (0.5 if held else 0.97)
+    if not held:
+        assert np.abs(np.linalg.norm(x[:, :2], axis=1) / scale - 1).max() < 0.01
+        assert np.abs(x[:, 2]).max() < 0.01 * scale
+        assert np.abs(np.angle((x[:, 0] + 1j * x[:, 1]) * np.exp(-1j * angle))).max() < 0.01
+
+
+@pytest.mark.parametrize("is_far", [False, True])
+def test_a_place_outside_does_not_hold_a_junction(is_far):
+    """The curve of a Y is then as if no place had been found."""
+    shape, scale = unit_shape(ground_truth.make("y").mesh)
+    truth = ground_truth.make("y")
+    x, edges = scale * truth.points, truth.edges
+    (junction,) = np.flatnonzero(np.bincount(edges.ravel()) > 2)
+    places = x.copy()
+    places[junction] += np.array([0, 0, 8.0 if is_far else 2.5]) * scale * truth.radii.mean()
+    assert not shape.contains(places[[junction]]).any()
+    found = centring.centre(shape, x, edges, none_held(x), places=places)
+    plain = centring.centre(shape, x, edges, none_held(x))
+    radius = shape.distances(plain[[junction]])[0]
+    assert np.linalg.norm(found[junction] - plain[junction]) < 0.05 * radius
+    assert shape.distances(found[[junction]])[0] > 0.9 * radius

@@ -1,0 +1,49 @@
+"""Shrinking balls: empty, touching twice, and as large as the tube."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+from scipy import spatial
+
+import msf_jax
+from msf_jax import Config, PreprocessingOptions
+from msf_jax.base.errors import ConfigError
+from msf_jax.inside import balls
+from msf_jax.solid.geometry import unit, vertex_normals
+
+
+def test_balls_are_empty_and_touch_two_points():
+    mesh = blob(3)
+    points, faces = np.array(mesh.vertices), np.array(mesh.faces)
+    normals = unit(vertex_normals(points, faces))
+    every = np.arange(len(points))
+    found = balls.shrinking_balls(points, normals, spatial.KDTree(points), 0.02, 5.0, every)
+    assert (found.touching >= 0).all() and (found.touching != every).all()
+    centre = points - found.radius[:, None] * normals
+    np.testing.assert_allclose(np.linalg.norm(points[found.touching] - centre, axis=1), found.radius, rtol=1e-9)
+    nearest = np.linalg.norm(points[None] - centre[:, None], axis=2).min(axis=1)  # by brute force
+    is_empty = nearest > (1 - 1e-6) * found.radius
+    assert is_empty.mean() > 0.9  # but for points beside the vertex, which count as noise
+    cosine = np.einsum("ij,ij->i", unit(points - centre), unit(points[found.touching] - centre))
+    assert cosine.max() < balls.NOISE + 1e-9
+
+
+def test_balls_of_a_sphere_and_of_a_tube_have_its_radius():
+    ball = trimesh.creation.icosphere(4, 0.3)
+    found = balls.ball_poles(np.array(ball.vertices), np.array(ball.faces))
+    assert found.is_found.all()
+    assert np.abs(found.radius - 0.3).max() < 0.01
+    ring = torus(1.0, 0.2, 80, 24)
+    found = balls.ball_poles(np.array(ring.vertices), np.array(ring.faces))
+    assert np.abs(found.radius - 0.2).max() < 0.01
+
+
+@pytest.mark.slow  # Voronoi poles do in test_replay
+def test_balls_replay_to_the_run():
+    run = msf_jax.contract(
+        blob(3, 2), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(poles="balls"))
+    )
+    assert np.abs(np.asarray(msf_jax.replay(run.tape, run.weights)) - run.curve.vertices).max() < 1e-9
+    with pytest.raises(ConfigError, match="unknown poles 'ball'"):
+        Config(preprocessing=PreprocessingOptions(poles="ball"))

@@ -1,0 +1,189 @@
+"""Voronoi poles: their promises, SciPy's own diagram, and shapes whose poles are known."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import MESHES, blob, torus
+from scipy import spatial
+
+from msf_jax.base.errors import FlowError
+from msf_jax.inside import voronoi
+from msf_jax.numerics import reconstruction
+from msf_jax.solid.geometry import vertex_normals
+
+
+def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
+    """Plain arrays of a Trimesh."""
+    return np.array(mesh.vertices), np.array(mesh.faces)
+
+
+def outward_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Sum of the unit normals of the faces at each vertex times their angle there, one corner at a time."""
+    normals = np.zeros_like(vertices)
+    for face in faces:
+        for k in range(3):
+            corner, one, other = vertices[np.roll(face, -k)]
+            one, other = one - corner, other - corner
+            normal = np.cross(one, other)
+            cosine = one @ other / np.linalg.norm(one) / np.linalg.norm(other)
+            normals[face[k]] += np.arccos(np.clip(cosine, -1, 1)) * normal / np.linalg.norm(normal)
+    return normals
+
+
+SHAPES = {"blob": lambda: blob(11), "slab": lambda: jittered(torus(), [3.0, 1, 0.3]), "torus": torus}
+
+
+def jittered(mesh: trimesh.Trimesh, scale) -> trimesh.Trimesh:
+    """The mesh scaled, and shaken out of general symmetry."""
+    noise = 1e-3 * np.random.default_rng(4).normal(size=mesh.vertices.shape)
+    return trimesh.Trimesh((mesh.vertices + noise) * scale, mesh.faces, process=False)
+
+
+def test_circumcentres_are_equidistant_from_their_corners():
+    vertices = np.random.default_rng(0).normal(size=(400, 3))
+    diagram = spatial.Delaunay(vertices)
+    centre = voronoi.circumcentres(diagram)
+    distance = np.linalg.norm(vertices[diagram.simplices] - centre[:, None], axis=2)
+    is_small = distance.mean(axis=1) < 10
+    assert is_small.mean() > 0.9
+    assert np.ptp(distance, axis=1)[is_small].max() < 1e-9
+
+
+def test_the_circumcentres_of_a_box_are_its_centre():
+    """Eight cospherical corners: flat tetrahedra among them have the same centre."""
+    box = np.array(trimesh.creation.box((4, 6, 10)).vertices) + [3, 5, 8]
+    centre = voronoi.circumcentres(spatial.Delaunay(box))
+    np.testing.assert_allclose(centre, np.broadcast_to([3, 5, 8], centre.shape))
+
+
+def test_vertex_normals_weigh_faces_by_their_angle():
+    vertices, faces = arrays(blob(12, 2))
+    np.testing.assert_allclose(vertex_normals(vertices, faces), outward_normals(vertices, faces), atol=1e-12)
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_poles_keep_their_promises(name):
+    """Behind the surface, in the bounding box, the centre of an empty ball through the vertex and its tetrahedron."""
+    vertices, faces = arrays(SHAPES[name]())
+    found = voronoi.voronoi_poles(vertices, faces)
+    has = found.is_found
+    diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
+    assert has.mean() > 0.9
+    position, site = found.position[has], vertices[has]
+    assert (np.einsum("ij,ij->i", outward_normals(vertices, faces)[has], position - site) < 0).all()
+    assert (position >= vertices.min(axis=0)).all() and (position <= vertices.max(axis=0)).all()
+    np.testing.assert_allclose(found.radius[has], np.linalg.norm(position - site, axis=1), rtol=1e-12)
+    nearest = np.linalg.norm(position[:, None] - vertices[None], axis=2).min(axis=1)
+    np.testing.assert_allclose(nearest, found.radius[has], rtol=0, atol=1e-6 * diagonal)
+    corners = vertices[found.tetrahedron[has]]
+    np.testing.assert_allclose(
+        np.linalg.norm(corners - position[:, None], axis=2),
+        np.tile(found.radius[has][:, None], 4),
+        rtol=0,
+        atol=1e-6 * diagonal,
+    )
+    assert (found.tetrahedron[has] == np.flatnonzero(has)[:, None]).any(axis=1).all()  # one corner is the vertex
+
+
+@pytest.mark.parametrize("name", ["blob", "slab"])
+def test_poles_equal_those_read_off_scipys_voronoi_diagram(name):
+    """Of each cell's corners inside the box, the one with the most negative <n, w - v>; none where all are positive."""
+    vertices, faces = arrays(jittered(SHAPES[name](), 1.0))
+    diagram = spatial.Voronoi(vertices)
+    normals = outward_normals(vertices, faces)
+    corners = diagram.vertices
+    is_in_box = ((corners >= vertices.min(axis=0)) & (corners <= vertices.max(axis=0))).all(axis=1)
+    found = voronoi.voronoi_poles(vertices, faces)
+    num_without = 0
+    for site, region in enumerate(diagram.point_region):
+        cell = [corner for corner in diagram.regions[region] if corner >= 0 and is_in_box[corner]]
+        depth = (corners[cell] - vertices[site]) @ normals[site]
+        if len(cell) == 0 or depth.min() >= 0:
+            assert not found.is_found[site]
+            num_without += 1
+        else:
+            np.testing.assert_allclose(found.position[site], corners[cell][depth.argmin()], rtol=0, atol=1e-6)
+    assert num_without < len(vertices) // 4
+
+
+def test_a_vertex_without_a_pole_is_its_own():
+    """A sphere turned inside out: nothing of any cell lies behind the surface."""
+    vertices, faces = arrays(trimesh.creation.icosphere(1))
+    found = voronoi.voronoi_poles(vertices, faces[:, ::-1])
+    assert not found.is_found.any()
+    np.testing.assert_array_equal(found.position, vertices)
+    assert (found.radius == 0).all() and (found.tetrahedron == -1).all()
+
+
+def test_the_poles_of_a_sphere_are_its_centre():
+    mesh = trimesh.creation.icosphere(3, radius=2.0)
+    vertices, faces = arrays(mesh.apply_translation([5, -3, 1]))
+    found = voronoi.voronoi_poles(vertices, faces)
+    assert found.is_found.all()
+    assert np.linalg.norm(found.position - [5, -3, 1], axis=1).max() < 1e-3
+    np.testing.assert_allclose(found.radius, 2.0, atol=1e-3)
+
+
+def test_poles_follow_when_the_shape_is_moved_turned_and_scaled():
+    mesh = jittered(blob(13), 1.0)
+    turn = trimesh.transformations.random_rotation_matrix(np.array([0.2, 0.5, 0.8]))[:3, :3]
+    vertices, faces = arrays(mesh)
+    # The bounding box does not turn with the shape, so only poles well inside both boxes are compared.
+    here = voronoi.voronoi_poles(vertices, faces)
+    there = voronoi.voronoi_poles(vertices @ turn.T * 3 + [1, 2, 3], faces)
+    is_same = np.linalg.norm(here.position @ turn.T * 3 + [1, 2, 3] - there.position, axis=1) < 1e-7
+    assert is_same.mean() > 0.99
+    scaled = voronoi.voronoi_poles(vertices * 0.25 + [8, 0, 0], faces)
+    np.testing.assert_allclose(scaled.position, here.position * 0.25 + [8, 0, 0], atol=1e-9)
+
+
+def test_vertices_that_span_no_volume_have_no_diagram():
+    vertices, faces = arrays(trimesh.creation.icosphere(1))
+    with pytest.raises(FlowError, match=r"no Voronoi diagram of 42 vertices.*span a volume"):
+        voronoi.voronoi_poles(vertices * [1, 1, 0], faces)
+    vertices[0] = np.nan
+    with pytest.raises(FlowError, match="no Voronoi diagram"):
+        voronoi.voronoi_poles(vertices, faces)
+
+
+def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
+    """On a torus, whose poles are known: on the circle in its middle."""
+    mesh = torus(around=120, across=40)
+    for rebuild in (reconstruction.filtered, reconstruction.reconstruct):
+        sites = rebuild(mesh.vertices, mesh.faces, 200)
+        found = voronoi.voronoi_poles(sites, mesh.faces).position
+        off = np.hypot(np.hypot(found[:, 0], found[:, 1]) - 1.0, found[:, 2])
+        assert np.median(off) < 0.01
+
+
+def test_the_published_poles_of_sindorelax(research_mesh):
+    """All 12,128 poles that Tagliasacchi's own program published, to 1e-5 of the diagonal."""
+    vertices, faces = research_mesh("sindorelax")
+    published = np.load(MESHES / "sindorelax_poles.npy")
+    found = voronoi.voronoi_poles(vertices, faces)
+    diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
+    assert published.shape[0] == len(vertices) == 12128
+    assert found.is_found.all()
+    off = np.linalg.norm(found.position - published[:, :3], axis=1)
+    assert int((off < 1e-5 * diagonal).sum()) == 12128
+    np.testing.assert_allclose(found.radius, published[:, 4], rtol=0, atol=1e-5 * diagonal)
+
+
+def test_the_poles_of_a_torus_are_on_its_core():
+    """Towards the circle of radius 1 where the tube is widest open, never past the tube: about 0.35 away."""
+    vertices, faces = arrays(torus(around=96, across=32))
+    found = voronoi.voronoi_poles(vertices, faces)
+    ring = np.hypot(found.position[:, 0], found.position[:, 1])
+    from_core = np.hypot(ring - 1, found.position[:, 2])[found.is_found]
+    assert found.is_found.mean() > 0.99
+    assert np.median(from_core) < 0.01 and np.quantile(from_core, 0.99) < 0.05
+
+
+@pytest.mark.parametrize("size", [(24, 12), (96, 32)])
+def test_the_ball_of_a_pole_is_empty_on_a_mesh_of_symmetric_quads(size):
+    """The corners of each quad of a torus grid are cocircular: flat Delaunay tetrahedra must not make poles."""
+    mesh = torus(1.0, 0.35, *size)
+    vertices, faces = np.array(mesh.vertices), np.array(mesh.faces)
+    found = voronoi.voronoi_poles(vertices, faces)
+    nearest = np.linalg.norm(found.position[:, None] - vertices[None], axis=2).min(axis=1)
+    np.testing.assert_allclose(nearest, found.radius, rtol=0, atol=1e-6)

@@ -1,0 +1,30 @@
+"""Level sets of a height: their rings, pieces and sections."""
+
+import numpy as np
+import pytest
+import trimesh
+
+from msf_jax.limbs.levels import levels
+
+
+@pytest.mark.parametrize(("mesh", "genus"), [(trimesh.creation.torus(1, 0.3), 1), (trimesh.creation.icosphere(2), 0)])
+def test_rings_and_pieces_have_a_cycle_for_each_handle(mesh, genus):
+    height = mesh.vertices @ [1.0, 0.3, 0.1]
+    found = levels(mesh.vertices, mesh.faces, height, 0.07)
+    assert len(found.centre) > 10
+    assert len(found.centre) - found.num_pieces + 1 == genus  # edges and nodes of a connected graph
+    level = found.centre @ [1, 0.3, 0.1] / 0.07
+    np.testing.assert_allclose(level, level.round(), atol=1e-6)
+
+
+def test_the_rings_of_a_cylinder_are_its_sections():
+    mesh = trimesh.creation.cylinder(0.1, 2.0, sections=24)
+    found = levels(mesh.vertices, mesh.faces, mesh.vertices[:, 2], 0.11)
+    np.testing.assert_allclose(found.centre[:, :2], 0, atol=1e-12)
+    np.testing.assert_allclose(found.perimeter, 24 * 2 * 0.1 * np.sin(np.pi / 24), rtol=1e-9)
+
+
+def test_the_step_grows_until_the_points_are_few_enough():
+    mesh = trimesh.creation.cylinder(0.1, 2.0, sections=8)
+    found = levels(mesh.vertices, mesh.faces, mesh.vertices[:, 2], 1e-9)
+    assert 10_000 < len(found.centre) < 200_000

@@ -1,0 +1,60 @@
+"""What all compiled loops share: the arrays that they take, what they need, and threads."""
+
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+from conftest import blob
+
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.triangles import point_triangle_distance2
+
+
+def test_arrays_of_another_kind_are_taken_as_copies():
+    """Other types, strides and byte orders, and arrays that may not be written to."""
+    shape = Enclosure(np.array(blob(73, 1).vertices), np.array(blob(73, 1).faces))
+    points = np.random.default_rng(5).integers(-1, 2, (20, 3)) / 2
+    frozen = points.copy()
+    frozen.flags.writeable = False
+    plain = shape.nearest(points), shape.winding_numbers(points)
+    others = points.astype(np.float32), np.asfortranarray(points), frozen, points.astype(">f8"), points[::-1][::-1]
+    for other in others:
+        np.testing.assert_array_equal(shape.nearest(other), plain[0])
+        np.testing.assert_array_equal(shape.winding_numbers(other), plain[1])
+
+
+PROGRAM = """
+import sys
+import msf_jax
+from msf_jax.solid import triangles
+assert "llvmlite" not in sys.modules
+import numpy as np
+print(triangles.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
+assert "numba" not in sys.modules
+"""
+
+
+@pytest.mark.system
+def test_neither_numba_nor_a_folder_is_needed():
+    found = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=300)
+    assert float(found.stdout) == pytest.approx(4 / 3), found.stderr
+
+
+def test_threads_may_call_kernels_at_once():
+    points, triangles = (
+        np.random.default_rng(6).normal(size=(2000, 3)),
+        np.random.default_rng(7).normal(size=(2000, 3, 3)),
+    )
+    expected, found = point_triangle_distance2(points, triangles), {}
+    threads = [
+        threading.Thread(target=lambda k=k: found.update({k: point_triangle_distance2(points, triangles)}))
+        for k in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for each in found.values():
+        np.testing.assert_array_equal(each, expected)

@@ -1,0 +1,151 @@
+"""The spectral reconstruction of a surface, and the filter in its place: against a dense projection."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+from scipy.spatial.transform import Rotation
+
+from msf_jax.numerics import reconstruction
+
+
+def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
+    """Plain arrays of a Trimesh."""
+    return np.array(mesh.vertices), np.array(mesh.faces)
+
+
+def dense_laplacian(faces: np.ndarray, num_vertices: int) -> np.ndarray:
+    """D - A, one entry at a time."""
+    laplacian = np.zeros((num_vertices, num_vertices))
+    for a, b in {tuple(sorted(pair)) for face in faces.tolist() for pair in (face[:2], face[1:], face[::2])}:
+        laplacian[[a, b], [a, b]] += 1
+        laplacian[[a, b], [b, a]] -= 1
+    return laplacian
+
+
+def test_the_graph_laplacian_is_that_of_the_edges():
+    for mesh in (blob(1, 1), torus(around=7, across=5)):
+        _, faces = arrays(mesh)
+        found = reconstruction.graph_laplacian(faces, len(mesh.vertices)).toarray()
+        np.testing.assert_array_equal(found, dense_laplacian(faces, len(mesh.vertices)))
+
+
+def test_the_spectrum_of_a_known_torus_grid():
+    """On the triangulated n x m torus the eigenvalues are 6 - 2 cos(s) - 2 cos(t) - 2 cos(s + t), in closed form."""
+    around, across = 15, 9
+    _, faces = arrays(torus(around=around, across=across))
+    s, t = np.meshgrid(2 * np.pi * np.arange(around) / around, 2 * np.pi * np.arange(across) / across)
+    expected = np.sort((6 - 2 * np.cos(s) - 2 * np.cos(t) - 2 * np.cos(s + t)).ravel())
+    laplacian = reconstruction.graph_laplacian(faces, around * across)
+    for k in (7, 40, 60):  # below and above the switch to the dense solver
+        basis = reconstruction.spectral_basis(faces, around * across, k)
+        np.testing.assert_allclose(np.linalg.eigvalsh(basis.T @ (laplacian @ basis)), expected[:k], atol=1e-9)
+
+
+@pytest.mark.parametrize("k", [5, 40, 150, 300])
+def test_the_basis_is_orthonormal(k):
+    _, faces = arrays(blob(14))
+    basis = reconstruction.spectral_basis(faces, 642, k)
+    assert basis.shape == (642, k)
+    assert np.abs(basis.T @ basis - np.eye(k)).max() < 1e-10
+
+
+def uneven(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """A sphere meshed without symmetry, so that eigenvalues are apart: vertices, faces, eigenvalues, eigenvectors."""
+    points = np.random.default_rng(seed).normal(size=(220, 3))
+    mesh = trimesh.convex.convex_hull(points / np.linalg.norm(points, axis=1)[:, None])
+    vertices, faces = arrays(mesh)
+    vertices = vertices * [3, 1, 1] + 0.1 * np.sin(7 * vertices[:, [1, 2, 0]])
+    return vertices, faces, *np.linalg.eigh(dense_laplacian(faces, len(vertices)))
+
+
+@pytest.mark.parametrize(("low", "high"), [(4, 12), (20, 60), (90, 130)])
+def test_reconstruction_equals_the_dense_projection(low, high):
+    """At the widest gap between eigenvalues in a range, where the subspace is well defined."""
+    vertices, faces, values, vectors = uneven(3)
+    k = low + int(np.argmax(np.diff(values)[low - 1 : high - 1]))
+    assert values[k] - values[k - 1] > 1e-3
+    basis = vectors[:, :k]
+    expected = basis @ (basis.T @ vertices)
+    assert np.abs(expected - vertices).max() > 1e-2
+    np.testing.assert_allclose(reconstruction.reconstruct(vertices, faces, k), expected, atol=1e-8)
+
+
+@pytest.mark.parametrize("k", [20, 100])
+def test_reconstruction_is_a_linear_projection(k):
+    """Twice is once; sums and multiples pass through; a constant shift, the first eigenvector, is kept."""
+    vertices, faces, values, _ = uneven(5)
+    k += int(np.argmax(np.diff(values)[k - 1 : k + 9]))
+    other = np.random.default_rng(6).normal(size=vertices.shape)
+
+    def rebuilt(x):
+        return reconstruction.reconstruct(x, faces, k)
+
+    once = rebuilt(vertices)
+    np.testing.assert_allclose(rebuilt(once), once, atol=1e-9)
+    np.testing.assert_allclose(rebuilt(2 * vertices - 3 * other), 2 * once - 3 * rebuilt(other), atol=1e-9)
+    np.testing.assert_allclose(rebuilt(vertices + np.array([1, 2, 3])), once + np.array([1, 2, 3]), atol=1e-9)
+    assert np.linalg.norm(once - vertices) < np.linalg.norm(vertices - vertices.mean(axis=0))
+    # What is lost is orthogonal to what is kept.
+    np.testing.assert_allclose(once.T @ (vertices - once), 0, atol=1e-8)
+
+
+def test_more_eigenvectors_lose_less():
+    vertices, faces, *_ = uneven(7)
+    lost = [np.linalg.norm(reconstruction.reconstruct(vertices, faces, k) - vertices) for k in (5, 20, 70, 150)]
+    assert lost == sorted(lost, reverse=True) and lost[-1] < 0.5 * lost[0]
+
+
+@pytest.mark.parametrize("k", [42, 43, 1000])
+def test_all_eigenvectors_keep_everything(k):
+    vertices, faces = arrays(blob(15, 1))
+    kept = reconstruction.reconstruct(vertices, faces, k)
+    np.testing.assert_array_equal(kept, vertices)
+    assert not np.shares_memory(kept, vertices)
+    basis = reconstruction.spectral_basis(faces, 42, 42)
+    np.testing.assert_allclose(basis @ (basis.T @ vertices), vertices, atol=1e-12)
+
+
+def test_the_same_basis_twice():
+    """The iterative solver starts from a fixed vector: bit for bit the same result."""
+    vertices, faces = arrays(blob(16))
+    first, second = (reconstruction.reconstruct(vertices, faces, 50) for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+
+
+@pytest.mark.parametrize(("name", "k"), [("torus", 60), ("torus", 400), ("blob", 150), ("tube", 60), ("tube", 150)])
+def test_the_filter_keeps_about_k_eigenvectors_and_loses_the_others(name, k):
+    """Against dense eigenvectors: 1 well below the k-th wave number, 0 well above, and a trace of about k."""
+    mesh = {
+        "torus": lambda: torus(around=60, across=20),
+        "blob": lambda: blob(3),
+        "tube": lambda: torus(3.0, 0.1, around=200, across=5),  # long triangles, all waves along it
+    }[name]()
+    num = len(mesh.vertices)
+    laplacian = reconstruction.graph_laplacian(mesh.faces, num).toarray()
+    values, vectors = np.linalg.eigh(laplacian)
+    matrix = reconstruction.filtered(np.eye(num), mesh.faces, k)
+    np.testing.assert_allclose(matrix, matrix.T, atol=1e-10)
+    response = (vectors * (matrix @ vectors)).sum(axis=0)
+    assert np.abs(matrix @ vectors - vectors * response).max() < 1e-8  # it has the Laplacian's own eigenvectors
+    assert abs(response.sum() - k) < 0.15 * k
+    wave = np.sqrt(np.maximum(values, 0))
+    edge = wave[k - 1]
+    assert response[wave < 0.65 * edge].min() > 0.95
+    assert np.abs(response[wave > 1.45 * edge]).max(initial=0) < 0.05
+    assert response.min() > -1e-3 and response.max() < 1 + 1e-3
+
+
+def test_the_filter_commutes_with_moving_the_mesh():
+    vertices, faces = arrays(blob(4))
+    turn = Rotation.from_rotvec([0.3, -1, 0.5]).as_matrix()
+    moved = reconstruction.filtered(2.5 * vertices @ turn.T + [3, -1, 0.5], faces, 100)
+    expected = 2.5 * reconstruction.filtered(vertices, faces, 100) @ turn.T + [3, -1, 0.5]
+    np.testing.assert_allclose(moved, expected, atol=1e-10)
+
+
+def test_the_filter_keeps_everything_when_asked_for_as_many_eigenvectors_as_vertices():
+    vertices, faces = arrays(blob(4, 1))
+    kept = reconstruction.filtered(vertices, faces, len(vertices))
+    np.testing.assert_array_equal(kept, vertices)
+    assert kept is not vertices
