@@ -102,3 +102,18 @@ SURFACES = ["torus", "twisted torus", "blob", "two parts", "bunny"]
 def is_tetrahedron(around: dict[int, set[int]], a: int) -> bool:
     """Whether the component of ``a`` is a tetrahedron."""
     return len(around[a]) == 3 and all(around[b] == around[a] - {b} | {a} for b in around[a])
+
+
+def class_of(meso, a, b):
+    return int(meso.classes[a, np.flatnonzero(meso.rings[a] == b)[0]])
+
+
+def loop_class(meso, loop):
+    return sum(class_of(meso, a, b) for a, b in zip(loop, np.roll(loop, -1), strict=True))
+
+
+def check_classes(meso):
+    """Opposite half-edges have opposite classes, and around every face they add up to zero."""
+    for a, b, c in meso.faces():
+        assert class_of(meso, a, b) == -class_of(meso, b, a)
+        assert loop_class(meso, [a, b, c]) == 0

@@ -11,7 +11,6 @@ import msf_jax
 from msf_jax import ground_truth
 from msf_jax.gradients.track import Tracker
 from msf_jax.solid import crossings
-from msf_jax.solid.crossings import Crossings
 
 
 def capsule(height):
@@ -157,29 +156,6 @@ def test_radii_are_exact_to_the_whole_surface():
     assert (np.abs(frame.radii) <= away + 1e-12).all()
     assert (away**2 - frame.radii**2 <= spacing**2 + 2 * spacing * np.abs(frame.radii)).all()
     assert not len(frame.misjudged)  # `follow` asks all triangles, so it knows of the other leg
-
-
-def crossings_of(parts, gap):
-    """Of two tetrahedra, the second shifted to ``gap`` above the first: each with a node of its own."""
-    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
-    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-    vertices = np.concatenate([corners, corners + [0.1, 0.1, 2]])
-    asked = Crossings(
-        vertices,
-        np.concatenate([faces, faces + 4]),
-        np.repeat(parts, 4),
-        np.array([0.2, 0.2]),
-        np.array([[0, 1]]),
-        np.array([2.0]),
-    )
-    vertices[4:, 2] += gap - 2
-    return asked.found(vertices)
-
-
-def test_faces_cross_where_a_side_passes_through():
-    """The corner of a tetrahedron within another cuts the slanted face with its own three; once it is out, nothing."""
-    assert {tuple(pair) for pair in crossings_of([0, 1], 0.5).tolist()} == {(2, 4), (2, 5), (2, 7)}
-    assert len(crossings_of([0, 1], 1.01)) == 0
 
 
 def test_the_search_in_a_tangled_mesh_stops_early(monkeypatch):

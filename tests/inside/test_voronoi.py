@@ -5,30 +5,11 @@ import pytest
 import trimesh
 from conftest import MESHES, blob, torus
 from scipy import spatial
+from solid_cases import arrays, outward_normals
 
 from msf_jax.base.errors import FlowError
 from msf_jax.inside import voronoi
 from msf_jax.numerics import reconstruction
-from msf_jax.solid.geometry import vertex_normals
-
-
-def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
-    """Plain arrays of a Trimesh."""
-    return np.array(mesh.vertices), np.array(mesh.faces)
-
-
-def outward_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Sum of the unit normals of the faces at each vertex times their angle there, one corner at a time."""
-    normals = np.zeros_like(vertices)
-    for face in faces:
-        for k in range(3):
-            corner, one, other = vertices[np.roll(face, -k)]
-            one, other = one - corner, other - corner
-            normal = np.cross(one, other)
-            cosine = one @ other / np.linalg.norm(one) / np.linalg.norm(other)
-            normals[face[k]] += np.arccos(np.clip(cosine, -1, 1)) * normal / np.linalg.norm(normal)
-    return normals
-
 
 SHAPES = {"blob": lambda: blob(11), "slab": lambda: jittered(torus(), [3.0, 1, 0.3]), "torus": torus}
 
@@ -54,11 +35,6 @@ def test_the_circumcentres_of_a_box_are_its_centre():
     box = np.array(trimesh.creation.box((4, 6, 10)).vertices) + [3, 5, 8]
     centre = voronoi.circumcentres(spatial.Delaunay(box))
     np.testing.assert_allclose(centre, np.broadcast_to([3, 5, 8], centre.shape))
-
-
-def test_vertex_normals_weigh_faces_by_their_angle():
-    vertices, faces = arrays(blob(12, 2))
-    np.testing.assert_allclose(vertex_normals(vertices, faces), outward_normals(vertices, faces), atol=1e-12)
 
 
 @pytest.mark.parametrize("name", SHAPES)

@@ -8,7 +8,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, metrics
 from msf_jax.meshes import checking
 from msf_jax.skeleton.report import assessed
-from msf_jax.solid import crossings, solid
+from msf_jax.solid import solid
 from msf_jax.solid.enclosure import Enclosure
 from tests.benchmarks.voids import hollow, inverted, knotted, together
 
@@ -100,22 +100,6 @@ def test_joining_leaves_cavities_and_solids_in_them():
 def test_a_cavity_has_no_pins():
     with pytest.raises(ConfigError, match="vertex 200 of a cavity"):
         msf_jax.skeletonize(shell(), pins=[3, 200])
-
-
-def test_crossing_triangles_are_those_of_all_pairs():
-    random = np.random.default_rng(7)
-    corners = random.random((60, 1, 3)) + random.normal(0, 0.15, (60, 3, 3))
-    shape = Enclosure(corners.reshape(-1, 3), np.arange(180).reshape(-1, 3))
-    one, other = np.triu_indices(60, 1)
-    is_crossed = crossings._cross(corners[one], corners[other])
-    expected = set(zip(one[is_crossed].tolist(), other[is_crossed].tolist(), strict=True))
-    assert len(expected) > 10 and {tuple(sorted(pair)) for pair in shape.crossed.pairs.tolist()} == expected
-
-
-def test_solids_that_touch_do_not_cross():
-    boxes = [trimesh.creation.box().subdivide().apply_translation([k, 0.1 * k, 0]) for k in range(2)]
-    assert not enclosure(together(*boxes)).crossed.num
-    assert enclosure(together(boxes[0], boxes[1].apply_translation([-0.1, 0, 0]))).crossed.num
 
 
 @pytest.mark.parametrize("size", [None, 1.0, 0.3])

@@ -1,99 +1,15 @@
-"""Files as found: OFF of quads and polygons, 3MF, scenes with transforms; each is read, or the reason is true."""
+"""Files as found: scenes with transforms, VTK's formats, damaged ones; each is read, or the reason is true."""
 
-import json
-import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
+from file_cases import obj_of, prism, volume, written
 
 import msf_jax
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import checking, reading
-from msf_jax.meshes.files import off, unpacking
-
-L_SHAPE = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], dtype=float)
-
-
-def prism() -> tuple[list[list[float]], list[list[int]]]:
-    """A prism over an L: two faces of six corners, not convex, and six quads; its volume is 3 x 0.7."""
-    vertices = [[x, y, z] for z in (0.0, 0.7) for x, y in L_SHAPE.tolist()]
-    sides = [[k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6] for k in range(6)]
-    return vertices, [[5, 4, 3, 2, 1, 0], [6, 7, 8, 9, 10, 11], *sides]
-
-
-def written(path: Path, between: str, header: str = "OFF", colour: str = "") -> Path:
-    """The prism as OFF, with ``between`` the words of a face."""
-    vertices, faces = prism()
-    rows = [" ".join(map(str, vertex)) for vertex in vertices]
-    rows += [between.join(map(str, [len(face), *face])) + colour for face in faces]
-    path.write_text("\n".join([header, f"# a prism\n\n{len(vertices)} {len(faces)} 0", *rows]) + "\n")
-    return path
-
-
-def volume(vertices: np.ndarray, faces: np.ndarray) -> float:
-    """By the divergence theorem."""
-    return float(np.linalg.det(vertices[faces]).sum() / 6)
-
-
-@pytest.mark.parametrize("between", [" ", "\n", " \n "])
-@pytest.mark.parametrize("header", ["OFF", "off"])
-def test_polygons_of_an_off_file_become_triangles(tmp_path: Path, between, header):
-    vertices, faces = reading.read(written(tmp_path / "prism.off", between, header))
-    assert faces.shape == (2 * 4 + 6 * 2, 3)
-    assert volume(vertices, faces) == pytest.approx(3 * 0.7)
-    area = np.linalg.norm(np.cross(*np.moveaxis(np.diff(vertices[faces], axis=1), 1, 0)), axis=1).sum() / 2
-    assert area == pytest.approx(2 * 3 + 8 * 0.7)  # no ear lies outside the L
-    assert [part.genus for part in checking.prepare((vertices, faces)).components] == [0]
-
-
-def test_colours_are_passed_over(tmp_path: Path):
-    plain = reading.read(written(tmp_path / "plain.off", " "))
-    coloured = reading.read(written(tmp_path / "coloured.off", " ", "COFF", " 0.5 0.5 0.5"))
-    np.testing.assert_array_equal(plain[1], coloured[1])
-
-
-TETRAHEDRON = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"], ["3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"]
-
-
-@pytest.mark.parametrize("counts", ["4 4 6", "4 4"])
-@pytest.mark.parametrize("row", [None, 0, 4])
-def test_files_of_triangles_are_read_alike_however_much_else_is_in_them(counts, row):
-    """A word more in a row, and no count of edges: as many words as in a file without either."""
-    rows = [*TETRAHEDRON[0], *TETRAHEDRON[1]]
-    if row is not None:
-        rows[row] += " 7"
-    vertices, faces = off.parsed("\n".join(["OFF", counts, *rows]) + "\n")
-    np.testing.assert_array_equal(vertices, np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]))
-    np.testing.assert_array_equal(faces, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-
-
-def test_a_quad_that_is_not_convex_is_not_folded():
-    corners = np.array([[0, 0, 0], [4, -1, 0], [1, 0, 0], [4, 1, 0]], dtype=float)  # an arrow: its third corner is in
-    for turn in range(4):
-        order = np.roll(np.arange(4), turn)
-        (a, b) = corners[off.triangulated(corners, [order.tolist()])]
-        normals = np.cross(a[1] - a[0], a[2] - a[0]), np.cross(b[1] - b[0], b[2] - b[0])
-        assert normals[0] @ normals[1] > 0
-
-
-@pytest.mark.parametrize(
-    ("text", "says"),
-    [
-        ("OFF BINARY\n1 2 3", "binary OFF"),
-        ("4OFF\n1 1 0\n0 0 0 0\n", "other than three dimensions"),
-        ("OFF\n", "no counts"),
-        ("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 1 2 3 3\n", "cannot be cut into triangles"),
-        ("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2 4\n", "out of range: expected 0 to 3"),
-        ("OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n", "do not fit what follows"),
-        ("PLY\n", "does not begin with OFF"),
-    ],
-)
-def test_an_off_file_is_refused_with_the_reason(tmp_path: Path, text, says):
-    (tmp_path / "bad.off").write_text(text)
-    with pytest.raises(MeshError, match=f"cannot read 'bad.off' as off: .*{says}"):
-        reading.read(tmp_path / "bad.off")
 
 
 @pytest.mark.parametrize("suffix", ["3mf", "glb"])
@@ -113,31 +29,10 @@ def test_a_scene_is_read_with_its_transforms(tmp_path: Path, suffix):
     assert middles == [(0, 0, 0), (0, 7, 0), (5, 0, 0)]
 
 
-def test_an_archive_that_unpacks_to_too_much_is_refused(tmp_path: Path, monkeypatch):
-    (tmp_path / "box.3mf").write_bytes(trimesh.creation.box().export(file_type="3mf"))
-    assert len(reading.read(tmp_path / "box.3mf")[0]) == 8
-    monkeypatch.setattr(unpacking, "LARGEST_UNPACKED", 100)
-    with pytest.raises(MeshError, match=r"unpacks to \d+ bytes: expected at most 100"):
-        reading.read(tmp_path / "box.3mf")
-
-
 def test_a_format_that_is_not_read_says_what_to_do(tmp_path: Path):
     (tmp_path / "part.step").write_text("ISO-10303-21;")
     with pytest.raises(MeshError, match=r"unknown suffix '.step', expected one of .*3mf.*; export it to one of these"):
         reading.read(tmp_path / "part.step")
-
-
-@pytest.mark.parametrize("kind", ["stl", "stl_ascii"])
-def test_an_stl_has_each_vertex_once_and_asks_for_no_repair(tmp_path: Path, kind):
-    """It has no indices; and some programs write the corners of one vertex with other last bits."""
-    torus = trimesh.creation.torus(1.0, 0.3, 24, 12)
-    shaken = torus.triangles.reshape(-1, 3) * (1 + 2.0**-24 * np.random.default_rng(1).integers(-1, 2, (3 * 576, 3)))
-    loose = trimesh.Trimesh(shaken, np.arange(3 * 576).reshape(-1, 3), process=False)
-    loose.export(tmp_path / "torus.stl", file_type=kind)
-    vertices, faces = reading.read(tmp_path / "torus.stl")
-    assert vertices.shape == torus.vertices.shape and faces.shape == torus.faces.shape
-    np.testing.assert_allclose(vertices[faces], torus.triangles, atol=1e-6)
-    assert checking.prepare(tmp_path / "torus.stl").repairs == ()
 
 
 @pytest.mark.parametrize("suffix", ["vtp", "vtk"])
@@ -192,52 +87,6 @@ def test_read_mesh_is_public_and_reads_as_skeletonize_does(tmp_path: Path):
 CUBE = trimesh.creation.box([1.0, 2.0, 3.0])
 
 
-def obj_of(vertices, faces) -> str:
-    return "".join(f"v {x} {y} {z}\n" for x, y, z in vertices) + "".join(
-        f"f {' '.join(str(corner + 1) for corner in face)}\n" for face in faces
-    )
-
-
-def relative(text: str, num: int) -> str:
-    """With the same corners counted back from where they are, and a cube after them that moves no index."""
-    lines = text.splitlines()
-    for row, line in enumerate(lines):
-        if line[0] == "f":
-            lines[row] = "f " + " ".join(str(int(word) - 1 - num) for word in line.split()[1:])
-    return "\n".join([*lines, *(f"v 9 9 {k}" for k in range(5))]) + "\n"
-
-
-TEXT = obj_of(*prism())
-ODD_OBJ = {
-    "byte-order mark": TEXT.encode("utf-8-sig"),
-    "UTF-16": TEXT.encode("utf-16"),
-    "carriage returns": TEXT.replace("\n", "\r\n").encode(),
-    "tabs": TEXT.replace(" ", "\t").encode(),
-    "indented": TEXT.replace("\n", "\n  ").encode(),
-    "continued": TEXT.replace("f 6 5", "f 6 \\\n5").encode(),
-    "comments": TEXT.replace("\n", " # 0\n").encode(),
-    "counted back": relative(TEXT, 12).encode(),
-}
-
-
-@pytest.mark.parametrize("name", ODD_OBJ)
-def test_an_obj_is_read_as_it_is_meant(tmp_path: Path, name):
-    """And its faces of six corners, an L, are cut as those of an OFF file are."""
-    (tmp_path / "a.obj").write_bytes(ODD_OBJ[name])
-    vertices, faces = reading.read(tmp_path / "a.obj")
-    np.testing.assert_array_equal(vertices[:12], prism()[0])
-    assert faces.shape == (20, 3) and volume(vertices, faces) == pytest.approx(3 * 0.7)
-    area = np.linalg.norm(np.cross(*np.moveaxis(np.diff(vertices[faces], axis=1), 1, 0)), axis=1).sum() / 2
-    assert area == pytest.approx(2 * 3 + 8 * 0.7)
-
-
-def test_materials_of_an_obj_with_odd_lines_are_kept(tmp_path: Path):
-    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
-    (tmp_path / "a.obj").write_text("mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -3/1 -2/1 -1/1\n")
-    (part,) = reading.parts(tmp_path / "a.obj")
-    assert part.visual.material.main_color.tolist()[:3] == [255, 0, 0]
-
-
 @pytest.mark.parametrize(
     ("name", "content", "says"),
     [
@@ -268,91 +117,9 @@ def test_a_file_that_would_be_read_as_another_mesh_is_refused(tmp_path: Path, na
         reading.read(tmp_path / name)
 
 
-@pytest.mark.parametrize("form", ["ascii", "binary_little_endian", "binary_big_endian"])
-def test_polygons_of_a_ply_file_become_triangles(tmp_path: Path, form):
-    vertices, faces = prism()
-    order = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}[form]
-    if order:
-        rows = [struct.pack(f"{order}3d", *vertex) for vertex in vertices]
-        rows += [struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in faces]
-    else:
-        rows = [
-            " ".join(map(str, row)).encode() + b"\n" for row in [*vertices, *([len(face), *face] for face in faces)]
-        ]
-    header = ["ply", f"format {form} 1.0", "element vertex 12", *(f"property double {axis}" for axis in "xyz")]
-    header += ["element face 8", "property list uchar int vertex_index", "end_header\n"]
-    (tmp_path / "a.ply").write_bytes("\n".join(header).encode() + b"".join(rows))
-    assert volume(*reading.read(tmp_path / "a.ply")) == pytest.approx(3 * 0.7)
-
-
-@pytest.mark.parametrize("encoding", ["ascii", "binary"])
-def test_colours_of_a_ply_file_are_kept_for_other_formats(tmp_path: Path, encoding):
-    box = trimesh.creation.box()
-    box.visual.vertex_colors = np.arange(32, dtype=np.uint8).reshape(8, 4)
-    (tmp_path / "a.ply").write_bytes(box.export(file_type="ply", encoding=encoding))
-    (part,) = reading.parts(tmp_path / "a.ply")
-    np.testing.assert_array_equal(part.visual.vertex_colors, box.visual.vertex_colors)
-
-
-def glb(path: Path, change=lambda _: None) -> Path:
-    """A ball as a binary glTF, its JSON changed."""
-    content = trimesh.Scene(trimesh.creation.icosphere(1)).export(file_type="glb")
-    size = struct.unpack("<I", content[12:16])[0]
-    document = json.loads(content[20 : 20 + size])
-    change(document)
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    rest = struct.pack("<I", len(text)) + b"JSON" + text + content[20 + size :]
-    path.write_bytes(b"glTF" + struct.pack("<II", 2, 12 + len(rest)) + rest)
-    return path
-
-
-def primitive(document):
-    return document["meshes"][0]["primitives"][0]
-
-
-def accessor(document, name="POSITION"):
-    found = primitive(document)
-    return document["accessors"][found["attributes"].get(name, found["indices"])]
-
-
-def instanced(document):
-    node = next(node for node in document["nodes"] if "mesh" in node)
-    node["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}}
-
-
-NOT_READ = {
-    "a sparse accessor": lambda d: accessor(d).update(sparse={"count": 1}),
-    "its indices is a sparse accessor": lambda d: accessor(d, "indices").update(sparse={"count": 1}),
-    "needs EXT_mesh_gpu_instancing, .*export its instances as nodes": instanced,
-    "needs KHR_draco_mesh_compression, .*without Draco": lambda d: d.update(
-        extensionsRequired=["KHR_draco_mesh_compression"]
-    ),
-    "needs EXT_meshopt_compression, .*without meshopt": lambda d: d.update(
-        extensionsRequired=["EXT_meshopt_compression"]
-    ),
-    "needs ACME_bend, which is not supported": lambda d: d.update(extensionsRequired=["ACME_bend"]),
-    "morph targets": lambda d: (primitive(d).update(targets=[{"POSITION": 0}]), d["meshes"][0].update(weights=[0.5])),
-    "triangle fan": lambda d: primitive(d).update(mode=6),
-    "its POSITION has components of type 5123": lambda d: accessor(d).update(componentType=5123),
-    "its indices has components of type 5126": lambda d: accessor(d, "indices").update(componentType=5126),
-    "normalized integers": lambda d: accessor(d).update(normalized=True),
-}
-
-
-@pytest.mark.parametrize("says", NOT_READ)
-def test_what_is_not_supported_in_gltf_is_refused_by_its_name(tmp_path: Path, says):
-    assert len(reading.read(glb(tmp_path / "a.glb"))[1]) == 80
-    with pytest.raises(MeshError, match=says):
-        reading.read(glb(tmp_path / "a.glb", NOT_READ[says]))
-
-
-def test_morph_targets_without_weights_do_not_move_the_mesh(tmp_path: Path):
-    path = glb(tmp_path / "a.glb", lambda d: primitive(d).update(targets=[{"POSITION": 0}]))
-    assert len(reading.read(path)[1]) == 80
-
-
 HUGE = [(1e308, 0, 0), (-1e308, 1e308, 0), (0, 0, 1e308), (0, 0, -1e308), (1e308, 1e308, 0)]
+
+
 PENTAGONS = [[0, 1, 2, 3, 4], [4, 3, 2, 1, 0], [0, 1, 2, 3]]
 
 

@@ -1,35 +1,15 @@
 """Repair on request: what comes out is closed, oriented and manifold, and every change is told."""
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
+from repair_cases import FACES, VERTICES, assert_sound, volumes
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.meshes import checking, rim_extrusion, sheets
+from msf_jax.meshes import checking
 from tests.benchmarks import faults
-
-BALL = trimesh.creation.icosphere(3)
-VERTICES, FACES = np.array(BALL.vertices), np.array(BALL.faces)
-
-
-def volumes(found: checking.Surface) -> list[float]:
-    """Volume of each component, by the divergence theorem as trimesh has it."""
-    return [trimesh.Trimesh(part.vertices, part.faces, process=False).volume for part in found.components]
-
-
-def assert_sound(found: checking.Surface, num_given: int) -> None:
-    """Closed, oriented and manifold by trimesh's account; and each vertex is one of the caller's."""
-    mesh = trimesh.Trimesh(found.vertices, found.faces, process=False)
-    assert mesh.is_watertight and mesh.is_winding_consistent and min(volumes(found)) > 0
-    euler = sum(2 - 2 * part.genus for part in found.components)
-    assert len(found.vertices) - len(found.faces) // 2 == euler
-    assert len(found.vertex_of_input) == num_given
-    assert found.vertex_of_input.max() < len(found.vertices) and found.input_of_vertex.max() < num_given
-    np.testing.assert_array_equal(found.given[0][found.input_of_vertex], found.vertices)
 
 
 def test_a_sound_mesh_stays_as_it_is():
@@ -47,78 +27,6 @@ def test_a_soup_is_welded(gap):
     assert_sound(found, len(soup))
     assert len(found.vertices) == len(VERTICES)
     assert found.repairs == (f"welded {len(soup) - len(VERTICES)} vertices at the rim of a hole to another",)
-
-
-def test_holes_are_filled_without_new_vertices():
-    keep = np.random.default_rng(1).random(len(FACES)) > 0.15
-    found = checking.prepare((VERTICES, FACES[keep]), True)
-    assert_sound(found, len(VERTICES))
-    assert [part.genus for part in found.components] == [0]
-    assert volumes(found)[0] == pytest.approx(BALL.volume, rel=0.02)
-    assert sum("filled" in sentence for sentence in found.repairs) == 1
-
-
-def test_a_flat_hole_is_filled_flat():
-    """A box without its lid: 16 vertices around the hole, so 14 faces, and the volume is as before."""
-    vertices, faces = faults.box()
-    keep = vertices[faces][:, :, 2].min(axis=1) < 0.5
-    found = checking.prepare((vertices, faces[keep]), True)
-    assert found.repairs == ("filled 1 hole with 14 faces",)
-    assert volumes(found) == pytest.approx([1.0])
-
-
-def relief(num: int = 16) -> tuple[np.ndarray, np.ndarray]:
-    """A wavy height field over a square, its faces looking up, whose flat lid would be now above it and now below."""
-    x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 1, num), np.linspace(0, 1, num), indexing="ij"))
-    corner = (np.arange(num - 1)[:, None] * num + np.arange(num - 1)).ravel()
-    a, b, c, d = corner, corner + num, corner + num + 1, corner + 1
-    faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
-    return np.stack([x, y, 0.15 * np.sin(7 * x) * np.cos(5 * y)], axis=1), faces
-
-
-@pytest.mark.parametrize("is_turned", [False, True])
-def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_an_extruded_rim(is_turned):
-    """What is closed is the relief and the block behind it: a prism behind each face."""
-    vertices, faces = relief()
-    faces = faces[:, ::-1] if is_turned else faces
-    rim = 4 * 15
-    found = checking.prepare((vertices, faces), True)
-    assert found.repairs[1:] == (f"extruded 1 rim, whose lid would cut through the surface: {rim} new vertices",)
-    mesh = trimesh.Trimesh(found.vertices, found.faces, process=False)
-    assert mesh.is_watertight and mesh.is_winding_consistent and found.is_made.sum() == rim
-    np.testing.assert_array_equal(found.vertices[found.vertex_of_input], vertices)
-    rim, base = vertices[found.input_of_vertex[found.is_made]], found.vertices[found.is_made]
-    across = np.linalg.svd(base - base.mean(axis=0))[2][2]
-    np.testing.assert_allclose((base - base[0]) @ across, 0, atol=1e-9)  # flat
-    np.testing.assert_allclose(np.cross(base - rim, across), 0, atol=1e-9)  # each straight behind its own of the rim
-    assert base[:, 2].min() > 0.15 if is_turned else base[:, 2].max() < -0.15
-    corners = vertices[faces]
-    area = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ across) / 2
-    prisms = np.abs((corners.mean(axis=1) - base[0]) @ across) * area
-    assert mesh.volume == pytest.approx(prisms.sum())
-    assert rim_extrusion.share_cut_off(found.vertices, found.faces, len(faces)) == 0
-
-
-def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
-    vertices, faces = relief(10)
-    run = msf_jax.contract((vertices, faces), config=Config(max_iterations=2), repair=True)
-    assert len(run.skeleton.mesh_map) == len(vertices) and run.source.areas.sum() == pytest.approx(1.0)
-    with pytest.raises(MeshError, match=r"repair made vertices where it joined parts or extruded a rim"):
-        msf_jax.replay(run.tape, run.weights, vertices)
-
-
-def test_a_lid_stays_where_an_extruded_rim_would_cut_as_well():
-    """A ribbon that is twisted round twice looks every way: nothing is behind all of it."""
-    turn, out = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 4 * np.pi, 60), [-1.0, 0.1, 1.0], indexing="ij"))
-    vertices = np.stack([out * np.cos(turn), out * np.sin(turn), turn], axis=1)
-    corner = (np.arange(59)[:, None] * 3 + np.arange(2)).ravel()
-    a, b, c, d = corner, corner + 3, corner + 4, corner + 1
-    faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
-    found = checking.prepare((vertices, faces), True)
-    assert not found.is_made.any()
-    assert "the lid of 1 hole cuts through the surface, and so would an extruded rim" in found.repairs[1]
-    report = msf_jax.skeletonize((vertices, faces), repair=True).report
-    assert report.inside < 1 and any("no path inside was found for" in note for note in report.notes)
 
 
 def test_a_hole_larger_than_asked_stays_and_is_refused():
@@ -151,77 +59,6 @@ def test_boxes_that_touch_are_taken_apart(shift, is_turned):
     found = checking.prepare(mesh, True)
     assert_sound(found, len(mesh[0]))
     assert volumes(found) == pytest.approx([1.0, 1.0])
-
-
-def test_a_wall_inside_goes_and_the_solid_stays():
-    mesh = faults.topology_variants()["a wall inside"]
-    found = checking.prepare(mesh, True)
-    assert volumes(found) == pytest.approx([1.0])
-    assert any(sentence.startswith("left out") for sentence in found.repairs)
-
-
-@pytest.mark.parametrize(
-    ("cells", "genus"), [(np.ones((3, 3, 2)), 0), (np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]]), 1)]
-)
-def test_walls_between_many_cells_go(cells, genus):
-    """As many as four walls meet at an edge, turned this way or that; the solid is that of all cells together."""
-    shifts = np.argwhere(np.atleast_3d(cells))
-    vertices, faces = faults.welded(faults.joined(*(faults.box(shift) for shift in shifts)))
-    is_turned = np.random.default_rng(5).random(len(faces)) < 0.5
-    faces[is_turned] = faces[is_turned, ::-1]
-    found = checking.prepare((vertices, faces), True)
-    assert_sound(found, len(vertices))
-    assert volumes(found) == pytest.approx([len(shifts)])
-    assert [part.genus for part in found.components] == [genus]
-
-
-def test_walls_that_a_hole_leads_to_stay():
-    """What is seen from outside is no internal wall: a cell with a hole in its own outer face is open."""
-    vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
-    faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
-    hidden = sheets.is_wall(vertices, faces)
-    assert (vertices[faces[hidden]][:, :, 0] == 0.5).all() and hidden.any()
-    is_far = (vertices[faces][:, :, 0] == 1.5).all(axis=1)
-    assert not sheets.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
-
-
-def test_ribs_and_a_flange_go_and_the_solid_stays():
-    """Where every edge has a fin, no face of the solid is joined to another; a flange may have more faces than it."""
-    edges = np.unique(np.sort(np.concatenate([FACES[:, [0, 1]], FACES[:, [1, 2]], FACES[:, [2, 0]]]), axis=1), axis=0)
-    tips = 1.2 * VERTICES[edges].mean(axis=1)
-    fins = np.column_stack([edges, len(VERTICES) + np.arange(len(edges))])
-    found = checking.prepare((np.concatenate([VERTICES, tips]), np.concatenate([FACES, fins])), True)
-    assert volumes(found) == pytest.approx([BALL.volume])
-    vertices, faces = faults.box()
-    rim = np.flatnonzero(vertices[:, 2] == 0)
-    rim = rim[np.argsort(np.arctan2(vertices[rim, 1], vertices[rim, 0]))]
-    rings = [rim]
-    for step in range(1, 16):
-        rings.append(len(vertices) + np.arange(len(rim)))
-        vertices = np.concatenate([vertices, vertices[rim] * (1 + step / 5)])
-    flange = [
-        face
-        for inner, outer in pairwise(rings)
-        for a, b, c, d in zip(inner, np.roll(inner, -1), outer, np.roll(outer, -1), strict=True)
-        for face in ([a, b, c], [b, d, c])
-    ]
-    assert len(flange) > len(faces)
-    found = checking.prepare((vertices, np.concatenate([faces, flange])), True)
-    assert volumes(found) == pytest.approx([1.0])
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_which_faces_were_turned_does_not_matter(seed):
-    """Two boxes with a wall between them: the wall goes, whatever the orientation was."""
-    mesh = faults.welded(faults.joined(faults.box(), faults.box((0, 0, 1))))
-    middle = mesh[0][mesh[1]][:, :, 2]
-    inner = np.flatnonzero((middle == 0.5).all(axis=1))
-    keep = np.setdiff1d(np.arange(len(mesh[1])), inner[len(inner) // 2 :])  # one of the two lids
-    faces = mesh[1][keep].copy()
-    is_turned = np.random.default_rng(seed).random(len(faces)) < 0.5
-    faces[is_turned] = faces[is_turned, ::-1]
-    found = checking.prepare((mesh[0], faces), True)
-    assert volumes(found) == pytest.approx([2.0])
 
 
 def test_many_vertices_in_one_place_are_welded_in_little_memory():

@@ -5,39 +5,10 @@ import pytest
 import trimesh
 from conftest import blob, torus
 from scipy.spatial.transform import Rotation
+from solid_cases import SHAPES, arrays
 
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.triangles import point_triangle_distance2
-
-
-def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
-    """Plain arrays of a Trimesh."""
-    return np.array(mesh.vertices), np.array(mesh.faces)
-
-
-def two_parts() -> trimesh.Trimesh:
-    """Two balls that overlap: a surface that crosses itself."""
-    return trimesh.util.concatenate([blob(61, 2), blob(62, 2).apply_translation([0.9, 0.1, 0])])
-
-
-def large_and_small() -> trimesh.Trimesh:
-    """A fine ball beside a box of twelve large triangles: sizes that differ by a hundred."""
-    return trimesh.util.concatenate([blob(63), trimesh.creation.box([40.0, 30, 20]).apply_translation([22, 0, 0])])
-
-
-def graded() -> trimesh.Trimesh:
-    """A ball drawn out like a pear: triangles of all sizes from one to twenty, side by side."""
-    mesh = trimesh.creation.icosphere(2)
-    return trimesh.Trimesh(mesh.vertices * np.exp(1.5 * mesh.vertices[:, 2:]) / 4, mesh.faces, process=False)
-
-
-SHAPES = {
-    "blob": lambda: blob(60),
-    "torus": torus,
-    "two parts": two_parts,
-    "large and small": large_and_small,
-    "graded": graded,
-}
 
 
 @pytest.fixture(scope="module", params=SHAPES)
@@ -57,9 +28,6 @@ def random_points(shape: Enclosure, random: np.random.Generator, num: int) -> np
     points = random.uniform(low - 0.2, high + 0.2, (num, 3))
     points[::2] = random.uniform(-1.1, 1.1, (len(points[::2]), 3))
     return points
-
-
-# How far a ray goes
 
 
 def moeller_trumbore(points: np.ndarray, rays: np.ndarray, triangles: np.ndarray) -> np.ndarray:
@@ -252,9 +220,6 @@ def test_a_ray_just_beside_a_box_misses_it():
         np.testing.assert_allclose(found, 1.5 if is_hit else 9.0)
 
 
-# The nearest triangle
-
-
 def distances_to_all(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """(P, F) distance from each point to each triangle, by trimesh, one point at a time."""
     return np.stack(
@@ -298,35 +263,6 @@ def test_a_corner_of_a_regular_solid_is_on_its_surface():
     for size in np.arange(1, 200) / 100:
         shape = Enclosure(corners * size + [0.3, 0.7, 0.9], faces)
         np.testing.assert_array_equal(shape.nearest(shape.vertices)[0], 0.0)
-
-
-# Twins
-
-
-def turned(faces: np.ndarray) -> np.ndarray:
-    """The same faces in another order, each from another corner on."""
-    random = np.random.default_rng(8)
-    turn = (np.arange(3) + random.integers(3, size=(len(faces), 1))) % 3
-    return np.take_along_axis(faces, turn, axis=1)[random.permutation(len(faces))]
-
-
-@pytest.mark.parametrize("order", ["as built", "shuffled"])
-def test_the_twin_of_an_edge_is_in_the_face_next_door(shape, order):
-    faces = shape.faces if order == "as built" else turned(shape.faces)
-    twins = Enclosure(shape.vertices, faces).mesh.twins
-    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
-    np.testing.assert_array_equal(np.sort(twins), np.arange(len(tail)))
-    np.testing.assert_array_equal(tail[twins], head)  # it runs the other ray in the face next door
-    np.testing.assert_array_equal(head[twins], tail)
-    assert (twins // 3 != np.arange(len(tail)) // 3).all()
-
-
-def test_twins_of_a_tetrahedron():
-    faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    assert Enclosure(np.eye(4)[:, :3], faces).mesh.twins[:3].tolist() == [5, 11, 6]
-
-
-# Near enough
 
 
 def test_approximate_closest_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
