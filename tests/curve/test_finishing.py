@@ -59,10 +59,10 @@ def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     job = job_of(shape)
     for is_held in (none_held(x), np.arange(6) == 0):
         draft = Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
-        place, is_former_junction = finishing.place_junctions(draft, job)[5:7]
-        assert is_former_junction.tolist() == [not is_held[0]] + 5 * [False]
-        np.testing.assert_array_equal(place[1:], x[1:])
-        assert (place[0] == x[0]).all() == is_held[0]
+        placed = finishing.place_junctions(draft, job)
+        assert placed.is_former_junction.tolist() == [not is_held[0]] + 5 * [False]
+        np.testing.assert_array_equal(placed.place[1:], x[1:])
+        assert (placed.place[0] == x[0]).all() == is_held[0]
     cone = ground_truth.swept_tube(np.linspace([0, 0, 0], [8, 0, 0], 80), np.linspace(0.3, 0.6, 80), 24)
     shape, scale = unit_shape(cone)
     trunk = scale * np.array([[3.0, 0.05, 0]])

@@ -10,14 +10,28 @@ import networkx as nx
 
 import msf_jax
 
-ROOT = Path(msf_jax.__file__).parent
+ROOT, TESTS = Path(msf_jax.__file__).parent, Path(__file__).parents[1]
 ORDER = ["base", "topology", "numerics", "solid", "meshes", "inside", "meso", "limbs", "curve", "recording"]
 HOST = set(ORDER[1:])
+GEOMETRY = ORDER[1 : ORDER.index("recording")]
 ORDER += ["device", "metrics", "skeleton", "gradients", "flow", "shapes", "ground_truth", "tuning"]
 ORDER += ["view", "guide", "app", "__main__"]
 FOREIGN = {name: {"jax", "jaxlib", "jaxopt"} for name in HOST} | {"device": {"numpy", "scipy", "trimesh"}}
 HANDED_ON = {"msf_jax.skeleton.skeleton.Skeleton", "msf_jax.skeleton.rigging.rig.Rig"}
 MOST_ENTRIES, MOST_FILES = 22, 12  # a chapter each, as the table of `architecture.md` has them
+TESTED_BY = {  # modules of the geometry without a test file of their own name, and the file that tests them
+    "curve/draft": "curve/test_finishing",
+    "limbs/fronts": "limbs/test_caps",
+    "limbs/outlets": "solid/test_openings",
+    "meshes/decoding": "meshes/test_obj",
+    "meshes/untangling": "meshes/test_hollow",
+    "meso/complex": "meso/test_homology",
+    "meso/packing": "base/test_layout",
+    "solid/frame": "flow/test_flow",
+    "solid/kernels": "solid/test_rays",
+    "solid/solid": "solid/test_openings",
+    "solid/walks": "solid/test_sections",
+}
 MOST_HOMES = 3  # modules in which one name may be a number: a reader holds so many apart
 
 
@@ -101,6 +115,24 @@ def test_a_folder_fits_on_a_page():
     for folder in [ROOT, *(path for path in ROOT.rglob("*") if path.is_dir())]:
         files = list(folder.glob("*.py"))
         assert len(files) <= MOST_FILES, f"{folder.name} holds {len(files)} files"
+
+
+def test_every_module_of_the_geometry_has_its_tests_in_the_file_of_its_name():
+    """In the folder of its chapter; a new one, too. `TESTED_BY` names those that another file tests."""
+    files = [path.relative_to(ROOT) for name in GEOMETRY for path in (ROOT / name).rglob("*.py")]
+    modules = {(path.parts[0], path.stem) for path in files if path.stem != "__init__"}
+    assert len(modules) > 50
+    alone = {f"{top}/{name}" for top, name in modules if not (TESTS / top / f"test_{name}.py").exists()}
+    assert alone == set(TESTED_BY)
+    assert not [name for name in TESTED_BY.values() if not (TESTS / f"{name}.py").exists()]
+
+
+def test_every_file_of_tests_is_in_a_chapter_and_has_a_name_of_its_own():
+    """Pytest imports a file by that name alone. Tests of a module in no folder are in none, too."""
+    files = list(TESTS.rglob("test_*.py"))
+    assert len({path.name for path in files}) == len(files) > 90
+    assert {path.parent.name for path in files if path.parent != TESTS} <= {*ORDER, "project"}
+    assert {path.stem.removeprefix("test_") for path in files if path.parent == TESTS} <= set(ORDER)
 
 
 # Names of 0.3.0 and before, for which the field has terms: see the table in the change log.
