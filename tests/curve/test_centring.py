@@ -4,14 +4,7 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from curve_cases import (
-    bow,
-    none_held,
-    path,
-    tube,
-    turns_of,
-    unit_shape,
-)
+from curve_cases import bow, none_held, path, tube, turns_of, unit_shape
 
 import msf_jax
 from msf_jax import ground_truth

@@ -6,17 +6,7 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from curve_cases import (
-    bored,
-    bow,
-    draft_of,
-    job_of,
-    loops_and_rank,
-    none_held,
-    path,
-    tube,
-    unit_shape,
-)
+from curve_cases import bored, bow, draft_of, job_of, loops_and_rank, none_held, path, tube, unit_shape
 from scipy import spatial
 
 import msf_jax

@@ -10,16 +10,7 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import (
-    Config,
-    ConfigError,
-    FlowError,
-    FlowOptions,
-    PreprocessingOptions,
-    SolverOptions,
-    Weights,
-    shapes,
-)
+from msf_jax import Config, ConfigError, FlowError, FlowOptions, PreprocessingOptions, SolverOptions, Weights, shapes
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
 from msf_jax.flow import loop, programs
@@ -157,12 +148,6 @@ def test_two_runs_give_the_same_bits():
     assert one.vertices.tobytes() == two.vertices.tobytes()
     assert np.array_equal(one.edges, two.edges)
     assert np.array_equal(one.mesh_map, two.mesh_map)
-
-
-def same_curve(one, two, tolerance):
-    """Equal edges, and nodes within ``tolerance``."""
-    assert np.array_equal(one.edges, two.edges)
-    assert np.abs(one.vertices - two.vertices).max() <= tolerance
 
 
 @pytest.mark.parametrize("name", ["blob", pytest.param("homer", marks=SLOW)])

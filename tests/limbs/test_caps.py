@@ -3,61 +3,18 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from itertools import pairwise
 
 import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from graph_cases import as_edges, chain
+from limb_cases import LIMB, RADIUS, block, fingers, solid
 from scipy.spatial.transform import Rotation
 
 import msf_jax
 from msf_jax.limbs import caps
 from msf_jax.limbs.caps import RATIO, Cap, Caps
 from msf_jax.solid.enclosure import Enclosure
-
-RADIUS = 0.3
-NOT_HELD = np.zeros(3, dtype=bool)
-LIMB = {
-    "short cylinder": (manifold3d.Manifold.cylinder(0.6, RADIUS, RADIUS, 48), 2.0),
-    "long cylinder": (manifold3d.Manifold.cylinder(1.5, RADIUS, RADIUS, 48), 5.0),
-    "cone": (manifold3d.Manifold.cylinder(1.2, RADIUS, 0.0, 48), (np.hypot(1.2, RADIUS) / RADIUS - 1) / 2),
-    "half ball": (manifold3d.Manifold.sphere(1.0, 48), 0.5),
-}
-
-
-Curve = tuple[np.ndarray, np.ndarray]
-
-
-def solid(found: manifold3d.Manifold, edge: float = 0.25) -> Enclosure:
-    mesh = found.refine_to_length(edge).to_mesh()
-    return Enclosure(np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64))
-
-
-def block() -> manifold3d.Manifold:
-    """A block of 4 x 4 x 2 whose top is at height 0."""
-    return manifold3d.Manifold.cube((4, 4, 2), True).translate((0, 0, -1))
-
-
-def fingers() -> manifold3d.Manifold:
-    """The block with four fingers, each four radii long."""
-    each = [manifold3d.Manifold.cylinder(1.0, 0.25, 0.25, 24).translate((x, 0, 0)) for x in (-1.2, -0.4, 0.4, 1.2)]
-    return manifold3d.Manifold.batch_boolean([block(), *each], manifold3d.OpType.Add)
-
-
-def legs(*polylines: list, step: float = 0.05) -> Curve:
-    """Branches out of one node, where all courses begin, each a polyline with a node every ``step``, the leaf last."""
-    vertices, pairs = [np.array(polylines[0][0], dtype=float)], []
-    for polyline in polylines:
-        last = 0
-        for a, b in pairwise(np.array(polyline, dtype=float)):
-            num = max(1, round(np.linalg.norm(b - a) / step))
-            new = range(len(vertices), len(vertices) + num)
-            vertices += list(a + np.arange(1, num + 1)[:, None] / num * (b - a))
-            pairs += chain(last, *new)
-            last = new[-1]
-    return np.array(vertices), as_edges(pairs)
 
 
 @pytest.fixture(scope="module")

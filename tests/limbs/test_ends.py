@@ -8,6 +8,7 @@ import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from limb_cases import Solid, as_shape, box, i_beam, round_bar
 from scipy.spatial.transform import Rotation
 
 import msf_jax
@@ -15,28 +16,6 @@ from msf_jax.limbs import ends, one_branch
 from msf_jax.limbs.caps import Caps
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import triangle_areas
-
-Solid = manifold3d.Manifold
-
-
-def as_shape(solid: Solid, edge: float | None = None) -> Enclosure:
-    """The solid's surface as made, or with edges of at most ``edge``."""
-    mesh = (solid if edge is None else solid.refine_to_length(edge)).to_mesh()
-    return Enclosure(np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64))
-
-
-def box(*size: float) -> Solid:
-    return Solid.cube(size, True)
-
-
-def round_bar(length: float, low: float = 1.0, high: float = 1.0) -> Solid:
-    """Along x, with one radius at its low end and another one at its high end."""
-    return Solid.cylinder(length, low, high, 32, True).rotate((0, 90, 0))
-
-
-def i_beam(length: float) -> Solid:
-    flanges = [box(length, 3, 0.5).translate((0, 0, z)) for z in (-2, 2)]
-    return Solid.batch_boolean([box(length, 0.5, 4), *flanges], manifold3d.OpType.Add)
 
 
 def ends_of(shape: Enclosure) -> np.ndarray:

@@ -7,8 +7,8 @@ import trimesh
 from conftest import torus
 from curve_cases import bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
 from graph_cases import as_edges
+from limb_cases import LIMB, RADIUS, block, fingers, legs, solid
 from scipy import spatial
-from test_caps import LIMB, RADIUS, block, fingers, legs, solid
 
 import msf_jax
 from msf_jax import ground_truth

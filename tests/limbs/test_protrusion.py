@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import trimesh
-from test_ends import Solid, as_shape, box, i_beam, round_bar
+from limb_cases import Solid, as_shape, box, i_beam, round_bar
 
 import msf_jax
 from msf_jax.limbs import protrusion

@@ -3,15 +3,7 @@
 import numpy as np
 import pytest
 from conftest import blob
-from meso_cases import (
-    OBTUSE,
-    case,
-    manifold_euler,
-    meso_of,
-    turned,
-    typical_length,
-    watch_rounds,
-)
+from meso_cases import OBTUSE, case, manifold_euler, meso_of, turned, typical_length, watch_rounds
 
 from msf_jax.meso import collapse, fixing, ring_tables, split
 

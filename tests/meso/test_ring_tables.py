@@ -4,14 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob
-from meso_cases import (
-    SURFACES,
-    case,
-    manifold_euler,
-    meso_of,
-    neighbours_of,
-    turned,
-)
+from meso_cases import SURFACES, case, manifold_euler, meso_of, neighbours_of, turned
 
 from msf_jax.base.errors import FlowError, MeshError
 from msf_jax.meso import ring_tables

@@ -1,4 +1,4 @@
-"""Rays, nearest triangles and neighbours of a surface: against every triangle, one formula at a time."""
+"""Rays and nearest triangles of a surface: against every triangle, one formula at a time."""
 
 import numpy as np
 import pytest
