@@ -64,7 +64,7 @@ def counts(found):
         ([circle(1.4)], (0, 0, 0, 0, 1)),  # around the ring, outside
     ],
 )
-def test_of_a_ring(curves, expected):
+def test_proof_of_curves_in_a_ring(curves, expected):
     assert counts(proof(RING, *curves)) == expected
 
 

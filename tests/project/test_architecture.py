@@ -21,7 +21,6 @@ HANDED_ON = {"msf_jax.skeleton.skeleton.Skeleton", "msf_jax.skeleton.rigging.rig
 MOST_ENTRIES, MOST_FILES = 22, 12  # a chapter each, as the table of `architecture.md` has them
 TESTED_BY = {  # modules of the geometry without a test file of their own name, and the file that tests them
     "curve/draft": "curve/test_finishing",
-    "limbs/fronts": "limbs/test_caps",
     "limbs/outlets": "solid/test_openings",
     "meshes/decoding": "meshes/test_obj",
     "meshes/untangling": "meshes/test_hollow",
