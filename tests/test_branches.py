@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from msf_jax.curve.branches import merge_coincident, merge_junctions
 from msf_jax.solid.handles import Handles
-from msf_jax.topology.graphs import core, cycle_count, nearest_along, trace
+from msf_jax.topology.graphs import core, cycle_count, loop_along, nearest_along, trace
 
 NONE = np.empty((0, 2), dtype=np.int64)
 FOUR = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
@@ -185,3 +185,11 @@ def test_the_core_is_what_leaves_cannot_reach():
     assert np.flatnonzero(core(13, np.array(loops + tails))).tolist() == [0, 1, 2, 3, 4, 5, 6]
     assert np.flatnonzero(core(13, np.array(loops + tails + loops))).tolist() == [0, 1, 2, 3, 4, 5, 6]
     assert not core(13, np.array(tails)).any()
+
+
+def test_a_loop_along_a_tree_has_each_vertex_once():
+    """Also where one end is above the other one in the tree 0 - 1 - (2, 3)."""
+    parent = np.array([-1, 0, 1, 1])
+    assert loop_along(2, 3, parent) == [2, 3, 1]
+    assert loop_along(2, 0, parent) == [2, 0, 1]
+    assert loop_along(0, 2, parent) == [0, 2, 1]
