@@ -176,12 +176,13 @@ def reference_weights(kind: str, vertices: np.ndarray, faces: np.ndarray, larges
         a, b, c = (faces[:, (k + m) % 3] for m in range(3))
         if kind == "mean_value":  # the angle at a counts for both edges that leave a
             i, j, part = [*i, a, a], [*j, b, c], [*part, np.tan(angles[:, k] / 2), np.tan(angles[:, k] / 2)]
-        elif "cotangent" in kind:  # the angle at a counts for the edge opposite, both ways
+        elif kind in ("cotangent", "signed_cotangent"):  # the angle at a counts for the edge opposite, both ways
             half = 0.5 / np.tan(angles[:, k])
             if kind == "signed_cotangent":
                 half = half * roundness(vertices, faces)
             i, j, part = [*i, b, c], [*j, c, b], [*part, half, half]
         else:  # every edge i -> j is that of one face
+            assert kind == "uniform", f"no reference for the Laplacian {kind}"
             i, j, part = [*i, a], [*j, b], [*part, np.ones(len(a))]
     entries = (np.concatenate(part), (np.concatenate(i), np.concatenate(j)))
     weights = sp.coo_array(entries, shape=(count, count)).tocsr().tocoo()

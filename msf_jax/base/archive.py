@@ -23,8 +23,8 @@ from msf_jax.base.writing import write_whole
 HEADER_ENTRY = "header"  # name of the entry with everything that is not an array
 DIGEST = "digest"  # name of the entry with the digest of all other entries
 LONGEST_HEADER = 64_000_000  # bytes: a longer header is refused
-LARGEST_RATIO = 100  # unpacked bytes over bytes of the file: larger files are refused as bombs,
-SMALL_ARCHIVE = 10_000_000  # bytes: unless they unpack to less than this
+LARGEST_RATIO = 100  # unpacked bytes over bytes of the file. Curves have 2 to 10; beyond it a file is refused as a bomb
+SMALL_ARCHIVE = 10_000_000  # bytes: what unpacks to no more is read whatever its ratio
 
 
 def write(
@@ -53,6 +53,8 @@ def packed(
     buffer = io.BytesIO()
     named[DIGEST] = _digest(named)
     (np.savez_compressed if compress else np.savez)(buffer, **named)
+    if compress and sum(np.asarray(array).nbytes for array in named.values()) > LARGEST_RATIO * buffer.tell() / 2:
+        return packed(kind, version, header, arrays, compress=False)  # it would be refused as a bomb
     return buffer.getvalue()
 
 
@@ -68,11 +70,11 @@ def _digest(arrays: Mapping[str, np.ndarray]) -> np.ndarray:
 
 @contextmanager
 def reading(
-    path: str | os.PathLike[str], kind: str, version: int, advice: str, *, without_digest: int | None = None
+    path: str | os.PathLike[str], kind: str, version: int, advice: str, *, version_without_digest: int | None = None
 ) -> Iterator[tuple[Any, Any]]:
     """The header and a dictionary of the arrays of a file that `write` made. Errors in this context count as damage.
 
-    Files of version ``without_digest`` are read as well, although they have no digest.
+    Files of version ``version_without_digest`` are read as well, although they have no digest.
 
     Raises:
         ConfigError: the file is no ``kind``, is damaged, or was written by another version. It ends with ``advice``.
@@ -91,7 +93,7 @@ def reading(
                 header = json.loads(str(file[HEADER_ENTRY])) if HEADER_ENTRY in file else None
                 if not isinstance(header, dict) or header.get("format") != f"msf_jax {kind}":
                     raise ConfigError(f"{name} is no {kind}: {advice}")
-                if header["version"] not in (version, without_digest):
+                if header["version"] not in (version, version_without_digest):
                     raise ConfigError(
                         f"{name} is a {kind} of version {header['version']!r}: this program reads {version}; {advice}"
                     )
@@ -105,7 +107,9 @@ def reading(
         except Exception as error:  # for a damaged file, zip, zlib, json and NumPy raise exceptions of many types
             if isinstance(error, OSError) and error.errno != errno.EINVAL:  # EINVAL: a negative offset in the file
                 raise
-            raise ConfigError(f"{name} is no {kind}, or a damaged one ({type(error).__name__}: {error})") from error
+            raise ConfigError(
+                f"{name} is no {kind}, or a damaged one ({type(error).__name__}: {error}): {advice}"
+            ) from error
 
 
 def _check_sizes(stream: Any) -> None:
@@ -115,7 +119,7 @@ def _check_sizes(stream: Any) -> None:
         entries = archive.infolist()
         total = sum(entry.file_size for entry in entries)
         if total > max(LARGEST_RATIO * size, SMALL_ARCHIVE):
-            raise ValueError(f"its {size} bytes unpack to {total}")
+            raise ValueError(f"its {size} bytes unpack to {total}: expected at most {LARGEST_RATIO} times as many")
         for entry in entries:
             with archive.open(entry) as member:
                 major, _ = np.lib.format.read_magic(member)
@@ -124,7 +128,9 @@ def _check_sizes(stream: Any) -> None:
                 needed = int(np.prod([int(count) for count in shape], dtype=object)) * dtype.itemsize
                 most = LONGEST_HEADER if entry.filename == f"{HEADER_ENTRY}.npy" else entry.file_size
                 if not 0 <= needed <= min(most, entry.file_size):
-                    raise ValueError(f"entry {entry.filename!r} claims {needed} bytes")
+                    raise ValueError(
+                        f"entry {entry.filename!r} claims {needed} bytes: expected {min(most, entry.file_size)} at most"
+                    )
     stream.seek(0)
 
 
@@ -154,7 +160,8 @@ def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, 
 
 
 def decoded(value: Any, arrays: Mapping[str, np.ndarray], records: Mapping[str, Any]) -> Any:
-    """The inverse of `encoded`; raises a KeyError or a TypeError for input that `encoded` never returns."""
+    """The inverse of `encoded`. It raises a KeyError, a TypeError or an AttributeError for input that `encoded` never
+    returns."""
     if not isinstance(value, dict):
         return value
     if "array" in value:

@@ -10,7 +10,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
-NEAR = 1.0  # radii: a junction inside the ball of another one, with the path between them, is merged with it
+NEAR = 1.0  # radii, the larger of the two: junctions are merged that are joined by a shorter path
 STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb
 TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
 
@@ -95,7 +95,8 @@ def zip_strands(
     """Two branches of a junction that run beside each other in one limb become one, up to where they part.
 
     That happens if the flow's junction was outside of the solid, and was moved into a limb: the branches of the stem
-    then run out along the limb to it. Strands are one within `STRAND` radii, and over more than a radius.
+    then run out along the limb to it. Two strands are merged where one is within `STRAND` radii of the other, if that
+    stretch is longer than the junction's radius. A loop of two strands in one limb is removed.
     Returns which nodes stay (N,), the target of each node (N,), and the edges. Nodes of ``is_held`` (N,) stay.
     """
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
@@ -109,9 +110,9 @@ def zip_strands(
                 of_node.setdefault(path[0], []).append(np.array(path))
         found = None
         for node, strands in of_node.items():
+            if len(strands) < 3:  # no junction, as branches of one edge do not count
+                continue
             for one, other in itertools.permutations(strands, 2):
-                if len(strands) < 3:
-                    continue
                 key = one.tobytes(), other.tobytes()
                 if key not in known:
                     known[key] = _beside(vertices, radii, one, other)
@@ -129,7 +130,8 @@ def zip_strands(
         near = other[np.linalg.norm(vertices[gone][:, None] - vertices[other], axis=2).argmin(axis=1)]
         stays[gone], target[gone] = False, near
         left -= {(min(edge), max(edge)) for edge in itertools.pairwise(one[: count + 2].tolist())}
-        left.add((min(int(near[-1]), int(one[count + 1])), max(int(near[-1]), int(one[count + 1]))))
+        if near[-1] != one[count + 1]:  # else the strands have met again
+            left.add((min(int(near[-1]), int(one[count + 1])), max(int(near[-1]), int(one[count + 1]))))
     while (target != target[target]).any():
         target = target[target]
     return stays, target, np.array(sorted(left), dtype=np.int64).reshape(-1, 2)
@@ -232,6 +234,6 @@ def _pieces(edges: np.ndarray, edge: np.ndarray, node: np.ndarray, part: np.ndar
 
 
 def _relabelled(edges: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Edges (E, 2) between the targets of their ends."""
+    """Edges (K, 2) between the targets of their ends, each once, and none from a node to itself."""
     left = np.sort(target[edges], axis=1)
     return np.unique(left[left[:, 0] != left[:, 1]], axis=0)

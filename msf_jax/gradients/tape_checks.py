@@ -25,7 +25,7 @@ def check_part(part: Part, shape: Shape, num: int) -> int:
     _check_filter(part.mesh_filter, own, own, shape.mesh_layout)
     _check_filter(part.site_filter, rows, rows, shape.layouts[0] if shape.layouts else None)
     if len(part.stretches) != len(shape.layouts):
-        raise ValueError("it has other stretches than layouts")
+        raise ValueError(f"it has {len(part.stretches)} stretches: expected {len(shape.layouts)}, one for each layout")
     before = rows
     for stretch, layout in zip(part.stretches, shape.layouts, strict=True):
         before = _check_stretch(stretch, layout, before, rows)
@@ -47,6 +47,8 @@ def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) ->
     """The number of rows of the workspace after ``stretch``, for ``before`` rows before it."""
     _check_layout(layout)
     lines, size = len(stretch.factor), layout.capacity
+    if np.ndim(stretch.cut) != 4:
+        raise ValueError(f"cut has shape {np.shape(stretch.cut)}: expected four axes")
     rounds, cuts = np.shape(stretch.cut)[1:3]
     num_rows = size + rounds * cuts
     indices(stretch.handover, (size,), before, "handover")
@@ -55,9 +57,9 @@ def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) ->
     indices(stretch.group, (lines, size), size, "group")
     indices(stretch.cut, (lines, rounds, cuts, 3), num_rows, "cut")
     if len(stretch.rings) != 4:
-        raise ValueError("rings are not four tables")
+        raise ValueError(f"rings are {len(stretch.rings)} tables: expected four")
     for table in stretch.rings[:3]:
-        indices(table, (lines, layout.num_slots), max(size, layout.num_slots), "rings")
+        indices(table, (lines, layout.num_slots), size, "rings")
     flags(stretch.rings[3], (lines, layout.num_slots), "rings")
     for name in ("degree", "free", "pull", "share", "blend"):
         numbers(getattr(stretch, name), (lines, size), name)
@@ -69,7 +71,7 @@ def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) ->
 
 def _check_layout(layout: Any) -> None:
     if not isinstance(layout, Layout) or not layout.levels:
-        raise ValueError("a layout is of another type, or empty")
+        raise ValueError(f"a layout is {layout!r:.80}: expected a Layout with levels")
     offset, most = 0, layout.capacity
     for level in layout.levels:
         whole = all(isinstance(value, int) and not isinstance(value, bool) for value in level)
@@ -80,7 +82,7 @@ def _check_layout(layout: Any) -> None:
 
 def _check_mixing(mixing: Any, rows: int, columns: int, name: str) -> None:
     if not isinstance(mixing, Mixing):
-        raise ValueError(f"{name} is no matrix")
+        raise ValueError(f"{name} is a {type(mixing).__name__}: expected a Mixing")
     size = (len(mixing.row),)
     indices(mixing.row, size, rows, name)
     indices(mixing.column, size, columns, name)
@@ -94,11 +96,11 @@ def _check_filter(kept: Any, most: int, rows: int, layout: Layout | None) -> Non
         return
     if isinstance(kept, Basis):
         if np.ndim(kept.basis) != 2 or len(kept.basis) > most:
-            raise ValueError("a basis has another shape")
+            raise ValueError(f"a basis has shape {np.shape(kept.basis)}: expected at most {most} rows")
         numbers(kept.basis, np.shape(kept.basis), "basis")
         return
     if not isinstance(kept, Polynomial) or layout is None:
-        raise ValueError("a filter is of another type")
+        raise ValueError(f"a filter is a {type(kept).__name__}: expected a Basis, or a Polynomial with a layout")
     _check_layout(layout)
     size = layout.capacity
     indices(kept.vertex, (size,), most, "vertex")
@@ -117,15 +119,18 @@ def indices(array: Any, shape: tuple[int, ...], num: int, name: str) -> np.ndarr
     if array.dtype.kind not in "iu" or array.shape != shape:
         raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected whole numbers, {shape}")
     if array.size and not (array.min() >= 0 and array.max() < num):
-        raise ValueError(f"{name} is from {array.min()} to {array.max()}: expected 0 to {num - 1}")
+        expected = f"0 to {num - 1}" if num else "none"
+        raise ValueError(f"{name} is from {array.min()} to {array.max()}: expected {expected}")
     return array
 
 
 def numbers(array: Any, shape: tuple[int, ...], name: str) -> np.ndarray:
     """Raise a ValueError unless ``array`` has that shape and finite real numbers."""
     array = np.asarray(array)
-    if array.dtype.kind not in "fiu" or array.shape != shape or not np.isfinite(array).all():
-        raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected finite numbers, {shape}")
+    if array.dtype.kind not in "fiu" or array.shape != shape:
+        raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected numbers, {shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} has values that are not finite")
     return array
 
 

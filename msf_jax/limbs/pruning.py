@@ -53,7 +53,7 @@ def prune(
 
     When two branches are left at a junction, they become one, and the ``worth`` of its leaf may rise or fall.
     Components and cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes
-    stay (N,), and the target of each node (N,): itself, or the junction that its branch began at.
+    stay (N,), and the target of each node (N,): itself, or the nearest one that stays, along the branches that went.
     """
     beside: list[set[int]] = [set() for _ in range(num_nodes)]
     for a, b in edges.tolist():
@@ -70,7 +70,7 @@ def prune(
 
     stays, target = np.ones(num_nodes, dtype=bool), np.arange(num_nodes)
     is_done = False
-    while not is_done:  # a second time if something was removed, as worths may have fallen
+    while not is_done:  # until a round removes nothing, as worths may have fallen
         is_done = True
         queue = [(worth(walk(leaf)), leaf) for leaf in range(num_nodes) if stays[leaf] and len(beside[leaf]) == 1]
         heapq.heapify(queue)

@@ -19,8 +19,8 @@ class Hole(NamedTuple):
 
 
 def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
-    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it. Rims must not share a
-    vertex: of those that do, some are left open."""
+    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it. Those whose rims
+    share a vertex, or cannot be closed, may be left open."""
     edge, _, count = edge_codes(faces)
     origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     half = np.flatnonzero(count[edge] == 1)
@@ -35,13 +35,13 @@ def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
             current = after.pop(current)
         points = vertices[loop]
         if current == start and np.linalg.norm(np.ptp(points, axis=0)) <= size:
-            lid = cap(vertices, loop, known)
+            lid = lid_of(vertices, loop, known)
             if lid:
                 holes.append(Hole(loop, np.array(lid, dtype=faces.dtype)))
     return holes
 
 
-def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[Face]:
+def lid_of(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[Face]:
     """Triangles over a rim by ear clipping: convex ears first, among these the shortest chord.
 
     ``known`` are the half-edges of the mesh. A chord may not be one of them, in either direction. The half-edges of the
@@ -70,7 +70,7 @@ def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> l
         if not is_left[place] or before[place] != a or after[place] != c:
             continue
         chord = (loop[a], loop[c])
-        if chord in known or chord[::-1] in known or chord in chords or chord[::-1] in chords:
+        if chord in known or chord[::-1] in known or chord in chords:
             continue
         chords |= {chord, chord[::-1]}
         faces.append((loop[a], loop[place], loop[c]))

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.meshes.filling import Hole, cap
+from msf_jax.meshes.filling import Hole, lid_of
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, unit
 from msf_jax.topology import graphs
@@ -138,5 +138,5 @@ def _extrusion(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: 
     below = len(vertices) + np.arange(len(loop))
     after, below_after = np.roll(loop, -1), np.roll(below, -1)
     band = [np.stack([loop, after, below_after], axis=1), np.stack([loop, below_after, below], axis=1)]
-    lid = np.array(cap(ring, list(range(len(loop))), set()), dtype=np.int64).reshape(-1, 3) + len(vertices)
+    lid = np.array(lid_of(ring, list(range(len(loop))), set()), dtype=np.int64).reshape(-1, 3) + len(vertices)
     return RimExtrusion(ring, np.concatenate([*band, lid]))

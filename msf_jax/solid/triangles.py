@@ -8,7 +8,9 @@ from scipy import spatial
 
 from msf_jax.solid import kernels
 
-SAMPLE_SPACING = 0.02  # extents between samples of a triangle; more if `MOST_SAMPLES` requires it
+SAMPLE_SPACING = (
+    0.02  # largest sides of the bounding box between samples of a triangle; more if `MOST_SAMPLES` requires it
+)
 MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for memory
 
 

@@ -31,7 +31,7 @@ def pieces(faces: np.ndarray, num: int) -> np.ndarray:
 
 
 def lengths(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(E,) the length of each edge, which is not 0."""
+    """(E,) the length of each edge, at least 1e-300: a sparse matrix takes 0 for no edge."""
     return np.maximum(np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1), 1e-300)
 
 
@@ -89,7 +89,7 @@ def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
 
 
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
-    """(N,) the nearest node along the curve with ``is_source`` (N,), which each component has: the node itself if it is
+    """(N,) the nearest source along the curve, of ``is_source`` (N,); a source's is itself. Each component needs
     one."""
     graph = weighted(len(vertices), *edges.T, weight=lengths(vertices, edges))
     return csgraph.dijkstra(
@@ -171,7 +171,10 @@ def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
 
 
 def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
-    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both paths share."""
+    """The loop from ``start`` to ``end`` and back along the tree, without the path to the root that both share.
+
+    Its first vertex is not repeated at the end.
+    """
 
     def to_root(vertex: int) -> list[int]:
         path = [vertex]
@@ -183,4 +186,4 @@ def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
     while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
         one.pop()
         other.pop()
-    return [start, *other, *one[-2:0:-1]]
+    return [start, *(other[:-1] if len(one) == 1 else other), *one[-2:0:-1]]

@@ -65,7 +65,7 @@ def descend(
                 runs.objective, search.weights, search.tapes(), here, box, low, high, kind, inner_steps
             )
             if not distance(here, there) > 0:
-                reason = f"{runs.objective.name} does not depend on the weights, by the tapes"
+                reason = f"{runs.objective.name} does not depend on the weights within their bounds, by the tapes"
                 break
             if search.propose(with_logarithms(search.weights, there), expected, box):
                 box, kind = min(box * GROWTH, LARGEST_BOX), MINIMUM
@@ -127,7 +127,8 @@ class _Descent:
         return next(run.skeleton.report.reason for run in self.flows if not run.skeleton.report.converged)
 
     def propose(self, weights: Weights, expected: float, box: float) -> bool:
-        """Run with ``weights``. Accept them if they are better, or if their runs converge and those before did not."""
+        """Run with ``weights``. Accept them if only their runs
+        converge, or if as many do and the value is better."""
         try:
             fresh = self.runs.flows(weights)
         except FlowError:
@@ -157,7 +158,7 @@ def proposal(
     """A proposal: logarithms within ``box`` of ``here``, the objective there by the tapes, and the kind of proposal.
 
     ``tapes``: of each mesh, and the same padded. A minimum is replaced by the point at the end of the box, down the
-    slope, if the search for it fails.
+    slope, if there is none, or none as far away as `TIMID`; one at bounds that block it by the other direction.
     """
 
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
@@ -191,9 +192,14 @@ def proposal(
         there = clipped(there)
         if np.isfinite(state.fun_val) and distance(here, there) >= TIMID * box:
             return there, float(state.fun_val), MINIMUM
-        kind = DOWN  # the line search has failed
-    length = box / steepest * (-1 if kind == DOWN else 1)
-    return clipped({name: here[name] + length * np.asarray(slope[name]) for name in here}), np.nan, kind
+        kind = DOWN  # no minimum was found, or none as far away as `TIMID`
+    there = here
+    for tried in range(kind, UP + 1):
+        kind, length = tried, box / steepest * (-1 if tried == DOWN else 1)
+        there = clipped({name: here[name] + length * np.asarray(slope[name]) for name in here})
+        if distance(here, there) > 0:  # else all weights are at bounds that the slope leads out of
+            break
+    return there, np.nan, kind
 
 
 def _mean_value(
@@ -235,7 +241,7 @@ def distance(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
 
 
 def logarithms(weights: Weights) -> dict[str, np.ndarray]:
-    """The natural logarithms of the weights that are not 0, by name."""
+    """The natural logarithms of the weights that are positive everywhere, by name."""
     named = {name: np.asarray(weight, dtype=np.float64) for name, weight in vars(weights).items()}
     return {name: np.log(weight) for name, weight in named.items() if (weight > 0).all()}
 

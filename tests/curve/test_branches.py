@@ -162,3 +162,20 @@ def test_two_branches_are_compared_once(monkeypatch):
     monkeypatch.setattr(branches, "_beside", counted)
     stays, _, _ = zip_strands(x, np.concatenate(edges), np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
     assert not stays.all() and len(asked) == len(set(asked)) == 4 * 6
+
+
+def test_a_loop_of_two_strands_in_one_limb_is_removed():
+    """They meet again at a second junction: no edge leads from it to itself, and the other branches stay."""
+    a, b = (0, 0, 0), (4, 0, 0)
+    x, edges = joined(a, stepped(a, (2, 0.1, 0), b), stepped(a, (-3, 1, 0)), stepped(a, (-3, -1, 0)))
+    last = 20  # the node at b
+    assert np.allclose(x[last], b)
+    more = [stepped(a, (2, -0.1, 0), b)[1:-1], stepped(b, (7, 1, 0))[1:], stepped(b, (7, -1, 0))[1:]]
+    for points, ends in zip(more, ((0, last), (last,), (last,)), strict=True):
+        ids = [ends[0], *range(len(x), len(x) + len(points)), *ends[1:]]
+        x, edges = np.concatenate([x, points]), np.concatenate([edges, list(itertools.pairwise(ids))])
+    assert cycle_count(len(x), edges) == (1, 1)
+    stays, _, found = zip_strands(x, edges, np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert (found[:, 0] != found[:, 1]).all()
+    assert cycle_count(int(stays.sum()), (np.cumsum(stays) - 1)[found]) == (1, 0)
+    assert (np.bincount(found.ravel(), minlength=len(x))[stays] == 1).sum() == 4

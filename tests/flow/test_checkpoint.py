@@ -331,3 +331,14 @@ def test_nothing_that_runs_code_is_in_the_package():
         text = path.read_text()
         assert "import pickle" not in text and "allow_pickle=True" not in text
         assert not any(word in text for word in (" eval(", " exec(", "os.system", "shell=True"))
+
+
+def test_what_compresses_too_well_is_written_as_it_is(tmp_path):
+    """Zeros shrink a thousandfold, and a reader would take the file for a bomb."""
+    path = tmp_path / "zeros.npz"
+    archive.write(path, "thing", 1, {}, {"zeros": np.zeros(2_000_000)}, compress=True)
+    with archive.reading(path, "thing", 1, "write it again") as (_, arrays):
+        assert not arrays["zeros"].any()
+    path.write_bytes(path.read_bytes()[:-300] + bytes(300))
+    with pytest.raises(ConfigError, match="write it again"), archive.reading(path, "thing", 1, "write it again"):
+        pass

@@ -221,3 +221,12 @@ def test_a_vessel_that_was_cut_open_keeps_its_length_and_its_radius_to_the_openi
     again = skeleton.resample(0.4)
     np.testing.assert_allclose(again.vertices[list(again.openings)], ends)
     assert again.radii.min() > 0.8 * wall
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.0175, 0.033, 0.5])
+def test_the_diameters_of_a_flat_section_do_not_depend_on_how_it_is_turned(turn):
+    """A bar of 10 x 1 x 0.1: its diagonal and its thickness."""
+    mesh = trimesh.creation.box([1.0, 0.1, 10.0])
+    mesh.apply_transform(trimesh.transformations.rotation_matrix(turn, [0, 0, 1]))
+    found = profiles_of(Solid(mesh.vertices, mesh.faces), np.zeros((1, 3)), np.array([[0.0, 0, 1]]), np.array([0.05]))
+    np.testing.assert_allclose([found.largest[0], found.least[0]], [np.hypot(1, 0.1), 0.1], rtol=1e-6)

@@ -13,7 +13,7 @@ from device_cases import central_difference
 
 import msf_jax
 from msf_jax import Config, ConfigError, Weights, objectives
-from msf_jax.tuning import tuner
+from msf_jax.tuning import gradient, tuner
 from msf_jax.tuning.search import Search
 
 pytestmark = pytest.mark.usefixtures("few_rows")
@@ -242,3 +242,16 @@ def test_sensitivity():
     tight = replace(flow.tape, config=flow.tape.config.tight())  # it warns of nothing
     with pytest.raises(ConfigError, match=r"w_L has shape \(2,\): expected a number"):
         msf_jax.sensitivity(tight, Weights(w_L=np.ones(2)))
+
+
+def test_weights_at_bounds_that_the_slope_leads_out_of_try_the_other_direction(monkeypatch):
+    """A slope of 1 in each weight, all at their lower bounds; and no slope, or no other weights, for no proposal."""
+    here = gradient.logarithms(Weights())
+    low, high = ({name: float(value) + side for name, value in here.items()} for side in (0, 1))
+    slope = {name: np.ones_like(value) for name, value in here.items()}
+    monkeypatch.setattr(gradient, "_mean_value", lambda *_: (1.0, slope))
+    there, _, kind = gradient.proposal(OBJECTIVE, Weights(), [], here, 0.5, low, high, gradient.DOWN, 3)
+    assert kind == gradient.UP and gradient.distance(here, there) == pytest.approx(0.5)
+    assert gradient.distance(here, gradient.proposal(OBJECTIVE, Weights(), [], here, 0.5, low, low, 1, 3)[0]) == 0
+    slope = {name: np.zeros_like(value) for name, value in here.items()}
+    assert gradient.distance(here, gradient.proposal(OBJECTIVE, Weights(), [], here, 0.5, low, high, 1, 3)[0]) == 0

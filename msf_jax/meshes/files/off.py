@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 from msf_jax.meshes.decoding import lines_of
-from msf_jax.meshes.filling import cap
+from msf_jax.meshes.filling import lid_of
 
 PLAIN = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
 OFF_HEADER = re.compile(r"\s*(ST)?(C)?(N)?(4)?(n)?OFF\b", re.IGNORECASE)
@@ -122,7 +122,7 @@ def _halves(vertices: np.ndarray, quads: np.ndarray) -> np.ndarray:
 
 
 def _ears(vertices: np.ndarray, polygon: list[int]) -> list[tuple[int, int, int]]:
-    found = cap(vertices, polygon, set()) if len(set(polygon)) == len(polygon) else []
+    found = lid_of(vertices, polygon, set()) if len(set(polygon)) == len(polygon) else []
     if not found:
         raise ValueError(f"a face of {len(polygon)} corners cannot be cut into triangles")
     return found

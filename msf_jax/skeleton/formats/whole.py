@@ -60,7 +60,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         ConfigError: the file is of another kind, is damaged, or was written by another version.
     """
     advice = "save the skeleton anew"
-    with archive.reading(path, KIND, FORMAT_VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
+    with archive.reading(path, KIND, FORMAT_VERSION, advice, version_without_digest=WITHOUT_DIGEST) as (_, held):
         texts = {name: str(held[name]) for name in ("radius_of", "units") if name in held}
         curve = checked_curve({**held, **texts})
         mesh_map = curve["mesh_map"]
