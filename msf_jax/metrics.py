@@ -26,7 +26,7 @@ SAME = 1e-9  # diagonals: tolerance of these distances
 PAIRS_AT_ONCE = 4_000_000  # pairs of a point and an edge or a node in memory at a time
 
 
-def evaluate(mesh: MeshLike, skeleton: Any, truth: Any = None) -> dict[str, float]:
+def evaluate(mesh: "MeshLike", skeleton: Any, truth: Any = None) -> dict[str, float]:
     """Score a curve in its mesh.
 
     Args:
@@ -82,7 +82,7 @@ def evaluate(mesh: MeshLike, skeleton: Any, truth: Any = None) -> dict[str, floa
     return figures
 
 
-def compare(mesh: MeshLike, skeleton: Any, other: Any) -> dict[str, float]:
+def compare(mesh: "MeshLike", skeleton: Any, other: Any) -> dict[str, float]:
     """Score two curves of a mesh on the part that both cover, so that missing branches improve no score.
 
     A point of a curve is common if its foot, the nearest point on the other curve, is within the larger of the

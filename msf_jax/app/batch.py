@@ -141,7 +141,7 @@ def run(
             "a batch takes weights that are numbers: expected no array with one for each vertex"
         ) from None
     folder = Path(out)
-    settings = f"{VERSION} {numbers} {config.text()} {as_repair(repair)} {suffix} {max_vertices}"
+    settings = f"{VERSION} {numbers} {config} {as_repair(repair)} {suffix} {max_vertices}"
     is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
     settings += f" {'float64' if is_double else 'float32'}" + (f" {shaping}" if shaping != UNCHANGED else "")
     shared = (numbers, config, as_repair(repair), max_vertices, timeout, is_double, shaping)

@@ -180,8 +180,8 @@ def _settings(parser: argparse.ArgumentParser) -> None:
     defaults = Config()
     curve = parser.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
     curve.add_argument(
+        "--least-slenderness",
         "--prune",
-        dest="least_slenderness",
         type=float,
         metavar="X",
         help="remove branches of lower slenderness: 1 for a limb that sticks out by its radius, 4 to 8 for a finger; "

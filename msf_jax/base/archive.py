@@ -138,7 +138,7 @@ def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, 
     """``value`` in JSON's types. Arrays in it are put into ``arrays``, named by their path in ``value``.
 
     ``value`` consists of plain values, lists, tuples, dictionaries, and the named tuples and dataclasses in
-    ``records``, by their names: what makes each from its members. Those with an ``_asdict`` choose these.
+    ``records``, by their names: what makes each from its members.
     """
 
     def each(members: Mapping[str, Any]) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import sys
 import warnings
 from typing import Any
 
-OWN = ("msf_jax", "dataclasses")  # packages whose lines are no user's, in a warning of an old name
+OWN = ("msf_jax", "dataclasses", "copy")  # packages whose lines are no user's, in a warning of an old name
 
 
 class MeshError(ValueError):
@@ -33,7 +33,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 def deprecated(message: str) -> None:
-    """A `DeprecationWarning` at the line outside of this package, and of `dataclasses`, that led here."""
+    """A `DeprecationWarning` at the line outside of this package, of `dataclasses` and of `copy`, that led here."""
     frame, level = sys._getframe(1), 2  # `warn` counts this function as 1
     while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] in OWN:
         frame, level = frame.f_back, level + 1

@@ -100,7 +100,7 @@ def run_of(
     return {
         "mesh": _hash(*given),
         "weights": _hash(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
-        "config": config.replace(max_seconds=None).text(),  # the same run, if it has more time
+        "config": repr(config.replace(max_seconds=None)),  # the same run, if it has more time
         "pins": _hash(pins),
         "repair": repr(repair),
         "precision": str(np.dtype(real_dtype())),

@@ -38,7 +38,7 @@ STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a 
 
 
 def contract(
-    mesh: MeshLike,
+    mesh: "MeshLike",
     weights: Weights | None = None,
     config: Config | None = None,
     *,

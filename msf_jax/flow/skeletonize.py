@@ -21,7 +21,7 @@ SAMPLE_SPACING = 0.005  # diagonals: spacing of the sample points at which two c
 
 
 def skeletonize(
-    mesh: MeshLike,
+    mesh: "MeshLike",
     weights: Weights | None = None,
     config: Config | None = None,
     *,

@@ -17,7 +17,7 @@ import numpy as np
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout, Level
-from msf_jax.base.options import Config, Weights, is_traced
+from msf_jax.base.options import GROUPS, Config, Weights, is_traced
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.gradients.tape_checks import check_part, flags, indices, numbers
 from msf_jax.meshes import reading
@@ -33,8 +33,9 @@ from msf_jax.skeleton.source import Source
 KIND = "tape"  # of the file, see `archive`
 FORMAT_VERSION = 4  # of the format: files of other versions are refused
 RECORDS = {  # the types that a file may contain, by name
-    kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights)
-} | {"Config": Config.of_flat}
+    kind.__name__: kind
+    for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, *GROUPS.values())
+} | {"Config": Config.of_members}
 FEWEST_NODES = 64  # rows of nodes in a padded tape, at least: capacities are 64, 128, 256, ...
 FEWEST_MESO = 512  # rows of vertices of the contracted surface, at least: 512, 1024, 2048, ...
 
@@ -153,7 +154,7 @@ class Tape:
             )
         return Comparison(num_unlike(np.asarray(self.decisions), np.asarray(other.decisions)), len(other.decisions))
 
-    def check(self, mesh: MeshLike) -> None:
+    def check(self, mesh: "MeshLike") -> None:
         """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
         vertices, faces = reading.read(mesh, finite=False)
         if not np.isfinite(vertices).all():  # repair placed these vertices between their neighbours
@@ -178,7 +179,7 @@ class Tape:
         archive.write(path, KIND, FORMAT_VERSION, header, arrays, compress=True)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], mesh: MeshLike | None = None) -> "Tape":
+    def load(cls, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> "Tape":
         """The tape that `save` wrote to ``path``. With ``mesh`` given, the tape must be of that mesh.
 
         Raises:

@@ -12,7 +12,7 @@ from msf_jax.meshes.reading import MeshLike
 from msf_jax.numerics import reconstruction
 
 
-def reconstruct(mesh: MeshLike, k: int = 400) -> trimesh.Trimesh:
+def reconstruct(mesh: "MeshLike", k: int = 400) -> trimesh.Trimesh:
     """The mesh without its small details: V' = Phi Phi^T V with ``k`` eigenvectors (article 3.1.1).
 
     Args:
@@ -37,7 +37,7 @@ def reconstruct(mesh: MeshLike, k: int = 400) -> trimesh.Trimesh:
     return trimesh.Trimesh(vertices, checked.faces, process=False)
 
 
-def voronoi_poles(mesh: MeshLike) -> np.ndarray:
+def voronoi_poles(mesh: "MeshLike") -> np.ndarray:
     """The Voronoi pole of every vertex of the unfiltered mesh (article 3.1.2; Amenta et al. 2001).
 
     Args:

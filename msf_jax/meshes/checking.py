@@ -97,7 +97,7 @@ class Surface:
 
 
 @enough_memory("the mesh")
-def prepare(mesh: MeshLike, repair: bool | str | Repair = False) -> Surface:
+def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
     """Read and check ``mesh``, and repair it as ``repair`` says. The caller's object is not changed.
 
     Raises:

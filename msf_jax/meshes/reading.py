@@ -57,7 +57,7 @@ MeshLike = str | os.PathLike[str] | tuple[ArrayLike, ArrayLike] | HasTriangles |
 """What functions take as a mesh: a path, an object with triangles, or ``(vertices (V, 3), faces (F, 3))``."""
 
 
-def read_mesh(mesh: MeshLike) -> tuple[np.ndarray, np.ndarray]:
+def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a mesh, as `skeletonize` reads it.
 
     Args:

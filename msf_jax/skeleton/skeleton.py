@@ -269,7 +269,7 @@ class Skeleton:
         """
         return tables.columns_of(self, of)
 
-    def save(self, path: str | os.PathLike[str], mesh: MeshLike | None = None) -> None:
+    def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
@@ -301,7 +301,7 @@ class Skeleton:
         precomputed.save(self, folder, segment)
 
     def rig(
-        self, bones: int | None = None, influences: int = 4, mesh: MeshLike | None = None, names: str | None = None
+        self, bones: int | None = None, influences: int = 4, mesh: "MeshLike | None" = None, names: str | None = None
     ) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
@@ -337,7 +337,7 @@ class Skeleton:
         """
         return fitting.frame_of(self, tolerance)
 
-    def view(self, mesh: MeshLike | None = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
+    def view(self, mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
 
         Args:
@@ -354,12 +354,12 @@ class Skeleton:
         return page.view(self, mesh, path)
 
     def plot(
-        self, mesh: MeshLike | None = None, *, elevation: float | None = None, azimuth: float | None = None
+        self, mesh: "MeshLike | None" = None, *, elevation: float | None = None, azimuth: float | None = None
     ) -> "Figure":
         """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `panels.figure`."""
         return panels.figure(self, mesh, elevation=elevation, azimuth=azimuth)
 
-    def segments(self, mesh: MeshLike) -> list["Trimesh"]:
+    def segments(self, mesh: "MeshLike") -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
         A face belongs to the branch of most of its corners' nodes, or else of its first corner's; a node at a junction

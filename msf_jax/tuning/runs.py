@@ -132,7 +132,7 @@ class Runs:
 
     def _key(self) -> str:
         """A hash of all that values depend on. An objective is identified by its name."""
-        digest = hashlib.sha256(f"{self.objective.name} {self.config.text()} {self.of}".encode())
+        digest = hashlib.sha256(f"{self.objective.name} {self.config} {self.of}".encode())
         for vertices, faces in self.meshes:
             digest.update(vertices.tobytes() + faces.tobytes())
         return digest.hexdigest()

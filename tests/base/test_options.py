@@ -2,6 +2,8 @@
 
 import argparse
 import dataclasses
+import functools
+import json
 from collections import defaultdict
 
 import jax
@@ -51,7 +53,17 @@ def test_a_weight_out_of_range_is_named(bad):
         (FlowOptions, {"w_H_follows_area": True}, "edit_connectivity=False"),
         (SolverOptions, {"tolerance": "loose"}, "SolverOptions.tolerance"),
         (PreprocessingOptions, {"reconstruct_poles": 2}, "fewer than 4 eigenvectors"),
-        (Config, {"flow": {}}, "Config.flow is a dict: expected a msf_jax.FlowOptions, or changes"),
+        (Config, {"flow": 3}, "Config.flow is a int: expected a msf_jax.FlowOptions, or a dictionary"),
+        (Config, {"flow": {"split_angle": 60}}, "FlowOptions.split_angle is 60"),
+        (Config, {"threshold": 1.0}, "Config has no 'threshold': expected one of detail, "),
+        (Config, {"threshold_min": 0.01}, "Config has no 'threshold_min': it is config.flow.threshold_min$"),
+        (FlowOptions, {"t_min": 0.01}, "FlowOptions has no 't_min': it is config.flow.threshold_min$"),
+        (CurveOptions, {"t_min": 0.01}, "CurveOptions has no 't_min': it is config.flow.threshold_min$"),
+        (
+            SolverOptions,
+            {"steps": 7},
+            "SolverOptions has no 'steps': expected one of tolerance, step_tolerance, max_steps",
+        ),
     ],
 )
 def test_an_option_out_of_range_is_named(kind, bad, message):
@@ -134,9 +146,16 @@ def test_weights_are_equal_by_their_numbers():
 
 def test_a_system_is_no_word_beside_the_options_of_another():
     """`Config(system="au2008")` was a run of the default system with other weights."""
-    for wrong in (lambda: Config(system="au2008"), lambda: Config().replace(system="au2008")):
+    au = Config.au2008()
+    for wrong in (
+        lambda: Config(system="au2008"),
+        lambda: Config().replace(system="au2008"),
+        lambda: dataclasses.replace(Config(), system="au2008"),
+        lambda: dataclasses.replace(au, system="msf"),
+    ):
         with pytest.raises(ConfigError, match=r"Config\.named"):
             wrong()
+    assert dataclasses.replace(au, detail=0.6) == Config.au2008(detail=0.6)
     for name in ("msf", "tagliasacchi2012", "au2008"):
         assert Config.named(name).system == name
     with pytest.raises(ConfigError, match=r"unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"):
@@ -153,8 +172,24 @@ def test_changes_of_a_group_leave_its_other_values():
     for wrong in (FlowOptions(), 3):  # a whole group would take the system's other values away
         with pytest.raises(ConfigError, match=r"flow is a \w+: expected a dictionary of changes, such as flow="):
             Config.au2008(flow=wrong)
-    with pytest.raises(TypeError, match="growth"):
+    with pytest.raises(ConfigError, match=r"FlowOptions has no 'growth': it is config\.flow\.w_L_growth"):
         slow.replace(flow={"growth": 1.0})
+    for change in (slow.replace, functools.partial(dataclasses.replace, slow)):
+        with pytest.raises(ConfigError, match="Config has no 'growths': expected one of detail"):
+            change(growths=1.0)
+
+
+def test_a_config_is_made_again_of_its_dictionary():
+    """As `dataclasses.asdict` makes it, with a dictionary for each group; `Config.named` takes it from JSON, too."""
+    for config in (Config(detail=0.6), Config.au2008(flow={"w_L_growth": 1.2})):
+        values = dataclasses.asdict(config)
+        assert isinstance(values["flow"], dict)
+        assert Config(**values) == config == Config.named(**json.loads(json.dumps(values)))
+    assert Config(flow={"split_angle": 120}) == Config(flow=FlowOptions(split_angle=120))  # type: ignore[arg-type]
+    with pytest.raises(
+        ConfigError, match=r"flow has 1 of 11 values: expected config.replace\(flow={'split_angle': 120}\)"
+    ):
+        dataclasses.replace(config, flow={"split_angle": 120})  # it would have the default system's other values
 
 
 def test_the_options_at_the_top_are_those_of_the_command_line():
@@ -162,6 +197,13 @@ def test_the_options_at_the_top_are_those_of_the_command_line():
     offered = {word for words in _options_of(parser) for word in words}
     groups = {"preprocessing", "flow", "solver", "curve"}
     assert {field.name for field in dataclasses.fields(Config)} - groups <= offered
+
+
+def test_the_command_line_has_the_names_of_options_in_messages():
+    """An error names `Config.least_slenderness`; ``--prune`` is its short name."""
+    parser = parser_of(defaultdict(lambda: print))
+    for option in ("--prune", "--least-slenderness"):
+        assert parser.parse_args(["skeletonize", "hand.off", option, "3"]).least_slenderness == 3
 
 
 def _options_of(parser):

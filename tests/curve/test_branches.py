@@ -170,7 +170,8 @@ def test_a_loop_of_two_strands_in_one_limb_is_removed():
     x, edges = joined(a, stepped(a, (2, 0.1, 0), b), stepped(a, (-3, 1, 0)), stepped(a, (-3, -1, 0)))
     last = 20  # the node at b
     assert np.allclose(x[last], b)
-    more = [stepped(a, (2, -0.1, 0), b)[1:-1], stepped(b, (7, 1, 0))[1:], stepped(b, (7, -1, 0))[1:]]
+    strand = np.insert(stepped(a, (2, -0.1, 0), b)[1:-1], 19, (3.95, 0, 0), axis=0)  # its last node is nearest to b
+    more = [strand, stepped(b, (7, 1, 0))[1:], stepped(b, (7, -1, 0))[1:]]
     for points, ends in zip(more, ((0, last), (last,), (last,)), strict=True):
         ids = [ends[0], *range(len(x), len(x) + len(points)), *ends[1:]]
         x, edges = np.concatenate([x, points]), np.concatenate([edges, list(itertools.pairwise(ids))])

@@ -3,6 +3,7 @@
 from msf_jax.base.options.config import SYSTEMS, TIGHT, Config, Solver, StepSettings
 from msf_jax.base.options.groups import (
     FACTORED,
+    GROUPS,
     LAPLACIANS,
     POLES,
     SOLVED_BY,
@@ -15,6 +16,7 @@ from msf_jax.base.options.weights import Weights, is_traced
 
 __all__ = [
     "FACTORED",
+    "GROUPS",
     "LAPLACIANS",
     "POLES",
     "SOLVED_BY",

@@ -4,21 +4,24 @@ A jitted step depends on a `Config` only through its `StepSettings`.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from functools import wraps
-from typing import TYPE_CHECKING, Any, TypeVar
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
 
 from msf_jax.base.errors import ConfigError, deprecated
 from msf_jax.base.options import flat
 from msf_jax.base.options.groups import (
     FACTORED,
+    GROUPS,
     CurveOptions,
     FlowOptions,
     PreprocessingOptions,
     SolverOptions,
     in_range,
+    known,
     one_of,
+    taking,
     true_or_false,
 )
 from msf_jax.base.options.weights import Weights
@@ -28,8 +31,6 @@ SMOOTH = (
 )
 TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.system``
-
-Kind = TypeVar("Kind")
 
 
 @dataclass(frozen=True)
@@ -55,38 +56,52 @@ class StepSettings:
     w_H_follows_area: bool
 
 
-def _taking_flat_names(kind: type[Kind]) -> type[Kind]:
-    """Let the constructor of ``kind`` take flat names, with a deprecation, and refuse the name of a system alone.
+def _values(kind: Any, given: dict[str, Any]) -> dict[str, Any]:
+    """The values of a config, of keywords that may have flat names, and dictionaries in place of groups."""
+    names = {member.name for member in fields(kind)}
+    if not given.keys() >= names:
+        return known(kind, _with_groups(flat.renamed("Config", given)))
+    # `dataclasses.replace` gives all values, and changes, which may have flat names.
+    whole = _with_groups({name: given[name] for name in names}, are_whole=True)
+    changes = flat.renamed("config.replace", {name: given[name] for name in given if name not in names})
+    return known(kind, whole | _changes(whole, changes))
 
-    `dataclasses.replace` calls it with all groups, and with the changes, which count more.
-    """
-    made: Callable[..., None] = kind.__init__
 
-    @wraps(made)
-    def init(self: Any, *args: Any, **given: Any) -> None:
-        is_whole = set(given) >= set(flat.GROUPS)
-        if given.get("system", "msf") in SYSTEMS[1:] and not is_whole:
+def _with_groups(values: Mapping[str, Any], *, are_whole: bool = False) -> dict[str, Any]:
+    """``values`` with groups made of dictionaries, which must have all members if they ``are_whole``."""
+    groups = {name: values[name] for name in GROUPS if name in values}
+    for name, group in groups.items():
+        kind = GROUPS[name]
+        if isinstance(group, Mapping):
+            if are_whole and len(group) < len(fields(kind)):
+                raise ConfigError(
+                    f"{name} has {len(group)} of {len(fields(kind))} values: expected config.replace("
+                    f"{name}={dict(group)}), which keeps the others"
+                )
+            groups[name] = kind(**group)
+        elif not isinstance(group, kind):
             raise ConfigError(
-                f"Config(system={given['system']!r}) would have the options of the default system: expected "
-                f"Config.{given['system']}() or Config.named({given['system']!r})"
+                f"Config.{name} is a {type(group).__name__}: expected a msf_jax.{kind.__name__}, or a dictionary of "
+                "its values"
             )
-        old = flat.old_names(given)
-        flat.warn("config.replace" if is_whole else "Config", old, as_changes=is_whole)
-        made(self, *args, **(flat.grouped(given) if old else given))
-
-    kind.__init__ = init
-    return kind
+    return {**values, **groups}
 
 
-@_taking_flat_names
+def _changes(values: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """``changes``, with those of a group, in a dictionary, applied to that of ``values``."""
+    return {name: replace(values[name], **new) if name in GROUPS else new for name, new in changes.items()}
+
+
+@taking(_values)
 @dataclass(frozen=True, kw_only=True)
 class Config:
     """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
 
     ``Config()`` is the article's system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on. Here
     are the options that the command line has, too; the others are in groups, as ``config.flow.split_angle``. The
-    constructor takes whole groups: ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and the systems
-    take changes of groups: ``Config.au2008(flow={"w_L_growth": 1.2})``.
+    constructor takes groups: ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and the systems take
+    changes of groups: ``Config.au2008(flow={"w_L_growth": 1.2})``. In the constructor, a dictionary is a group whose
+    other values are the defaults.
 
     Attributes:
         detail: which limbs that are shorter than ``least_slenderness`` asks have a branch, because they stand out (see
@@ -125,17 +140,15 @@ class Config:
     flow: FlowOptions = field(default_factory=FlowOptions)
     solver: SolverOptions = field(default_factory=SolverOptions)
     curve: CurveOptions = field(default_factory=CurveOptions)
-    system: str = "msf"
+    system: str = flat.System("msf")
 
     def __post_init__(self) -> None:
         one_of(self, "system", SYSTEMS, "system")
-        for name, usual in flat.GROUPS.items():
-            group, kind = getattr(self, name), type(usual).__name__
-            if not isinstance(group, type(usual)):
-                raise ConfigError(
-                    f"Config.{name} is a {type(group).__name__}: expected a msf_jax.{kind}, or changes of a group in a "
-                    f"call of replace, such as Config().replace({name}={{...}})"
-                )
+        if not isinstance(self.system, flat.System):
+            raise ConfigError(
+                f"the system of a config is that of its constructor: expected Config.named({self.system!r}, ...), "
+                "which has its options, too"
+            )
         in_range(self, detail=(0, 1), least_slenderness=(0, math.inf), coarsen=(0, 0.1))
         in_range(self, whole=True, max_iterations=(1, math.inf))
         if self.max_seconds is not None:
@@ -149,48 +162,35 @@ class Config:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             path = flat.FLAT[name]
             deprecated(f"Config.{name} is deprecated: use Config.{path}")
-            return flat.flat(self)[name]
+            return attrgetter(path)(self)
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state if "flow" in state else vars(Config.of_flat(**state)))  # of a pickle before groups
-
-    def _asdict(self) -> dict[str, Any]:
-        """Its values by the names that they have in files, see `options.flat`."""
-        return flat.flat(self)
-
-    def text(self) -> str:
-        """All of it, by the names that it has in files, where it identifies a run."""
-        return f"Config({', '.join(f'{name}={value!r}' for name, value in flat.flat(self).items())})"
+        self.__dict__.update(state if "flow" in state else vars(Config.of_members(**state)))  # of a pickle of 0.4.0
 
     @classmethod
-    def of_flat(cls, **values: Any) -> "Config":
-        """The config with these values by their flat names, as files have them."""
-        whole = flat.grouped(values)
-        return cls(**(flat.GROUPS | whole))
+    def of_members(cls, **members: Any) -> "Config":
+        """The config with these members, as a file has them: of 0.4.0, by flat names."""
+        members = flat.grouped(members)
+        members["system"] = flat.System(members.get("system", "msf"))
+        return cls(**members)
 
     def replace(self, **changes: Any) -> "Config":
         """This configuration with ``changes``. Those of a group are a dictionary: ``flow={"split_angle": 120}``.
 
         Raises:
-            ConfigError: a value is out of its range, or the changes of a group are no dictionary.
+            ConfigError: a value is out of its range, a name is unknown, or the changes of a group are no dictionary.
         """
         return self._changed("config.replace", changes)
 
     def _changed(self, caller: str, changes: Mapping[str, Any]) -> "Config":
-        old = flat.old_names(changes)
-        flat.warn(caller, old, as_changes=True)
-        if "system" in changes:
-            raise ConfigError("the system of a config is that of its constructor: expected Config.named(...)")
-        groups = {name: getattr(self, name) for name in flat.GROUPS}
-        for name in flat.GROUPS.keys() & changes.keys():
-            if not isinstance(changes[name], Mapping):
+        changes = flat.renamed(caller, changes)
+        for name, kind in GROUPS.items():
+            if name in changes and not isinstance(changes[name], Mapping):
                 raise ConfigError(
                     f"{name} is a {type(changes[name]).__name__}: expected a dictionary of changes, such as "
-                    f"{name}={{{fields(groups[name])[0].name!r}: ...}}"
+                    f"{name}={{{fields(kind)[0].name!r}: ...}}"
                 )
-            groups[name] = replace(groups[name], **changes[name])
-        others = {name: value for name, value in changes.items() if name not in flat.GROUPS}
-        return replace(self, **(groups | flat.grouped(others, groups)))
+        return replace(self, **_changes(vars(self), changes))
 
     @classmethod
     def tagliasacchi2012(cls, **changes: Any) -> "Config":
@@ -199,7 +199,7 @@ class Config:
         Its weights, `default_weights`, have no smoothing. Entries of L are limited as in the default system.
         """
         base = cls(
-            system="tagliasacchi2012",
+            system=flat.System("tagliasacchi2012"),
             coarsen=0.0,
             preprocessing=PreprocessingOptions(reconstruct_poles=0, resample=0.01, refine=0.0, poles="voronoi"),
             flow=FlowOptions(laplacian="cotangent", threshold_min=0.002, threshold_step=0.0),
@@ -236,7 +236,7 @@ class Config:
           moved inside. ``least_slenderness=0`` keeps these branches, and all junctions.
         """
         base = cls(
-            system="au2008",
+            system=flat.System("au2008"),
             coarsen=0.0,
             preprocessing=PreprocessingOptions(reconstruct_poles=0, refine=0.0, use_poles=False),
             flow=FlowOptions(

@@ -1,24 +1,20 @@
-"""The flat names that a config's values had in 0.4.0. Files keep them; calls may use them, with a deprecation.
+"""The flat names that the values of a config had in 0.4.0. Calls may use them, with a deprecation; its tapes have them.
 
-Tapes name all values of a config; checkpoints, tunings and batches have a text of them, or its hash. These are written
-by flat names, in this order, so that a version reads the tapes of the one before, and a run that it began goes on.
+A new option has no flat name.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
-from operator import attrgetter
 from typing import Any
 
-from msf_jax.base.errors import deprecated
-from msf_jax.base.options.groups import CurveOptions, FlowOptions, PreprocessingOptions, SolverOptions
+from msf_jax.base.errors import ConfigError, deprecated
 
-GROUPS = {
-    "preprocessing": PreprocessingOptions(),
-    "flow": FlowOptions(),
-    "solver": SolverOptions(),
-    "curve": CurveOptions(),
-}  # of a `Config`, with their defaults
-# Where each value is now. A new option gets a flat name, too, and comes last.
+
+class System(str):
+    """The name of a system, as its constructor sets it: a config refuses a plain string."""
+
+    __slots__ = ()
+
+
 FLAT = {
     "weights_of": "system",
     "laplacian": "flow.laplacian",
@@ -26,7 +22,6 @@ FLAT = {
     "reconstruct_mesh": "preprocessing.reconstruct_mesh",
     "exact_reconstruction": "preprocessing.exact_reconstruction",
     "resample": "preprocessing.resample",
-    "coarsen": "coarsen",
     "refine": "preprocessing.refine",
     "use_poles": "preprocessing.use_poles",
     "poles": "preprocessing.poles",
@@ -38,8 +33,6 @@ FLAT = {
     "split_angle": "flow.split_angle",
     "growth": "flow.w_L_growth",
     "w_H_follows_area": "flow.w_H_follows_area",
-    "max_iterations": "max_iterations",
-    "max_seconds": "max_seconds",
     "volume_tolerance": "flow.volume_tolerance",
     "area_tolerance": "flow.area_tolerance",
     "free_tolerance": "flow.free_tolerance",
@@ -49,59 +42,50 @@ FLAT = {
     "preconditioner": "solver.preconditioner",
     "surgery": "curve.surgery",
     "prune": "least_slenderness",
-    "detail": "detail",
     "centre": "curve.centre",
     "extend_tips": "curve.extend_tips",
-    "evaluate": "evaluate",
-    "check": "check",
-}
+}  # where each is now
 
 
-def flat(config: Any) -> dict[str, Any]:
-    """All values of a config, by their flat names."""
-    return {name: attrgetter(path)(config) for name, path in FLAT.items()}
-
-
-def grouped(values: Mapping[str, Any], groups: Mapping[str, Any] = GROUPS) -> dict[str, Any]:
-    """``values`` with those of flat names put into ``groups``; other names stay as they are."""
-    old, changes = old_names(values), {}
-    found = {name: value for name, value in values.items() if name not in old}
-    for name, value in old.items():
-        group, _, field = FLAT[name].rpartition(".")
+def grouped(values: Mapping[str, Any]) -> dict[str, Any]:
+    """``values`` with those of flat names by their new ones, in a dictionary for each group; others as they are."""
+    found: dict[str, Any] = {}
+    for name, value in values.items():
+        group, _, field = FLAT.get(name, name).rpartition(".")
         if group:
-            changes.setdefault(group, {})[field] = value
+            found.setdefault(group, {})[field] = value
         else:
-            found[field] = value
-    return found | {group: replace(found.get(group, groups[group]), **change) for group, change in changes.items()}
+            found[field] = System(value) if name == "weights_of" else value
+    return found
 
 
-def old_names(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of ``values`` whose name has changed."""
-    return {name: value for name, value in values.items() if FLAT.get(name, name) != name}
+def renamed(caller: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    """`grouped`, for values that were given to ``caller``: a deprecation has the call that takes their place.
 
-
-def warn(caller: str, old: Mapping[str, Any], *, as_changes: bool) -> None:
-    """A deprecation of the ``old`` names given to ``caller``, with the call that takes their place.
-
-    ``as_changes``: it changes a config and takes dictionaries, as `Config.replace` does; else it takes whole groups.
+    Raises:
+        ConfigError: a flat name and its new one, or its group, are both given.
     """
-    if not old:
-        return
+    old = {name: value for name, value in values.items() if name in FLAT}
+    for name in old:
+        if (place := FLAT[name].partition(".")[0]) in values:
+            raise ConfigError(f"{name} is the old name of {FLAT[name]}: expected no {place} beside it")
     if "weights_of" in old:
         maker = f"Config.named({old['weights_of']!r})"
         deprecated(
             f"weights_of is deprecated, it sets no more than default weights: use {maker} for a whole system, or give "
             f"the weights {maker}.default_weights() to the run"
         )
-    new: dict[str, dict[str, Any]] = {}
-    for name, value in old.items():
-        group, _, field = FLAT[name].rpartition(".")
-        if name != "weights_of":
-            new.setdefault(group, {})[field] = value
-    words = [f"{name}={value!r}" for name, value in new.pop("", {}).items()]
-    for group, values in new.items():
-        members = ", ".join(f"{name}={value!r}" for name, value in values.items())
-        words.append(f"{group}={values}" if as_changes else f"{group}={type(GROUPS[group]).__name__}({members})")
-    if words:
-        names = ", ".join(name for name in old if name != "weights_of")
-        deprecated(f"{names} of {caller} is deprecated: use {caller}({', '.join(words)})")
+    names = [name for name in old if name != "weights_of"]
+    if names:
+        words = [_said(caller, *new) for new in grouped({name: old[name] for name in names}).items()]
+        verb = "is" if len(names) == 1 else "are"
+        deprecated(f"{', '.join(names)} of {caller} {verb} deprecated: use {caller}({', '.join(words)})")
+    return grouped(values)
+
+
+def _said(caller: str, name: str, value: Any) -> str:
+    """An argument of ``caller``; of the constructor, whose type takes whole groups, a group is one."""
+    if caller != "Config" or not isinstance(value, dict):
+        return f"{name}={value!r}"
+    members = ", ".join(f"{field}={member!r}" for field, member in value.items())
+    return f"{name}={name.capitalize()}Options({members})"

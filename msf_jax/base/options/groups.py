@@ -5,10 +5,13 @@ Each checks its own values. Lengths are fractions of the bounding box's diagonal
 
 import math
 import numbers
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from functools import wraps
+from typing import Any, TypeVar
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.base.options.flat import FLAT
 
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``FlowOptions.laplacian``
 POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
@@ -16,7 +19,37 @@ FACTORED = "factored"  # the preconditioner that the host factorises
 SOLVED_BY = ("jacobi", FACTORED)  # values of ``SolverOptions.preconditioner``
 FEWEST_EIGENVECTORS = 4  # a constant and three coordinates: with fewer, a rebuilt mesh has no volume
 
+Kind = TypeVar("Kind")
 
+
+def taking(made_of: Callable[[Any, dict[str, Any]], dict[str, Any]]) -> Callable[[type[Kind]], type[Kind]]:
+    """Let the constructor of a class take what ``made_of`` makes of the class and the keywords."""
+
+    def decorated(kind: type[Kind]) -> type[Kind]:
+        constructor: Callable[..., None] = kind.__init__
+
+        @wraps(constructor)
+        def init(self: Any, *args: Any, **given: Any) -> None:
+            constructor(self, *args, **made_of(kind, given))
+
+        kind.__init__ = init
+        return kind
+
+    return decorated
+
+
+def known(kind: Any, given: dict[str, Any]) -> dict[str, Any]:
+    """``given``. A name that is no field of ``kind`` is a `ConfigError`, with its place if a config has one."""
+    names = [field.name for field in fields(kind)]
+    places = {path.rpartition(".")[2]: path for path in FLAT.values()} | FLAT
+    for name in given:
+        if name not in names:
+            expected = f"it is config.{places[name]}" if name in places else f"expected one of {', '.join(names)}"
+            raise ConfigError(f"{kind.__name__} has no {name!r}: {expected}")
+    return given
+
+
+@taking(known)
 @dataclass(frozen=True, kw_only=True)
 class PreprocessingOptions:
     """The surface before the flow, and its poles.
@@ -65,6 +98,7 @@ class PreprocessingOptions:
             )
 
 
+@taking(known)
 @dataclass(frozen=True, kw_only=True)
 class FlowOptions:
     """The iterations: contraction, edits of the surface, and when the flow has converged.
@@ -122,6 +156,7 @@ class FlowOptions:
         return self.threshold_min, self.threshold_step, self.threshold_max
 
 
+@taking(known)
 @dataclass(frozen=True, kw_only=True)
 class SolverOptions:
     """The linear solves of the contraction, by conjugate gradients (CG).
@@ -150,6 +185,7 @@ class SolverOptions:
         in_range(self, whole=True, max_steps=(1, math.inf))
 
 
+@taking(known)
 @dataclass(frozen=True, kw_only=True)
 class CurveOptions:
     """How the curve is extracted from the contracted surface, and finished.
@@ -162,7 +198,7 @@ class CurveOptions:
             flow has missed get one.
 
     Raises:
-        ConfigError: a value is neither True nor False.
+        ConfigError: a value is neither True nor False, or a name is unknown.
     """
 
     surgery: bool = False
@@ -171,6 +207,14 @@ class CurveOptions:
 
     def __post_init__(self) -> None:
         true_or_false(self, "surgery", "centre", "extend_tips")
+
+
+GROUPS: dict[str, Any] = {
+    "preprocessing": PreprocessingOptions,
+    "flow": FlowOptions,
+    "solver": SolverOptions,
+    "curve": CurveOptions,
+}  # of a `Config`
 
 
 def in_range(options: Any, *, whole: bool = False, **ranges: tuple[float, float]) -> None:

@@ -31,7 +31,7 @@ ARRAY_BUFFER = 34962  # buffer target of the format
 JSON, BINARY = 0x4E4F534A, 0x004E4942  # types of chunks in the format
 
 
-def skinned(skeleton: "Skeleton", mesh: MeshLike) -> bytes:
+def skinned(skeleton: "Skeleton", mesh: "MeshLike") -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``skeleton``.
 
     Raises:
@@ -40,7 +40,7 @@ def skinned(skeleton: "Skeleton", mesh: MeshLike) -> bytes:
     return of_rig(skeleton.rig(mesh=mesh), mesh)
 
 
-def of_rig(rig: "Rig", mesh: MeshLike) -> bytes:
+def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
 
     Raises:

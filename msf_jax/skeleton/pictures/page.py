@@ -31,7 +31,7 @@ LANDSCAPE = 1.3  # width over height of a notebook's cell; a page measures its o
 LEAST_EXTENT = 0.01  # least ratio of the scene's extents: plotly divides by the cube root of their product
 
 
-def view(skeleton: "Skeleton", mesh: MeshLike | None = None, path: str | os.PathLike[str] | None = None) -> "Figure":
+def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "Figure":
     """See `Skeleton.view`."""
     import plotly.graph_objects as go
 
@@ -81,7 +81,7 @@ def _title(skeleton: "Skeleton") -> str:
     return f"{counts}{inside}; {report.reason}"
 
 
-def _surfaces(skeleton: "Skeleton", mesh: MeshLike | None, middle: np.ndarray) -> tuple[list[Any], bool]:
+def _surfaces(skeleton: "Skeleton", mesh: "MeshLike | None", middle: np.ndarray) -> tuple[list[Any], bool]:
     """The mesh in grey, and coloured by node if the curve has a map of it; and whether it has."""
     if mesh is None:
         if skeleton.source is None:

@@ -35,7 +35,7 @@ class Panel:
     """
 
     title: str = ""
-    mesh: MeshLike | None = None
+    mesh: "MeshLike | None" = None
     curves: "Mapping[str, Skeleton]" = field(default_factory=dict)
     points: np.ndarray | None = None
     is_solid: bool = False
@@ -155,7 +155,11 @@ def _frame(axes: Any, points: np.ndarray) -> None:
 
 
 def figure(
-    skeleton: "Skeleton", mesh: MeshLike | None = None, *, elevation: float | None = None, azimuth: float | None = None
+    skeleton: "Skeleton",
+    mesh: "MeshLike | None" = None,
+    *,
+    elevation: float | None = None,
+    azimuth: float | None = None,
 ) -> "Figure":
     """A matplotlib figure: the mesh translucent, the curve coloured by radius.
 
@@ -168,7 +172,11 @@ def figure(
 
 
 def picture(
-    skeleton: "Skeleton", mesh: MeshLike | None = None, *, elevation: float | None = None, azimuth: float | None = None
+    skeleton: "Skeleton",
+    mesh: "MeshLike | None" = None,
+    *,
+    elevation: float | None = None,
+    azimuth: float | None = None,
 ) -> bytes:
     """`figure` as the bytes of a PNG file."""
     buffer = io.BytesIO()

@@ -60,7 +60,7 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
         of_face = owner[piece]
 
 
-def segments(skeleton: "Skeleton", mesh: MeshLike) -> list[trimesh.Trimesh]:
+def segments(skeleton: "Skeleton", mesh: "MeshLike") -> list[trimesh.Trimesh]:
     """See `Skeleton.segments`."""
     vertices, faces = reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))

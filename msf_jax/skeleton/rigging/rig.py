@@ -63,7 +63,7 @@ class Rig:
         """The number of vertices of the mesh."""
         return len(self.weights.indptr) - 1
 
-    def save(self, path: str | os.PathLike[str], mesh: MeshLike) -> None:
+    def save(self, path: str | os.PathLike[str], mesh: "MeshLike") -> None:
         """Write ``mesh``, as `skeletonize` took it, on these bones to a ``.glb`` file, atomically.
 
         Raises:
@@ -157,7 +157,7 @@ class Rig:
         )
 
 
-def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: MeshLike | None, names: str | None) -> Rig:
+def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: "MeshLike | None", names: str | None) -> Rig:
     """See `Skeleton.rig`."""
     if names is not None and names not in biped.STANDARDS:
         raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(biped.STANDARDS)}")
