@@ -235,7 +235,9 @@ def work(job: BatchJob) -> dict[str, Any]:
     try:
         Clock(job.timeout).call(_skeletonized, job, row)
     except Stopped:
-        row["error"] = f"it took more than {job.timeout:g} seconds: expected less, by timeout (--timeout)"
+        row["error"] = (
+            f"it took more than {job.timeout:g} seconds: expected less, by timeout (--timeout); --retry tries it again"
+        )
     except (MeshError, FlowError, ConfigError) as error:
         row["error"] = str(error)
     except Exception as error:  # a bug in this program must not end the batch, either

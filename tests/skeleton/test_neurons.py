@@ -66,6 +66,7 @@ def test_files_say_what_radii_and_units_they_have(tmp_path):
     curve.save(tmp_path / "a.swc")
     text = (tmp_path / "a.swc").read_text()
     assert "# radius: of the largest ball inside\n" in text and "# units: µm and more\n" in text
+    assert msf_jax.read_curve(tmp_path / "a.swc").units == "µm and more"
     curve.save(tmp_path / "a.npz")
     again = msf_jax.read_curve(tmp_path / "a.npz")
     assert (again.units, again.radius_of) == (curve.units, "ball")

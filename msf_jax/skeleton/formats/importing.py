@@ -1,6 +1,7 @@
 """Reading of curves from files, of this program and of others."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,7 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     Returns:
         A skeleton. That of an ``.npz`` has all but the stages of the flow, so that it can be pruned, resampled and
         followed. That of a ``.json`` has all but the surface. Others have an empty map, and a report with counts only.
-        SWC has radii, and edges that this program cut are joined again. PLY and GraphML have radii if the file has. In
+        SWC has radii, and of files of this program the units; edges that it cut are joined again. PLY and GraphML have radii if the file has. In
         OBJ, CG and polylines radii are 0, and coincident ends of polylines become one node.
 
     Raises:
@@ -44,7 +45,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     if suffix == ".json":
         arrays, report = whole.read_json(name, text)
         return Skeleton(**arrays, report=report)
-    vertices, edges, radii = READERS[suffix](name, lines_of(text))
+    lines = lines_of(text)
+    vertices, edges, radii = READERS[suffix](name, lines)
     try:
         pairs = np.unique(np.sort(np.array(edges, dtype=np.int64).reshape(-1, 2), axis=1), axis=0)
         pairs = pairs[pairs[:, 0] != pairs[:, 1]]
@@ -53,7 +55,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
         raise ConfigError(f"{name!r} has edges to nodes that it does not have: its ids have too many digits") from None
     except ValueError as error:
         raise ConfigError(f"{name!r} is no curve: {error}") from None
-    return curve_of(checked["vertices"], checked["edges"], checked["radii"])
+    found = curve_of(checked["vertices"], checked["edges"], checked["radii"])
+    return replace(found, units=swc.units_of(lines)) if suffix == ".swc" else found
 
 
 READERS = {

@@ -18,6 +18,7 @@ CUT = "# cut edge"  # begins the comment that lists a cut edge by its two ids
 SOMA, FORK, END, OTHER = 1, 5, 6, 0  # labels of the format, without unit
 RADII = {"ball": "of the largest ball inside", "section": "of a disc with the area of the cross-section"}
 REPORT = "# report: "  # begins the comment with a line of the report
+UNITS = "# units: "  # begins the comment with the unit of lengths
 
 
 def written(skeleton: "Skeleton") -> str:
@@ -34,7 +35,7 @@ def written(skeleton: "Skeleton") -> str:
     header.append("# labels: 1 soma, 5 fork, 6 end, 0 other")
     header.append(f"# radius: {RADII[skeleton.radius_of]}")
     if skeleton.units:
-        header.append(f"# units: {' '.join(skeleton.units.split())}")
+        header.append(UNITS + " ".join(skeleton.units.split()))
         header.append(f"# Meta: {json.dumps({'units': ' '.join(skeleton.units.split())})}")  # navis reads this line
     header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")
     label = labels(skeleton, parent)
@@ -61,6 +62,11 @@ def labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
 def report_lines(text: str) -> list[str]:
     """The lines of the report in the comments of a file that `written` made; empty for a file of another program."""
     return [line.removeprefix(REPORT) for line in lines_of(text) if line.startswith(REPORT)]
+
+
+def units_of(lines: list[str]) -> str:
+    """The unit of lengths in the comments of a file that `written` made; empty if there is none."""
+    return next((line.removeprefix(UNITS).strip() for line in lines if line.startswith(UNITS)), "")
 
 
 def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, list[tuple[int, int]], np.ndarray]:
