@@ -20,8 +20,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     Returns:
         A skeleton. That of an ``.npz`` has all but the stages of the flow, so that it can be pruned, resampled and
         followed. That of a ``.json`` has all but the surface. Others have an empty map, and a report with counts only.
-        SWC has radii, and of files of this program the units; edges that it cut are joined again. PLY and GraphML have radii if the file has. In
-        OBJ, CG and polylines radii are 0, and coincident ends of polylines become one node.
+        SWC has radii, and of files of this program the units; edges that it cut are joined again. PLY and GraphML have
+        radii if the file has. In OBJ, CG and polylines radii are 0, and coincident ends of polylines become one node.
 
     Raises:
         ConfigError: the suffix is unknown, a line is not of the format (the message says which, and what was expected),
