@@ -92,7 +92,7 @@ class Diagonal(NamedTuple):
         return jnp.ones_like(self.entries)
 
     def least(self):
-        return self.entries.min(), self.entries.min()
+        return jnp.full_like(self.entries, self.entries.min()), self.entries.min()
 
 
 # Surfaces

@@ -56,7 +56,7 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
     solves, num = moved.solves, len(order)
     left = solves.left[:, :num].copy()
     free, pull = (np.array(values[:num]) for values in (packed.buffers.free, packed.buffers.pull))
-    unit = max(float(free.sum()), 1.0) ** 0.5 * state.t_c  # of the norm of an error whose RMS is t_c
+    unit = max(float(free.sum()), 1.0) ** 0.5 * float(packed.buffers.t_c)  # norm of an error whose RMS is that t_c
     state.steps.append(Step(order, before, packed.rings, packed.degree, free, pull, left, moved.factor, meso.edits))
     meso.edits = []
     state.history.append(
@@ -120,7 +120,7 @@ def _pack(state: State, weights: Weights, clock: Clock) -> _Packed:
 
 
 def _smallest(state: State) -> float:
-    """The least t_c of any limb, in diagonals. The tolerance of the solves follows from it."""
+    """The least t_c of any limb, in diagonals: of the tolerance of the solves, and the unit of their errors."""
     scale = state.meso.scale
     return state.t_c if scale is None else state.t_c * float(scale[state.meso.degree > 0].min())
 

@@ -74,9 +74,11 @@ class Report:
         out_of_steps: iterations in which a linear solve ended by ``SolverOptions(max_steps=...)``, or by an equation
             that is not positive definite.
         unsolved: iterations whose solves may be further from their solutions than an RMS error of one collapse
-            threshold t_c. With the default tolerances most are: they end by a short step, see the guide *gradients*.
-        solve_error: the largest estimated RMS error of a contraction's solve, in t_c. With the default tolerances it is
-            1 to 8, and the errors themselves are 0.1 to 4. So a run follows the equation only that closely.
+            threshold t_c, the least of any limb. With the default tolerances almost all are: they end by a short step,
+            see the guide *gradients*.
+        solve_error: the largest estimated RMS error of a contraction's solve, in that t_c. It is no bound. With the
+            default tolerances it is 1 to 8, and the errors themselves are 0.1 to 4. So a run follows the equation only
+            that closely.
         solve_steps: CG steps of all solves.
         doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
             a surface that crosses itself.

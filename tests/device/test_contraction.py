@@ -28,7 +28,7 @@ from device_cases import (
 from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver, SolverOptions, StepSettings, Weights
 from msf_jax.device import cg, iteration, laplacian
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.device.contraction import contracting, normal_equations, relaxed
+from msf_jax.device.contraction import contracting, normal_equations, relaxed, smoothing
 from msf_jax.device.laplacian import LaplacianRows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
@@ -226,7 +226,8 @@ class Dense(NamedTuple):
         return jnp.diagonal(self.entries)
 
     def least(self):
-        return jnp.ones(()), jnp.ones(())
+        least = jnp.linalg.eigvalsh(self.entries)[0]
+        return jnp.full_like(self.entries[0], least), least
 
 
 @pytest.mark.parametrize("smallest", [0.0, 1e-3])
@@ -279,7 +280,10 @@ def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
 
 @pytest.mark.parametrize("where", ["device", "host"])
 def test_a_solve_knows_how_far_it_is_from_its_solution(where):
-    """A short step is no solution: many follow it. Only the bound says that it is one."""
+    """A short step is no solution: many follow it. Only the bound says that it is one.
+
+    The preconditioner of the host is not below A's inverse, as its bound asks.
+    """
     entries = jnp.asarray(np.logspace(-4, 0, 400))
     b = jnp.asarray(np.random.default_rng(0).normal(size=(400, 1)))
     solver, said = Solver(1e-9, 5000), []
@@ -287,7 +291,7 @@ def test_a_solve_knows_how_far_it_is_from_its_solution(where):
     def ran(smallest, allowed):
         if where == "device":
             return cg.solve(Diagonal(entries), b, solver, smallest, None, allowed)
-        return cg.solve_outside(Diagonal(entries), b, solver, lambda r: r, smallest, allowed)
+        return cg.solve_outside(Diagonal(entries), b, solver, lambda r: r / entries[:, None] ** 1.5, smallest, allowed)
 
     ran = quick_jit(ran) if where == "device" else ran
     for smallest in (0.0, 1e-3, 0.1, 1.0, 10.0, 100.0) if where == "device" else (0.0, 1.0):
@@ -297,15 +301,90 @@ def test_a_solve_knows_how_far_it_is_from_its_solution(where):
         assert error <= float(report.bound) and float(report.error) <= float(report.bound)
         for allowed in (error, float(report.bound)):
             assert bool(ran(smallest, allowed)[1].is_solved) == (allowed >= float(report.bound))
-        said.append((int(report.steps), error, float(report.error), float(report.bound)))
-    steps, errors, estimates, bounds = np.array(said).T
+        said.append((int(report.steps), error, float(report.error)))
+    steps, errors, estimates = np.array(said).T
     assert (np.diff(steps) < 0).all()
     if where == "device":
         assert steps[-1] == 1  # ends with its first step, far away
-        is_met = steps > 100  # of the smallest eigenvalue: the bound is the estimate, but for its caution, 2^0.5
+        is_met = steps > 100  # of the smallest eigenvalue: then the estimate is good
         assert is_met.sum() > 2
-        assert (np.abs(bounds[is_met] / estimates[is_met] - 1.65) < 0.15).all()
         assert ((errors < estimates) & (estimates < 3 * errors))[is_met].all()
+
+
+@pytest.mark.parametrize("solver", [Solver(3e-3, 5000), Solver(1e-6, 5000)])
+def test_an_error_where_the_operator_is_small_is_within_the_bound(solver):
+    """A beam that is held at one half, and hardly at the other. A mean says nothing about the other's errors."""
+    bend = np.diff(np.eye(60), 2, axis=0)
+    held = np.where(np.arange(60) < 30, 1.0, 1e-6)
+
+    class Beam(Dense):
+        def least(self):
+            return jnp.asarray(held), jnp.asarray(held.mean())
+
+    A = bend.T @ bend + np.diag(held)
+    b = np.random.default_rng(0).normal(size=(60, 3))
+    x, report = cg.solve(Beam(jnp.asarray(A)), jnp.asarray(b), solver, 0.0, None, 1.0)
+    error = np.linalg.norm(x - np.linalg.solve(A, b))
+    assert error <= float(report.bound) and bool(report.is_solved) == (float(report.bound) <= 1)
+    assert float(report.error) <= float(report.bound)
+
+
+def test_rounding_is_in_what_a_solve_says():
+    """In float32, with conditions from 6,000 to 160,000. A derivative that loses more than half of the digits is NaN;
+    this one has the same equations as the solve itself."""
+    random = np.random.default_rng(7)
+    basis, b = np.linalg.qr(random.normal(size=(40, 40)))[0], random.normal(size=(40, 1))
+    left = []
+
+    @jax.jit
+    def ran(operator, b):
+        solver = Solver(1e-6, 2000)
+        return cg.solve(operator, b, solver), jax.grad(lambda rhs: (b * cg.solve(operator, rhs, solver)[0]).sum())(b)
+
+    with jax.enable_x64(False):
+        for power in np.linspace(3.8, 5.2, 41):
+            operator = Dense(jnp.asarray(basis @ np.diag(np.logspace(-power, 0, 40)) @ basis.T, jnp.float32))
+            short = jnp.asarray(b, jnp.float32)
+            (x, report), slope = ran(operator, short)
+            A, found = np.asarray(operator.entries, float), np.asarray(x, float)
+            true = np.linalg.norm(short - A @ found) / np.linalg.norm(short)
+            np.testing.assert_allclose(report.residual, true, rtol=0.3)
+            assert np.linalg.norm(found - np.linalg.solve(A, short)) <= 1.1 * float(report.bound)
+            left.append(true * 2**11.5)
+            if abs(left[-1] - 1) > 0.25:  # nearer, rounding decides
+                assert (left[-1] < 1) == bool(report.is_solved) == bool(report.has_ended) == (not np.isnan(slope).any())
+    left = np.array(left)
+    assert ((left > 0.5) & (left < 0.75)).any() and ((left > 1.25) & (left < 2)).any()
+
+
+@pytest.mark.parametrize("solver", [Solver(3e-3, 50), Solver(1e-9, 50)])
+def test_a_solve_of_nothing_reports_nothing(solver):
+    x, report = quick_jit(lambda b: cg.solve(Diagonal(jnp.asarray([1.0, 2.0])), b, solver, 0.25, None, 0.5))(
+        jnp.zeros((2, 3))
+    )
+    for value in (x, report.steps, report.residual, report.left, report.error, report.bound):
+        np.testing.assert_array_equal(value, 0.0)
+    assert bool(report.is_solved) and bool(report.has_ended)
+
+
+@pytest.mark.parametrize("smoothed", [False, True])
+def test_what_the_equations_say_to_be_below_them_is(case, smoothed):
+    """With weights that differ from vertex to vertex, and fixed vertices."""
+    random = np.random.default_rng(3)
+    one = jnp.ones_like(case.buffers.free)
+    w_H, w_M = (jnp.asarray(10.0 ** random.uniform(-3, 0, len(one))) for _ in range(2))
+    energy = smoothing(0.05 * one) if smoothed else contracting(0.01 * one, w_H, w_M * case.buffers.pull)
+    rows = laplacian.assemble(
+        "mean_value", case.buffers.positions, case.buffers.rings, case.buffers.degree, case.layout
+    )
+    operator, _ = normal_equations(case.buffers, rows, energy, case.layout)
+    below = np.asarray(operator.least()[0])
+    matrix = np.asarray(operator(jnp.eye(len(one))))
+    free = np.asarray(case.buffers.free) > 0
+    assert np.linalg.eigvalsh(matrix - np.diag(below)).min() > -1e-12
+    least = np.linalg.eigvalsh(matrix[free][:, free])[0]
+    assert 0 < below[free].min() <= least
+    assert not smoothed or below[free].min() > 0.5 * least
 
 
 def test_no_contraction_is_said_to_be_solved_that_is_not():
@@ -316,9 +395,10 @@ def test_no_contraction_is_said_to_be_solved_that_is_not():
         "mean_value", case.buffers.positions, case.buffers.rings, case.buffers.degree, case.layout
     )
     pulled = jnp.asarray(case.to_rows(np.arange(len(vertices)) % 3 == 0))
+    half = jnp.asarray(case.to_rows(np.where(vertices[:, 0] > 0, 1e-2, 1.0)))
     free = np.asarray(case.buffers.free) > 0
     unit = 0.01 * free.sum() ** 0.5  # the norm of an error of t_c
-    solver = Solver(1e-4, 4000)
+    solver = Solver(1e-6, 20_000)
 
     @quick_jit
     def solved(w_H, w_M, smallest):
@@ -329,9 +409,10 @@ def test_no_contraction_is_said_to_be_solved_that_is_not():
         return loose, cg.solve(operator, b, Solver(1e-12, 20_000))
 
     counts = np.zeros((2, 2), dtype=int)
-    for w_H, w_M in ((0.5, 0.5), (0.1, 0.4), (0.01, 0.4), (0.02, 0.1), (0.001, 0.4), (0.001, 0.0)):
-        for smallest in np.logspace(-2, -6, 9):
-            (x, report), (exact, checked) = solved(w_H, w_M, smallest)
+    one = jnp.ones_like(half)
+    for w_H, w_M in ((0.5, 0.5), (0.1, 0.4), (0.01, 0.4), (0.02, 0.1), (0.001, 0.4), (0.001, 0.0), (half, 0.0)):
+        for smallest in np.logspace(-2, -8, 10):
+            (x, report), (exact, checked) = solved(w_H * one, w_M, smallest)
             error = np.linalg.norm((x - exact)[free]) / unit
             assert bool(checked.is_solved) and bool(report.has_ended)
             assert error <= float(report.bound) / unit

@@ -13,7 +13,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, FlowError, FlowOptions, PreprocessingOptions, SolverOptions, Weights, shapes
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
-from msf_jax.flow import loop, programs
+from msf_jax.flow import loop, programs, starting, stepping
 from msf_jax.flow.state import Iteration
 from msf_jax.meshes import checking
 
@@ -250,6 +250,19 @@ def test_a_loose_solve_is_not_said_to_be_solved():
     assert loose.unsolved >= 1 and tight.unsolved == 0 and tight.solve_error < 0.1 < loose.solve_error
     assert loose.out_of_steps == tight.out_of_steps == 0
     assert "linear solve" not in str(loose)
+
+
+def test_errors_are_in_the_threshold_of_the_thinnest_limb():
+    """That decides what counts as solved. A tight solve is the same, whatever the threshold is."""
+    component = checking.prepare(blob(1)).components[0]
+    config, lines = Config().tight(), []
+    for thinnest in (1.0, 0.1):
+        state = starting.init(component, 0, config, Clock())
+        state.meso.scale = np.ones(state.meso.num_rows)
+        state.meso.scale[0] = thinnest
+        lines.append(stepping.step(state, Weights(), config, Clock()).history[0])
+    assert lines[0].t_c == lines[1].t_c and lines[0].steps == lines[1].steps and lines[0].error > 0
+    np.testing.assert_allclose(10 * np.array(lines[0][-2:]), lines[1][-2:], rtol=1e-6)
 
 
 def test_weights_that_blow_up_are_said():
