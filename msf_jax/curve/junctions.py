@@ -73,19 +73,22 @@ def thin_sides(
     for path in paths:
         thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
     in_side, sides = np.zeros(len(x), dtype=bool), []
-    for each in paths:
-        path = np.array(each if degree[each[-1]] == 1 else each[::-1])
-        size = float(np.median(radii[path[len(path) // 2 :]]))
-        if not (degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
+    for each in sorted(paths, key=lambda path: bool((degree[[path[0], path[-1]]] == 1).any())):  # those that fork first
+        is_onward = (degree[each[-1]] == 1, thickest[each[0]]) > (degree[each[0]] == 1, thickest[each[-1]])
+        path = np.array(each if is_onward else each[::-1])
+        size, is_leaf = float(np.median(radii[path[len(path) // 2 :]])), degree[path[-1]] == 1
+        is_link = degree[path[-1]] > 2 and THIN * thickest[path[-1]] <= size  # no bridge from trunk to trunk
+        if not ((is_leaf or is_link) and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
             continue
-        in_side[path[1:]] = True
+        in_side[path[1:]] |= is_leaf  # a side branch that forks is a trunk, too
         along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
         # On its axis a branch has its usual radius, and keeps it: nodes on a bend are nearer to the surface.
         thin = np.append(along[radii[path] < KEPT * size], np.inf)
         is_on_axis = along >= along[thick[-1] if len(thick) else 0] + CLEAR * size
         is_on_axis &= thin[np.searchsorted(thin, along)] > along + CLEAR * size
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
-        if begin < len(path) and along[begin] + STRETCH * size <= along[-1] and not is_held[path[: begin + 1]].any():
+        last = along[-1] - is_link * CLEAR * size
+        if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
             place = x[path[begin]]
             far = at(x[path], along, along[begin : begin + 1] + STRETCH * size)[0]
             sides.append(Side(path, size, begin, place, unit(far - place)))
@@ -166,7 +169,7 @@ def attached(
         x[path[1 : begin + 1]] = meet + np.linspace(0, 1, begin + 1)[1:, None] * (side.place - meet)
         is_first = (np.sort(edges, axis=1) == np.sort(path[:2])).all(axis=1)
         gone = np.flatnonzero(is_first).tolist()
-        added, is_added = [[new, int(path[1])]], [False]
+        added, is_added = [[new, int(path[1])]], [bool(is_trunk[gone].any())]
         if not is_shared:
             x, radii = np.append(x, meet[None], axis=0), np.append(radii, found.ball)
             gone.append(int(np.flatnonzero(is_trunk)[found.edge]))
