@@ -44,9 +44,9 @@ SPREAD = 0.05
 
 
 class Side(NamedTuple):
-    """A thin side branch. path: its nodes from its junction to its leaf. size: its usual radius. begin: the position in
-    ``path`` where it is on its axis. place, heading: (3,) that node, and the unit vector of its axis away from the
-    trunk."""
+    """A thin side branch. path: its nodes from its junction to its leaf or, if it forks itself, to its fork. size: its
+    usual radius. begin: the position in ``path`` where it is on its axis. place, heading: (3,) that node, and the unit
+    vector of its axis away from the trunk."""
 
     path: np.ndarray
     size: float
@@ -56,7 +56,7 @@ class Side(NamedTuple):
 
 
 class Meeting(NamedTuple):
-    """Where the axis of a side branch meets its trunk. edge: the trunk's edge, as a position. place: (3,). ball: the
+    """Where the axis of a side branch meets its trunk. edge: the number of the trunk's edge. place: (3,). ball: the
     trunk's radius there."""
 
     edge: int
@@ -67,41 +67,57 @@ class Meeting(NamedTuple):
 def thin_sides(
     x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
 ) -> tuple[list[Side], np.ndarray]:
-    """The thin side branches that are long enough to have an axis, and which ``edges`` (E,) are in no thin branch."""
+    """The thin side branches that are long enough to have an axis, those that fork themselves first; and which
+    ``edges`` (E,) may be a trunk's: those of no thin branch that ends in a leaf.
+
+    One that forks is only taken if it is straight up to there: an arm with a hand stays as it was centred."""
     degree = np.bincount(edges.ravel(), minlength=len(x))
     paths, thickest = graphs.trace(len(x), edges), radii.copy()  # of each junction, also in front of a crotch
     for path in paths:
         thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
     in_side, sides = np.zeros(len(x), dtype=bool), []
-    for each in paths:
-        path = np.array(each if degree[each[-1]] == 1 else each[::-1])
-        size = float(np.median(radii[path[len(path) // 2 :]]))
-        if not (degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
+    for each in sorted(paths, key=lambda path: bool((degree[[path[0], path[-1]]] == 1).any())):  # those that fork first
+        is_onward = (degree[each[-1]] == 1, thickest[each[0]]) > (degree[each[0]] == 1, thickest[each[-1]])
+        path = np.array(each if is_onward else each[::-1])
+        size, is_leaf = float(np.median(radii[path[len(path) // 2 :]])), degree[path[-1]] == 1
+        is_link = degree[path[-1]] > 2 and THIN * thickest[path[-1]] <= size  # no bridge from trunk to trunk
+        if not ((is_leaf or is_link) and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
             continue
-        in_side[path[1:]] = True
+        in_side[path[1:]] |= is_leaf  # a side branch that forks is a trunk, too
         along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
         # On its axis a branch has its usual radius, and keeps it: nodes on a bend are nearer to the surface.
         thin = np.append(along[radii[path] < KEPT * size], np.inf)
         is_on_axis = along >= along[thick[-1] if len(thick) else 0] + CLEAR * size
         is_on_axis &= thin[np.searchsorted(thin, along)] > along + CLEAR * size
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
-        if begin < len(path) and along[begin] + STRETCH * size <= along[-1] and not is_held[path[: begin + 1]].any():
-            place = x[path[begin]]
-            far = at(x[path], along, along[begin : begin + 1] + STRETCH * size)[0]
+        last = along[-1] - is_link * CLEAR * size
+        if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
+            place, half = x[path[begin]], (along[begin] + last) / 2
+            far, middle, end = at(x[path], along, np.array([along[begin] + STRETCH * size, half, last]))
+            if is_link and np.linalg.norm(middle - (place + end) / 2) > BENT * size:
+                continue
             sides.append(Side(path, size, begin, place, unit(far - place)))
     return sides, ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
 
 
-def meeting(side: Side, x: np.ndarray, trunk: np.ndarray, radii: np.ndarray) -> Meeting | None:
-    """Where the axis of the side branch meets the ``trunk`` (T, 2), edges between the nodes ``x`` (N, 3) with ``radii``
-    (N,); None if it passes all of it, or is as thick."""
+def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, radii: np.ndarray) -> Meeting | None:
+    """Where the axis of the side branch meets the trunk, of those of ``edges`` (E, 2) that may be one and that it does
+    not lead to; ``x`` (N, 3), ``radii`` (N,): nodes. None if it passes all of them, or is as thick."""
+    part = graphs.labels(len(x), *edges[~_is_first(edges, side)].T)
+    numbers = np.flatnonzero(is_trunk & (part[edges[:, 0]] != part[side.path[1]]))
+    trunk = edges[numbers]
     share, place, off, back = _nearest_on(x[trunk], side.place, -side.heading)
     ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
     is_near = (side.size < THIN * ball) & (off < OFF * ball) & (back < AXIS_REACH * ball)
     if not is_near.any():  # also where all branches end at one junction, and there is no trunk
         return None
     best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
-    return Meeting(best, place[best], float(ball[best]))
+    return Meeting(int(numbers[best]), place[best], float(ball[best]))
+
+
+def _is_first(edges: np.ndarray, side: Side) -> np.ndarray:
+    """(E,) which edge is the first one of the side branch."""
+    return (np.sort(edges, axis=1) == np.sort(side.path[:2])).all(axis=1)
 
 
 def bulged(
@@ -124,11 +140,11 @@ def bulged(
         if not is_loop:
             of_edge |= {frozenset(pair): (nodes, k) for k, pair in enumerate(pairwise(nodes.tolist()))}
     for side in sides if paths else ():
-        found = meeting(side, x, trunk, radii)
-        if found is None or frozenset(trunk[found.edge].tolist()) not in of_edge:
+        found = meeting(side, x, edges, is_trunk, radii)
+        if found is None or frozenset(edges[found.edge].tolist()) not in of_edge:
             continue
         loose.append(int(side.path[0]))
-        nodes, first = of_edge[frozenset(trunk[found.edge].tolist())]
+        nodes, first = of_edge[frozenset(edges[found.edge].tolist())]
         along = arc_length(x[nodes])
         start = along[first] + np.linalg.norm(found.place - x[nodes[first]])
         cosine = float(side.heading @ unit(x[nodes[first + 1]] - x[nodes[first]]))
@@ -152,25 +168,23 @@ def attached(
     x, radii = x.copy(), radii.copy()
     sides, is_trunk = thin_sides(x, edges, is_held, radii)
     for side in sides:
-        path, begin, trunk = side.path, side.begin, edges[is_trunk]
-        found = meeting(side, x, trunk, radii) if len(trunk) else None
+        path, begin, found = side.path, side.begin, meeting(side, x, edges, is_trunk, radii)
         if found is None or not is_inside(shape, found.place[None], side.place[None])[0]:
             continue
         # Branches that begin at one place share its node.
-        nodes = np.intersect1d(trunk, np.flatnonzero(np.bincount(edges.ravel()) > 2))
+        nodes = np.intersect1d(edges[is_trunk], np.flatnonzero(np.bincount(edges.ravel()) > 2))
         away = np.linalg.norm(x[nodes] - found.place, axis=1)
         is_shared, new, meet = bool((away < SHARED * side.size).any()), len(x), found.place
         if is_shared:
             new = int(nodes[away.argmin()])
             meet = x[new]
         x[path[1 : begin + 1]] = meet + np.linspace(0, 1, begin + 1)[1:, None] * (side.place - meet)
-        is_first = (np.sort(edges, axis=1) == np.sort(path[:2])).all(axis=1)
-        gone = np.flatnonzero(is_first).tolist()
-        added, is_added = [[new, int(path[1])]], [False]
+        gone = np.flatnonzero(_is_first(edges, side)).tolist()
+        added, is_added = [[new, int(path[1])]], [bool(is_trunk[gone].any())]
         if not is_shared:
             x, radii = np.append(x, meet[None], axis=0), np.append(radii, found.ball)
-            gone.append(int(np.flatnonzero(is_trunk)[found.edge]))
-            added += [[int(trunk[found.edge, 0]), new], [new, int(trunk[found.edge, 1])]]
+            gone.append(found.edge)
+            added += [[int(edges[found.edge, 0]), new], [new, int(edges[found.edge, 1])]]
             is_added += [True, True]
         edges = np.concatenate([np.delete(edges, gone, axis=0), added])
         is_trunk = np.append(np.delete(is_trunk, gone), is_added)

@@ -7,6 +7,7 @@ import trimesh
 from msf_jax import shapes
 from msf_jax.curve import junctions
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.topology import graphs
 
 
 def ways(degrees):
@@ -114,6 +115,27 @@ def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
     assert np.linalg.norm(found[degree > 2]) < 0.1
     assert len(found) == len(x) + 1 and len(found_edges) == len(edges) + 1
     np.testing.assert_array_equal(found[:60], x[:60])  # the trunk stays
+
+
+@pytest.mark.parametrize("bend", [0.0, 2.0])
+def test_a_side_branch_that_forks_itself_begins_where_its_axis_meets_the_trunk(bend):
+    """Only a straight one: a limb that bends, such as an arm with a hand, stays as it was centred. `BENT`."""
+    shape, x, edges, first = side_branch(8.0)
+    chain = 60 + np.arange(len(x) - 60)
+    fork = chain[np.abs(x[chain, 2] - 20).argmin()]
+    x[chain, 0] += bend * np.sin(np.pi * np.clip(x[chain, 2] / 20, 0, 1))
+    line = x[fork] + np.linspace(0, 8, 20)[1:, None] * [1.0, 0, 0]
+    ids = np.r_[fork, len(x) + np.arange(len(line))]
+    x, edges = np.concatenate([x, line]), np.concatenate([edges, np.stack([ids[:-1], ids[1:]], axis=1)])
+    radii = np.append(shape.clearance(x[: -len(line)]), np.full(len(line), 0.5))  # as of a branch of half its radius
+    found, found_edges = junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), radii)
+    assert graphs.cycle_count(len(found), found_edges) == (1, 0)
+    degree = np.bincount(found_edges.ravel())
+    if bend:
+        assert len(found) == len(x) and degree[first] == 3
+    else:
+        assert degree[first] == 2 and sorted(np.flatnonzero(degree > 2)) == [fork, len(x)]
+        assert np.linalg.norm(found[len(x)]) < 0.1
 
 
 def test_sections_of_a_trunk_do_not_count_where_a_side_branch_leaves_it():
