@@ -7,16 +7,23 @@ from typing import Any
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.options import Config, Weights
+from msf_jax.base.options import Config, Weights, is_traced, traced
 from msf_jax.meshes.checking import Surface
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
-    """The weights and the config, with defaults for None; a `ConfigError` if a type is wrong."""
+    """The weights and the config, with defaults for None; a `ConfigError` if a type is wrong, or JAX traces a weight."""
     if not isinstance(config, Config | None):
         raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
     if not isinstance(weights, Weights | None):
+        shape = getattr(weights, "shape", None)
+        if isinstance(shape, tuple) and shape[1:] == (3,):
+            raise ConfigError(
+                f"weights has shape {tuple(shape)}, as faces have: pass the mesh as one argument, (vertices, faces)"
+            )
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights (config comes after it)")
+    if weights is not None and any(map(is_traced, vars(weights).values())):
+        raise ConfigError(traced("weights", "msf_jax.replay of the tape of its msf_jax.contract"))
     config = Config() if config is None else config
     return (config.default_weights() if weights is None else weights), config
 

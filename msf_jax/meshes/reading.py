@@ -25,7 +25,7 @@ from scipy import spatial
 from trimesh.resolvers import FilePathResolver
 
 from msf_jax.base.errors import MeshError
-from msf_jax.base.options import is_traced
+from msf_jax.base.options import is_traced, traced
 from msf_jax.meshes.decoding import decoded
 from msf_jax.meshes.files import gltf, obj, off, ply, stl, unpacking
 from msf_jax.topology import graphs
@@ -297,10 +297,7 @@ def _quiet_loader() -> Iterator[None]:
 
 def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if is_traced(vertices):
-        raise MeshError(
-            "the vertices are traced by JAX, and a run makes decisions that it cannot trace: make the run outside of "
-            "jax.jit, jax.grad and jax.vmap, and use msf_jax.follow inside"
-        )
+        raise MeshError(traced("vertices", "msf_jax.follow"))
     try:
         is_complex = np.iscomplexobj(vertices)
         array = np.empty((0, 3)) if is_complex else np.array(vertices, dtype=np.float64)

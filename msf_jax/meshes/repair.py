@@ -16,6 +16,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.base.options.groups import known, taking
 from msf_jax.meshes.filling import filled
 from msf_jax.meshes.rim_extrusion import extruded
 from msf_jax.meshes.sheets import cut_apart, is_double, is_wall, left_alone, oriented, twins
@@ -31,6 +32,7 @@ LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
 NO_VOLUME = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
+@taking(known)
 @dataclass(frozen=True)
 class Repair:
     """Limits of the repair in `skeletonize`. Lengths are fractions of the bounding box's diagonal.
@@ -46,7 +48,8 @@ class Repair:
             joined pieces. The vertices of dropped pieces go to the nearest node.
 
     Raises:
-        ConfigError: ``most_parts`` is no whole number above 0, or another value is no number from 0 to 1.
+        ConfigError: ``most_parts`` is no whole number above 0, another value is no number from 0 to 1, or a
+            name is unknown.
     """
 
     weld: float = 1e-6

@@ -111,6 +111,21 @@ def test_a_run_in_a_trace_leads_to_follow(tube):
         jax.grad(lambda moved: msf_jax.skeletonize((moved, faces)).radii.sum())(vertices)
 
 
+def test_a_run_of_traced_weights_leads_to_replay():
+    mesh = ground_truth.make("straight_coarse").mesh
+    for run in (lambda w: msf_jax.skeletonize(mesh, w).vertices.sum(), lambda w: msf_jax.contract(mesh, w).meso.sum()):
+        with pytest.raises(ConfigError, match=r"the weights are traced .* use msf_jax\.replay of the tape"):
+            jax.grad(lambda w, run=run: run(msf_jax.Weights(w_H=w)))(0.1)
+        with pytest.raises(ConfigError, match=r"the weights are traced"):
+            jax.jit(run)(msf_jax.Weights())
+
+
+def test_faces_that_are_no_part_of_the_mesh_are_told():
+    mesh = ground_truth.make("straight_coarse").mesh
+    with pytest.raises(ConfigError, match=r"as faces have: pass the mesh as one argument, \(vertices, faces\)"):
+        msf_jax.skeletonize(mesh.vertices, mesh.faces)
+
+
 def test_swapped_arguments_of_a_loss_are_told(tube):
     binding = tube[0].binding
     found = msf_jax.follow(binding, tube[1])

@@ -12,7 +12,7 @@ from msf_jax.base.options.groups import (
     PreprocessingOptions,
     SolverOptions,
 )
-from msf_jax.base.options.weights import Weights, is_traced
+from msf_jax.base.options.weights import Weights, is_traced, traced
 
 __all__ = [
     "FACTORED",
@@ -31,4 +31,5 @@ __all__ = [
     "StepSettings",
     "Weights",
     "is_traced",
+    "traced",
 ]

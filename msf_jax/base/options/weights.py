@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.base.options.groups import known, taking
 
 
+@taking(known)
 @dataclass(frozen=True)
 class Weights:
     """Weights of the flow, a pytree. They multiply rows, so energies scale with their squares (article Eq. 2).
@@ -23,7 +25,7 @@ class Weights:
     iteration. Weights are equal if all their numbers are equal. Weights with arrays have no hash.
 
     Raises:
-        ConfigError: a value is negative or not finite.
+        ConfigError: a value is negative or not finite, or a name is unknown.
     """
 
     w_L: Any = 1.0
@@ -54,6 +56,14 @@ class Weights:
                 raise ConfigError(f"Weights.{field.name} is {value!r}: expected a finite number of 0 or more")
             if field.name == "w_H" and not (array > 0).all():
                 raise ConfigError(f"Weights.w_H is {value!r}: expected more than 0, or the system is singular")
+
+
+def traced(what: str, instead: str) -> str:
+    """What a run says of ``what``, which JAX traces."""
+    return (
+        f"the {what} are traced by JAX, and a run makes decisions that it cannot trace: make the run outside of "
+        f"jax.jit, jax.grad and jax.vmap, and use {instead} inside"
+    )
 
 
 def is_traced(value: Any) -> bool:
