@@ -12,7 +12,7 @@ from msf_jax.meshes.checking import Surface
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
-    """The weights and the config, with defaults for None; a `ConfigError` if a type is wrong, or JAX traces a weight."""
+    """The weights and the config, with defaults for None; a `ConfigError` if a type is wrong or a weight traced."""
     if not isinstance(config, Config | None):
         raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
     if not isinstance(weights, Weights | None):
@@ -23,7 +23,7 @@ def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
             )
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights (config comes after it)")
     if weights is not None and any(map(is_traced, vars(weights).values())):
-        raise ConfigError(traced("weights", "msf_jax.replay of the tape of its msf_jax.contract"))
+        raise ConfigError(traced("weights", "msf_jax.replay") + ", with the tape of msf_jax.contract")
     config = Config() if config is None else config
     return (config.default_weights() if weights is None else weights), config
 

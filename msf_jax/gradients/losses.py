@@ -1,31 +1,41 @@
-"""Losses of followed curves, for training. Each is a number, 0 at best, of one curve, padded or not.
+"""Losses of followed curves, for training. Each is a number, 0 at best, of one curve, with its rows of padding.
 
+    binding = skeleton.binding
     found = msf_jax.follow(binding, vertices)
     loss = losses.near(found, binding, target) + 0.1 * losses.clearance(found, binding, 0.01)
 
 For a batch, `jax.vmap` a loss over all arguments. ``binding`` has the masks of nodes and edges, and the size of the
-mesh. Lengths are divided by the mesh's diagonal, so that losses have no unit, and can be added for meshes of any size.
-Losses are means, so that they do not depend on the number of nodes. A node whose cross-section has vanished is NaN, and
-so is the loss: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh out, also out of the gradient.
+mesh. Targets are in the mesh's units. Losses have none: squared lengths are in squared diagonals of the mesh, so that
+losses of meshes of any size can be added. They are means, so that they do not depend on the number of nodes. A node
+whose cross-section has vanished is NaN, and so is the loss: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh
+out, also out of the gradient.
+
+Arguments of other shapes or kinds are a `ConfigError`. A target for nodes or branches may end before the padding. If
+JAX traces the binding, as an argument of a jitted function, the number of its nodes is not known: then a target for too
+few of them makes the loss NaN.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import lax
 
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
+from msf_jax.base.options import is_traced
 
 SAMPLES = 4  # points along each edge of a curve
 SHORTEST = 1e-4  # diagonals: shorter edges count less in the turning, in proportion to their length
 BLOCK = 32  # points whose nearest ones are found in one step
+REAL = ("real floating", "integral")  # kinds of numbers that a target may have
 TINY = 1e-24  # diagonals squared: below this squared length, the gradient of a length is 0
 
 
 def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples: int = SAMPLES) -> jax.Array:
-    """Mean squared distance between the curve and a ``target``: the mean of both directions.
+    """Mean squared distance between the curve and a ``target``, in squared diagonals: the mean of both directions.
 
     One direction is from points spread evenly over the curve's length to the nearest target point. The other is from
     each target point to the nearest of those points, or of nodes without an edge. It needs no correspondence.
@@ -39,8 +49,9 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
 
     Differentiable in: nodes, target, with the nearest points held fixed.
     """
-    nodes, target = _scaled(binding, _checked(found, binding).nodes), _scaled(binding, target)
-    is_point = jnp.ones(len(target), bool) if mask is None else jnp.asarray(mask)
+    nodes = _scaled(binding, _checked(found, binding).nodes)
+    target = _array("target", target, "points (P, 3)", lambda shape: len(shape) == 2 and shape[1] == 3)
+    target, is_point = _scaled(binding, target), _counting(mask, (len(target),))
     a, b = nodes[binding.edges[:, 0]], nodes[binding.edges[:, 1]]
     share = (jnp.arange(samples, dtype=nodes.dtype) + 0.5) / samples
     points = (a[:, None] + share[None, :, None] * (b - a)[:, None]).reshape(-1, 3)
@@ -56,21 +67,37 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
 
 
 def radii(found: Any, binding: Binding, target: Any) -> jax.Array:
-    """Mean over the nodes of the squared difference between the radii and the ``target`` (N,), in the mesh's units.
+    """Mean over the nodes of the squared difference between the radii and the ``target``, in squared diagonals.
+
+    Args:
+        found: of `msf_jax.follow`.
+        binding: the binding that was followed.
+        target: a number, or (N,) one for each node, with or without padding, in the mesh's units.
 
     Differentiable in: radii, target.
     """
-    return _mean(_scaled(binding, _checked(found, binding).radii - jnp.asarray(target)) ** 2, binding.node_mask)
+    away = _checked(found, binding).radii - _of_nodes("target", target, found, binding)
+    return _mean(_scaled(binding, away) ** 2, binding.node_mask)
 
 
 def lengths(found: Any, binding: Binding, target: Any) -> jax.Array:
-    """Mean over the branches of the squared difference between their lengths and the ``target`` (E,), both as
-    `branch_lengths` returns them. Branches with a target of 0 are left out.
+    """Mean over the branches of the squared difference between their lengths and the ``target``, in squared diagonals.
+
+    Args:
+        found: of `msf_jax.follow`.
+        binding: the binding that was followed.
+        target: lengths as `branch_lengths` returns them, in the mesh's units: (E,), or one for each branch. Branches
+            with a target of 0 are left out.
 
     Differentiable in: nodes, target.
     """
-    wanted = jnp.asarray(target)
-    return _mean(_scaled(binding, branch_lengths(found, binding) - wanted) ** 2, wanted > 0)
+    along = branch_lengths(found, binding)
+    branch, edges, num = binding.branch, binding.live.edges, None
+    if not is_traced(branch) and not is_traced(edges):
+        num = int(np.max(jax.device_get(branch)[: int(jax.device_get(edges))], initial=-1)) + 1
+    # A branch without a target is left out.
+    wanted = _of_rows("target", target, num, np.zeros(len(along), bool), along.dtype, "branch")
+    return _mean(_scaled(binding, along - wanted) ** 2, wanted > 0)
 
 
 def branch_lengths(found: Any, binding: Binding) -> jax.Array:
@@ -96,30 +123,48 @@ def smoothness(found: Any, binding: Binding) -> jax.Array:
 
 
 def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
-    """Mean over the nodes of the squared shortfall of the radii below ``least``, a number or (N,), in the mesh's units.
+    """Mean over the nodes of the squared shortfall of the radii below ``least``, in squared diagonals.
 
     It is 0 if the solid is at least twice as thick as ``least`` along its curve, as casting and printing need. For a
     node outside, its distance to the surface is added to the shortfall.
-    Differentiable in: radii, least.
-    """
-    short = jnp.maximum(_scaled(binding, jnp.asarray(least) - _checked(found, binding).radii), 0.0)
-    return _mean(short**2, binding.node_mask)
-
-
-def markers(found: Any, binding: Binding, node: Any, target: Any, mask: Any = None) -> jax.Array:
-    """Mean squared distance of chosen nodes, such as the ends of limbs, from their targets.
 
     Args:
         found: of `msf_jax.follow`.
         binding: the binding that was followed.
-        node: (M,) ids of the nodes.
+        least: a number, or (N,) one for each node, with or without padding, in the mesh's units.
+
+    Differentiable in: radii, least.
+    """
+    radii = _checked(found, binding).radii
+    short = jnp.maximum(_scaled(binding, _of_nodes("least", least, found, binding) - radii), 0.0)
+    return _mean(short**2, binding.node_mask)
+
+
+def markers(found: Any, binding: Binding, node: Any, target: Any, mask: Any = None) -> jax.Array:
+    """Mean squared distance of chosen nodes, such as the ends of limbs, from their targets, in squared diagonals.
+
+    Args:
+        found: of `msf_jax.follow`.
+        binding: the binding that was followed.
+        node: (M,) ids of the nodes, from 0. One that JAX traces and that is no node makes the loss NaN.
         target: (M, 3) in the mesh's units.
         mask: (M,) bool: nodes that count; all if not given.
 
     Differentiable in: nodes, target.
     """
-    away = _scaled(binding, _checked(found, binding).nodes[jnp.asarray(node)] - jnp.asarray(target))
-    return _mean((away * away).sum(-1), jnp.ones(len(away), bool) if mask is None else jnp.asarray(mask))
+    nodes = _checked(found, binding).nodes
+    row = _array("node", node, "ids (M,) of nodes", lambda shape: len(shape) == 1, "integral")
+    target = _array("target", target, f"({len(row)}, 3), one for each node", lambda shape: shape == (*row.shape, 3))
+    counts, num = _counting(mask, row.shape), binding.live.nodes
+    if not any(map(is_traced, (*jax.tree.leaves((node, mask)), num))):
+        given, num = np.asarray(jax.device_get(node)), int(jax.device_get(num))
+        bad = ((given < 0) | (given >= num)) & (True if mask is None else np.asarray(jax.device_get(mask), bool))
+        if bad.any():
+            raise ConfigError(f"node has {given[bad][0]}: expected ids of nodes, from 0 to {num - 1}")
+    is_node = (row >= 0) & jnp.asarray(binding.node_mask).at[row].get(mode="fill", fill_value=False)
+    away = jnp.where(is_node[:, None], jnp.asarray(nodes)[row], jnp.nan) - target
+    away = _scaled(binding, jnp.where(counts[:, None], away, 0.0))
+    return _mean((away * away).sum(-1), counts)
 
 
 def turning(nodes: jax.Array, edges: Any, is_edge: Any, is_node: Any) -> jax.Array:
@@ -155,7 +200,7 @@ def _checked(found: Any, binding: Binding) -> Any:
     if not isinstance(binding, Binding) or not hasattr(found, "nodes"):
         raise ConfigError(
             f"found is a {type(found).__name__}, and binding a {type(binding).__name__}: expected what msf_jax.follow "
-            "returned, and then the binding"
+            "returned, and then the binding that was followed, such as skeleton.binding"
         )
     rows, shape = jnp.shape(binding.rest)[-2], jnp.shape(found.nodes)
     if shape != (rows, 3) or jnp.ndim(binding.diagonal):
@@ -164,6 +209,55 @@ def _checked(found: Any, binding: Binding) -> Any:
             "of a batch, jax.vmap the loss over both"
         )
     return found
+
+
+def _array(
+    name: str, value: Any, expected: str, is_right: Callable[[tuple[int, ...]], bool], kind: Any = REAL
+) -> jax.Array:
+    """``value`` as an array, if it is of ``kind`` and its shape ``is_right``; else a `ConfigError`."""
+    try:
+        array = jnp.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise ConfigError(f"{name} is a {type(value).__name__}: expected {expected}") from error
+    if not jnp.isdtype(array.dtype, kind) or not is_right(array.shape):
+        raise ConfigError(f"{name} has shape {array.shape} and type {array.dtype}: expected {expected}")
+    return array
+
+
+def _of_nodes(name: str, value: Any, found: Any, binding: Binding) -> jax.Array:
+    """``value``, a number or one for each node, for the rows of ``found``."""
+    num = None if is_traced(binding.live.nodes) else int(jax.device_get(binding.live.nodes))
+    return _of_rows(name, value, num, binding.node_mask, found.radii.dtype, "node", also=((),))
+
+
+def _of_rows(
+    name: str, value: Any, num: int | None, is_needed: Any, dtype: Any, of: str, also: tuple[tuple[()], ...] = ()
+) -> jax.Array:
+    """``value``, a number for each of ``num`` things ``of`` a kind, for all rows, or of a shape that is ``also`` right.
+
+    Of a ``num`` that is not known it may have any. Rows beyond it are 0, and NaN where ``is_needed``.
+    """
+    most = len(is_needed)
+    right = (*also, (num,), (most,))
+    array = _array(
+        name,
+        value,
+        f"{'a number, ' if also else ''}({'n' if num is None else num},) or ({most},), one for each {of}, without or "
+        "with padding",
+        lambda shape: shape in right or (num is None and len(shape) == 1 and shape[0] < most),
+    )
+    if array.shape in ((), (most,)):
+        return array
+    array = array if jnp.isdtype(array.dtype, "real floating") else array.astype(dtype)
+    rest = jnp.where(jnp.asarray(is_needed)[len(array) :], jnp.nan, 0.0)
+    return jnp.concatenate([array, rest.astype(array.dtype)])
+
+
+def _counting(mask: Any, shape: tuple[int, ...]) -> jax.Array:
+    """``mask`` of this shape; True everywhere if it is None."""
+    if mask is None:
+        return jnp.ones(shape, bool)
+    return _array("mask", mask, f"{shape} bool", lambda its: its == shape, ("bool", "integral")).astype(bool)
 
 
 def _scaled(binding: Binding, lengths: Any) -> jax.Array:

@@ -170,6 +170,78 @@ def test_rows_that_are_not_the_bindings_are_refused(name):
             ALL[name](found, binding)
 
 
+@pytest.mark.parametrize(
+    ("misuse", "says"),
+    [
+        (
+            lambda f, b: losses.radii(f, b, f.radii[:, None]),
+            r"target has shape \(8, 1\) and type float64: expected a number, \(5,\) or \(8,\), one for each node, "
+            "without or with padding",
+        ),
+        (lambda f, b: losses.clearance(f, b, jnp.full((8, 1), 0.4)), r"least has shape \(8, 1\) .* \(5,\) or \(8,\)"),
+        (lambda f, b: losses.radii(f, b, RADII[:4]), r"target has shape \(4,\)"),
+        (lambda f, b: losses.radii(f, b, b.node_mask), "target has shape .* and type bool: expected a number"),
+        (lambda f, b: losses.radii(f, b, b), "target is a Binding: expected a number"),
+        (
+            lambda f, b: losses.lengths(f, b, 1.0),
+            r"target has shape \(\).*: expected \(3,\) or \(7,\), one for each bra",
+        ),
+        (lambda f, b: losses.lengths(f, b, [1.0, 2.0]), r"target has shape \(2,\)"),
+        (lambda f, b: losses.near(f, b, b.node_mask), r"target has shape .*: expected points \(P, 3\)"),
+        (lambda f, b: losses.near(f, b, f), r"target is a Followed: expected points \(P, 3\)"),
+        (lambda f, b: losses.near(f, b, LINE, b.node_mask), r"mask has shape \(8,\) .*: expected \(5,\) bool"),
+        (lambda f, b: losses.near(f, b, LINE, RADII), "mask has shape .* type float64: expected .* bool"),
+        (lambda f, b: losses.clearance(f, 0.4, b), r"binding a float: expected what .*, such as skeleton\.binding"),
+        (lambda f, b: losses.markers(f, b, LINE, np.arange(5)), r"node has shape \(5, 3\) .*: expected ids \(M,\)"),
+        (lambda f, b: losses.markers(f, b, RADII, LINE), "node has shape .* type float64: expected ids"),
+        (lambda f, b: losses.markers(f, b, [0, 1], LINE[:1]), r"target has shape \(1, 3\) .*: expected \(2, 3\)"),
+        (
+            lambda f, b: losses.markers(f, b, [0, 1], LINE[:2], [True]),
+            r"mask has shape \(1,\) .*: expected \(2,\) bool",
+        ),
+        (lambda f, b: losses.markers(f, b, jnp.array([5]), LINE[:1]), "node has 5: expected ids of nodes, from 0 to 4"),
+        (lambda f, b: losses.markers(f, b, [0, -1], LINE[:2]), "node has -1: expected ids of nodes, from 0 to 4"),
+    ],
+)
+def test_misuse_is_told_what_to_do(misuse, says):
+    with pytest.raises(ConfigError, match=says):
+        misuse(filled(), bound())
+
+
+def test_more_than_the_rows_is_refused_of_a_traced_binding_too():
+    with pytest.raises(ConfigError, match=r"target has shape \(9,\) .* \(n,\) or \(8,\)"):
+        JITTED["radii"](filled(), bound(), np.ones(9))
+
+
+@pytest.mark.parametrize("name", ["radii", "clearance", "lengths"])
+def test_a_target_may_end_before_the_padding(name):
+    """The same value and slopes, whether the binding is known or traced."""
+    short = WANTED[:3] if name == "lengths" else RADII + [0.1, 0.2, -0.3, 0.3, 0.1]
+    whole = WANTED if name == "lengths" else np.append(short, np.full(3, 9.0))
+    run = jax.value_and_grad(lambda *given: getattr(losses, name)(*given), argnums=(0, 2))
+    expected = run(filled(), bound(), jnp.asarray(whole))
+    assert expected[0] > 0
+    for each in (run, jax.jit(run)):
+        value, (slope, of_target) = each(filled(junk=7.0), bound(), jnp.asarray(short))
+        assert value == pytest.approx(float(expected[0]), rel=1e-12)
+        jax.tree.map(np.testing.assert_allclose, slope, expected[1][0])
+        np.testing.assert_allclose(of_target, expected[1][1][: len(short)])
+
+
+def test_what_is_missing_in_a_trace_is_nan():
+    """A target for too few nodes, and ids that are no nodes, unless the mask leaves them out: then slopes are sound."""
+    for name in ("radii", "clearance"):
+        assert np.isnan(JITTED[name](filled(), bound(), RADII[:4] + 1))
+    at, run = LINE[:2] + 1, jax.jit(jax.value_and_grad(losses.markers, argnums=(0, 3)))
+    for node in (-1, -8, 5, 8, 500):
+        ids = np.array([0, node])
+        assert np.isnan(run(filled(), bound(), ids, at)[0])
+        value, slopes = run(filled(), bound(), ids, at, np.array([True, False]))
+        assert value == pytest.approx(3 / DIAGONAL**2)
+        assert all(np.isfinite(part).all() for part in jax.tree.leaves(slopes))
+        assert losses.markers(filled(), bound(), ids, at, [True, False]) == pytest.approx(float(value))
+
+
 def test_a_batch_of_them():
     """Each curve with its own target, as each alone."""
     targets = np.stack([TARGET, TARGET[::-1] - 0.4])
