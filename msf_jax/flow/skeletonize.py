@@ -10,7 +10,7 @@ from msf_jax import metrics
 from msf_jax.base.errors import ConfigError, Interrupted, deprecated
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
-from msf_jax.flow.request import checked_options
+from msf_jax.flow.request import checked_options, refusing
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
@@ -20,6 +20,7 @@ JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex n
 SAMPLE_SPACING = 0.005  # diagonals: spacing of the sample points at which two curves are compared
 
 
+@refusing
 def skeletonize(
     mesh: "MeshLike",
     weights: Weights | None = None,

@@ -58,6 +58,9 @@ def test_a_weight_out_of_range_is_named(bad):
         (Config, {"threshold": 1.0}, "Config has no 'threshold': expected one of detail, "),
         (Config, {"threshold_min": 0.01}, "Config has no 'threshold_min': it is config.flow.threshold_min$"),
         (FlowOptions, {"t_min": 0.01}, "FlowOptions has no 't_min': it is config.flow.threshold_min$"),
+        (msf_jax.skeletonize, {"prune": 0.5}, "skeletonize has no 'prune': it is config.least_slenderness$"),
+        (msf_jax.contract, {"detail": 0.6}, "contract has no 'detail': it is config.detail$"),
+        (msf_jax.skeletonize, {"repairs": True}, "skeletonize has no 'repairs': expected one of mesh, weights, config"),
         (Weights, {"wH": 0.2}, "Weights has no 'wH': expected one of w_L, w_H, w_M, smoothing$"),
         (CurveOptions, {"t_min": 0.01}, "CurveOptions has no 't_min': it is config.flow.threshold_min$"),
         (

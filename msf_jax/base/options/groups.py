@@ -3,10 +3,11 @@
 Each checks its own values. Lengths are fractions of the bounding box's diagonal.
 """
 
+import inspect
 import math
 import numbers
-from collections.abc import Callable
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import wraps
 from typing import Any, TypeVar
 
@@ -38,10 +39,11 @@ def taking(made_of: Callable[[Any, dict[str, Any]], dict[str, Any]]) -> Callable
     return decorated
 
 
-def known(kind: Any, given: dict[str, Any]) -> dict[str, Any]:
-    """``given``. A name that is no field of ``kind`` is a `ConfigError`, with its place if a config has one."""
-    names = [field.name for field in fields(kind)]
-    places = {path.rpartition(".")[2]: path for path in FLAT.values()} | FLAT
+def known(kind: Any, given: dict[str, Any], own: Iterable[str] = ()) -> dict[str, Any]:
+    """``given``. A name that ``kind``, a class or a function, does not take is a `ConfigError`, with its place if a
+    config has one in a group, or as its ``own``."""
+    names = list(inspect.signature(kind).parameters)
+    places = {path.rpartition(".")[2]: path for path in FLAT.values()} | FLAT | {name: name for name in own}
     for name in given:
         if name not in names:
             expected = f"it is config.{places[name]}" if name in places else f"expected one of {', '.join(names)}"
