@@ -92,10 +92,14 @@ def thin_sides(
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
         last = along[-1] - is_link * CLEAR * size
         if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
-            place, half = x[path[begin]], (along[begin] + last) / 2
-            far, middle, end = at(x[path], along, np.array([along[begin] + STRETCH * size, half, last]))
-            if is_link and np.linalg.norm(middle - (place + end) / 2) > BENT * size:
+            half, beyond = (along[begin] + last) / 2, along[begin] + STRETCH * size * np.array([0.5, 1.0])
+            near, far, middle, end = at(x[path], along, np.array([*beyond, half, last]))
+            if is_link and np.linalg.norm(middle - (x[path[begin]] + end) / 2) > BENT * size:
                 continue
+            # Before it is on its axis, a branch may be as thick as it is there, where the solid is not much thicker.
+            off = np.linalg.norm(np.cross(x[path] - near, unit(far - near)), axis=1)
+            begin = int(np.flatnonzero((along <= beyond[0]) & (off > OFF * size)).max(initial=begin - 1)) + 1
+            place = x[path[begin]]
             sides.append(Side(path, size, begin, place, unit(far - place)))
     return sides, ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
 

@@ -160,6 +160,18 @@ def test_a_side_branch_is_on_its_axis_where_it_keeps_its_radius():
     assert np.linalg.norm(found[np.bincount(found_edges.ravel()) > 2]) < 0.1
 
 
+def test_a_side_branch_is_on_its_axis_where_it_is_beside_it_no_more():
+    """`OFF`: nodes on a slight bend keep three quarters of the radius, and their line would miss the trunk's axis."""
+    shape, x, edges, _ = side_branch(-8.0)
+    bend = (x[:, 1] > 2.5) & (x[:, 1] < 4.2)
+    x[bend, 0] = 0.24
+    held, radii = np.zeros(len(x), dtype=bool), shape.clearance(x)
+    radii[bend] = 0.8  # of a smooth tube; this one has corners
+    found, found_edges = junctions.attached(shape, x, edges, held, radii)
+    assert np.abs(found[: len(x)][bend, 0]).max() < 0.05
+    assert np.linalg.norm(found[np.bincount(found_edges.ravel()) > 2]) < 0.1
+
+
 def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
     """`THIN`: a T of equal tubes has no thin branch."""
     shape, x, edges, _ = fork(120, 0.3)
