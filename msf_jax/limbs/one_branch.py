@@ -201,4 +201,4 @@ def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place:
     away = np.linalg.norm(vertices - place, axis=1)
     near = np.argsort(away - radius, kind="stable")[:TRIED]
     is_open = is_inside(shape, vertices[near], np.repeat(place[None], len(near), axis=0))
-    return int(near[is_open.argmax()] if is_open.any() else away.argmin())
+    return int(near[is_open.argmax()] if is_open.any() else np.where(radius == -np.inf, np.inf, away).argmin())

@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from msf_jax.limbs import ends, one_branch
 from msf_jax.limbs.caps import Caps
+from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import triangle_areas
 
@@ -319,6 +320,16 @@ def test_a_bolt_with_a_socket_ends_on_its_axis():
     found = ends_of(lathed(profile, 0.1))
     assert len(found) == 2 and np.abs(found[:, :2]).max() < 0.03
     assert sorted(found[:, 2]) == pytest.approx([-6.3 + 0.3 * 0.63, 0.3], abs=0.15)
+
+
+def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
+    """The section along a rod and through its block is many times as large as the rod's ring."""
+    rod = manifold3d.Manifold.cylinder(1.5, 0.2, 0.2, 32).translate((0, 0, 0.5))
+    shape, place = as_shape(manifold3d.Manifold.cube((2, 2, 2), True) + rod, 0.2), [0.0, 0, 1.4]
+    ring = sections.cut(shape, np.array([place]), np.array([[0.0, 0, 1]]), np.array([0.2]))
+    along = sections.cut(shape, np.array([place]), np.array([[1.0, 0, 0]]), np.array([0.2]))
+    assert along.is_around[0] and along.centroid[0, 2] < 0.5 and along.size[0] > 3 * ring.size[0]
+    np.testing.assert_array_equal(ends._centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
 
 
 def test_triangles_of_a_lid_in_a_line_have_exit_times():

@@ -223,6 +223,17 @@ def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_bo
     assert abs(begin[1]) < 0.1 and begin[2] < 1.0
 
 
+def test_no_branch_begins_at_a_leaf_where_the_way_to_all_nodes_is_closed():
+    """The curve runs in one arm of a U, the limb is at the end of the other: the nearest node is the end of the curve."""
+    arm = manifold3d.Manifold.cube((0.5, 0.5, 3), True)
+    floor = manifold3d.Manifold.cube((2.5, 0.5, 0.5), True).translate((0, 0, -1.5))
+    parts = [arm.translate((1, 0, 0)), arm.translate((-1, 0, 0)), floor]
+    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
+    x = np.array([[1.0, 0, height] for height in (-0.9, -0.1, 0.7, 1.4)])
+    base, radius = np.array([-1.0, 0, 1.2]), np.array([0.25, 0.25, 0.25, -np.inf])
+    assert one_branch.beginning(shape, x, radius, base) == 2
+
+
 def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
     shape = solid(fingers(), 0.15)
