@@ -12,7 +12,9 @@ from scipy import spatial
 
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError, deprecated
+from msf_jax.base.options import Config
 from msf_jax.curve import finishing, resampling
+from msf_jax.inside import containment
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton import converting
@@ -71,25 +73,39 @@ def inside_of(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, rad
     return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
 
 
-def pruned(skeleton: "Skeleton", slenderness: float, detail: float, is_held: np.ndarray) -> "Skeleton":
+def pruned(skeleton: "Skeleton", slenderness: float, detail: float | None, is_held: np.ndarray) -> "Skeleton":
     """See `Skeleton.prune`."""
     if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
         raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
-    if not (isinstance(detail, numbers.Real) and 0 <= float(detail) <= 1):
+    if not (detail is None or (isinstance(detail, numbers.Real) and 0 <= float(detail) <= 1)):
         raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
     x, edges, least = skeleton.vertices, skeleton.edges, float(slenderness)
-    notes = skeleton.report.notes
-    if skeleton.source is None or skeleton.report.wavefronts or not least:
+    report, grown = skeleton.report, 0
+    if skeleton.source is not None and not report.wavefronts and least:
+        solid = skeleton.source.solid
+        caps = Caps(solid.outside, Config.detail if detail is None else float(detail))
+        choice = one_branch.choose(caps, solid.enter(x), edges, is_held, least)
+        if detail is not None and (grown := choice.leaf.count(-1)):
+            new, edges = one_branch.grown(caps, solid.shape, solid.enter(x), edges, choice, least)
+            new, edges = containment.contain(solid.shape, new, edges, np.pad(is_held, (0, len(new) - len(x))))
+            x = np.concatenate([x, solid.leave(new[len(x) :])])
+        added = 0, len(x) - len(is_held)
+        worth = np.pad(choice.worth, added, constant_values=np.inf)
+        stays, target = one_branch.kept(x, edges, worth, np.pad(is_held, added))
+        note = "the search for limbs ended early; branches that it did not try are kept"
+        report = replace(report, notes=report.notes + (note,) * choice.was_hit)
+    elif detail is None:
         stays, target = pruning.prune(len(x), edges, pruning.by_balls(x, skeleton.radii), least, is_held)
     else:
-        solid = skeleton.source.solid
-        choice = one_branch.choose(Caps(solid.outside, float(detail)), solid.enter(x), edges, is_held, least)
-        stays, target = one_branch.kept(x, edges, choice.worth, is_held)
-        notes += ("the search for limbs ended early; branches that it did not try are kept",) * choice.was_hit
+        raise ConfigError(
+            f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "
+            "wavefronts, and a slenderness above 0; leave detail out"
+        )
     rank = np.cumsum(stays) - 1
-    found = changed(skeleton, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target])
-    gone = skeleton.num_leaves - found.num_leaves
-    return replace(found, report=replace(found.report, pruned=skeleton.report.pruned + gone, notes=notes))
+    found = changed(skeleton, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target][: len(is_held)])
+    gone = skeleton.num_leaves + grown - found.num_leaves
+    counts = {"pruned": report.pruned + gone, "grown": report.grown + grown, "notes": report.notes}
+    return replace(found, report=replace(found.report, **counts))
 
 
 def resampled(skeleton: "Skeleton", spacing: float, is_held: np.ndarray) -> "Skeleton":

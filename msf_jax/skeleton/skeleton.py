@@ -96,19 +96,22 @@ class Skeleton:
         solid = self.source.solid
         return one_branch.slenderness(Caps(solid.outside), solid.enter(self.vertices), self.edges)
 
-    def prune(self, slenderness: float = 1.0, detail: float = 0.5) -> "Skeleton":
+    def prune(self, slenderness: float = 1.0, detail: float | None = None) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
 
         Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
-        from 0 to 1, says which limbs that only stand out count, as in `Config`.
+        from 0 to 1, says which limbs that only stand out count, as in `Config`. If it is given, limbs without a branch
+        get one, through the middles of their rings: a coarser detail removes branches, a finer one adds some. Without
+        it, limbs count that stand out at the detail 0.5, and nothing is added.
 
-        A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way, and adds
-        missing ones. Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to
-        its junction.
+        A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way. Components,
+        cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
+
         Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
 
         Raises:
-            ConfigError: ``slenderness`` is negative or not a number, or ``detail`` not from 0 to 1.
+            ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
+                limbs are not known.
         """
         return changes.pruned(self, slenderness, detail, self._is_held())
 

@@ -224,7 +224,7 @@ def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_bo
 
 
 def test_no_branch_begins_at_a_leaf_where_the_way_to_all_nodes_is_closed():
-    """The curve runs in one arm of a U, the limb is at the end of the other: the nearest node is the end of the curve."""
+    """The curve runs in one arm of a U, the limb is at the end of the other: the nearest node is the curve's end."""
     arm = manifold3d.Manifold.cube((0.5, 0.5, 3), True)
     floor = manifold3d.Manifold.cube((2.5, 0.5, 0.5), True).translate((0, 0, -1.5))
     parts = [arm.translate((1, 0, 0)), arm.translate((-1, 0, 0)), floor]

@@ -99,6 +99,16 @@ def test_a_curve_is_pruned_to_a_coarser_detail():
     assert fine.num_leaves == 3
     assert fine.prune(1.0, detail=0.65).num_leaves == 3
     assert fine.prune(1.0, detail=0.0).num_leaves == 2
-    assert msf_jax.skeletonize(mesh, config=msf_jax.Config(detail=0.0)).num_leaves == 2
+    coarse = msf_jax.skeletonize(mesh, config=msf_jax.Config(detail=0.0))
+    assert coarse.num_leaves == coarse.prune().num_leaves == 2
+    # And to a finer one: its nodes stay, and the new branch is on the rod's axis, at x = y = 0.
+    added = coarse.prune(1.0, detail=0.65)
+    assert added.num_leaves == 3 and added.report.grown == coarse.report.grown + 1 and added.report.inside == 1
+    np.testing.assert_array_equal(added.vertices[: len(coarse.vertices)], coarse.vertices)
+    new = added.vertices[len(coarse.vertices) :]
+    assert np.hypot(*new[new[:, 2] > 1, :2].T).max() < 0.3 * 0.6 and new[:, 2].max() > 1.4
+    assert added.prune(1.0, detail=0.0).num_leaves == 2
     with pytest.raises(msf_jax.ConfigError, match="detail is 2"):
         fine.prune(1.0, detail=2)
+    with pytest.raises(msf_jax.ConfigError, match="limbs are not known"):
+        fine.prune(0, detail=0.6)
