@@ -79,7 +79,7 @@ def corners(
     """The corners of the loops that `cut` measures."""
     num, corner = len(points), shape.faces.ravel()
     near = np.full(num, -1) if near is None else near
-    reach = FIRST_REACH * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    reach = FIRST_REACH * np.maximum(radii, 1e-3 * shape.extent)
     capacity, ends = CAPACITY * num, np.empty(num, dtype=np.int64)
     while True:
         edge, part = np.empty(capacity, dtype=np.int64), np.empty(capacity)
