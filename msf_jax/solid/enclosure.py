@@ -60,10 +60,14 @@ class Enclosure:
         return unit(cross(b - a, c - a))
 
     @cached_property
+    def heads(self) -> np.ndarray:
+        """(3F,) the vertex at the end of each half-edge."""
+        return np.roll(self.faces, -1, axis=1).ravel()
+
+    @cached_property
     def mesh(self) -> Mesh:
         """The surface as the kernels take it."""
-        tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-        num = len(self.vertices)
+        tail, head, num = self.faces.ravel(), self.heads, len(self.vertices)
         twins = np.empty(len(tail), dtype=np.int64)
         twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
         return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes(self.triangles)))
