@@ -157,7 +157,9 @@ def crossed_again(
                 own = nodes[part]
                 height = tangent[own] @ place.T - np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
                 height[np.arange(len(own)), part] = 0.0
-                here, there = np.nonzero((height[:, :-1] > 0) != (height[:, 1:] > 0))
+                is_over = height > 0
+                is_crossing = is_over[:, :-1] != is_over[:, 1:]  # flat indices are found many times faster than pairs
+                here, there = np.divmod(np.flatnonzero(is_crossing), len(nodes) - 1)
                 is_other = (there != part[here]) & ((there + 1) % (len(nodes) - 1) != part[here])
                 here, there = here[is_other], there[is_other]
                 low, high = height[here, there], height[here, there + 1]

@@ -273,10 +273,12 @@ class _System:
         block = np.concatenate([own, turn[reach.row] * reach.data[:, None, None]])
         i = 3 * row[:, None, None] + np.arange(3)[:, None] + np.zeros((3, 3), dtype=np.int64)
         j = 3 * column[:, None, None] + np.arange(3) + np.zeros((3, 3), dtype=np.int64)
-        aside = sparse.csr_matrix((block.ravel(), (i.ravel(), j.ravel())), (3 * len(limb), 3 * num))
         bend, stiffness, rest = measures.bending(x, paths, STIFFNESS * size)
-        self.stiff = np.repeat(stiffness, 3)
-        self.rows = sparse.vstack([aside, sparse.kron(bend, sparse.eye(3))], format="csr")
+        self.stiff, bent = np.repeat(stiffness, 3), bend.tocoo()
+        i = np.concatenate([i.ravel(), (3 * (len(limb) + bent.row[:, None]) + np.arange(3)).ravel()])
+        j = np.concatenate([j.ravel(), (3 * bent.col[:, None] + np.arange(3)).ravel()])
+        entries = np.concatenate([block.ravel(), np.repeat(bent.data, 3)]), (i, j)
+        self.rows = sparse.csr_matrix(entries, (3 * (len(limb) + len(stiffness)), 3 * num))
         self.value = np.concatenate([self.off.ravel(), (bend @ x - rest).ravel()])
         held = (DAMPING + anchor)[:, None, None] * np.eye(3)
         held = held + DAMPING_ALONG * tangent[:, :, None] * tangent[:, None, :]
@@ -286,7 +288,8 @@ class _System:
     def step(self, weight: np.ndarray) -> np.ndarray:
         """The step (N, 3) that minimises the energy, with ``weight`` (L,) of the sections."""
         scale = np.concatenate([np.repeat(weight, 3), self.stiff])
-        back = self.rows.T.tocsr().multiply(scale).tocsr()
+        back = self.rows.T.tocsr()
+        back.data *= scale[back.indices]
         matrix = (back @ self.rows).tocsc() + self.held
         return linalg.splu(matrix).solve(self.pull - back @ self.value).reshape(-1, 3)
 

@@ -95,9 +95,8 @@ def _keeps_class(
         places = np.stack([x[other], y[one], y[other]], axis=1)
         kept &= np.linalg.norm(places - x[one][:, None], axis=2).max(axis=1) >= SURE * clearance[one]
     a, b = edges[kept].T
-    kept[kept] = handles.classes(y[a], y[b]) != class_of[kept] + handles.classes(x[b], y[b]) - handles.classes(
-        x[a], y[a]
-    )
+    along, *steps = np.split(handles.classes(np.r_[y[a], x[a], x[b]], np.r_[y[b], y[a], y[b]]), 3)
+    kept[kept] = along != class_of[kept] + steps[1] - steps[0]
     return ~kept
 
 

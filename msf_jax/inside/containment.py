@@ -93,25 +93,11 @@ def is_inside(
 
     A segment shorter than ``covered`` (E,) is inside without a test: the sum of the radii of balls around its ends.
     """
-    length = np.linalg.norm(b - a, axis=1)
-    is_in = np.zeros(len(a), dtype=bool) if covered is None else length < covered
-    unknown = np.flatnonzero(~is_in)
-    is_in[unknown] = shape.contains(a[unknown])
-    rows = unknown[is_in[unknown]]
-    ray, hit = shape.ray_hits(a[rows], unit(b - a)[rows], length[rows])
-    # At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits decide.
-    edge = np.concatenate([rows[ray], np.unique(rows[ray])])
-    stop = np.concatenate([hit, np.zeros(len(edge) - len(hit))])
-    order = np.lexsort((stop, edge))
-    edge, stop = edge[order], stop[order]
-    onward = np.append(stop[1:], 0.0)
-    is_last = np.append(edge[1:] != edge[:-1], True)[: len(edge)]
-    onward = np.where(is_last, length[edge], onward[: len(edge)])
-    middle = a[edge] + ((stop + onward) / 2)[:, None] * unit(b - a)[edge]
-    is_stretch = onward - stop > sliver
-    is_in[edge[is_stretch][~shape.contains(middle[is_stretch])]] = False
-    left = rows[is_in[rows]]
-    is_in[left] = shape.contains(b[left])  # a ray along a face, or from the surface, may miss its exit
+    if covered is None:
+        return shape.holds(a, b, sliver)
+    is_in = np.linalg.norm(b - a, axis=1) < covered
+    rows = np.flatnonzero(~is_in)
+    is_in[rows] = shape.holds(a[rows], b[rows], sliver)
     return is_in
 
 

@@ -337,7 +337,10 @@ def _one_for_each_place(centre: np.ndarray, radius: np.ndarray) -> np.ndarray:
     """The first ball in each cell of a grid, whose cells have about half the radius of their balls."""
     size = 2.0 ** np.floor(np.log2(np.maximum(radius, TOUCHING)) - 1)
     cells = np.concatenate([size[:, None], np.round(centre / size[:, None])], axis=1)
-    return np.sort(np.unique(cells, axis=0, return_index=True)[1])
+    order = np.lexsort(cells.T)  # stable: the first ball of each cell comes first
+    is_first = np.ones(len(order), dtype=bool)
+    is_first[1:] = (cells[order[1:]] != cells[order[:-1]]).any(axis=1)
+    return np.sort(order[is_first])
 
 
 def _links(centre: np.ndarray, radius: np.ndarray, tail: np.ndarray, head: np.ndarray) -> _Links:
@@ -353,18 +356,20 @@ def _levels(radius: np.ndarray) -> np.ndarray:
 
 def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pairs of balls, the smaller id first, sorted: each ball with its nearest ones, and with nearest larger ones."""
-    num, level = len(centre), _levels(radius)
-    pairs = [_nearest(centre, np.arange(num), centre, np.arange(num), NEIGHBOURS + 1)]
+    num, level, count = len(centre), _levels(radius), min(NEIGHBOURS + 1, len(centre))
+    if not num:
+        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+    away, near = (np.asarray(each).reshape(num, -1) for each in spatial.KDTree(centre).query(centre, k=count))
+    pairs = [np.stack([np.repeat(np.arange(num), count), near.ravel()], axis=1)]
     for size in np.unique(level)[1:]:
         smaller = np.flatnonzero(level < size)
         pairs.append(_nearest(centre[smaller], smaller, centre, np.flatnonzero(level == size), LARGER))
-    both = np.concatenate(pairs)
-    both = np.sort(both[both[:, 0] != both[:, 1]], axis=1)
-    both = np.unique(both[:, 0] * num + both[:, 1])
+    tail, head = np.concatenate(pairs).T
+    both = np.unique(np.minimum(tail, head) * num + np.maximum(tail, head))
     tail, head = both // num, both % num
-    apart = np.asarray(spatial.KDTree(centre).query(centre, k=2)[0])[:, 1]
+    apart = away[:, 1:2].sum(axis=1)  # 0 for a single ball
     reach = LONGEST_EDGE * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
-    is_near = np.linalg.norm(centre[tail] - centre[head], axis=1) < reach
+    is_near = (np.linalg.norm(centre[tail] - centre[head], axis=1) < reach) & (tail < head)
     return tail[is_near], head[is_near]
 
 
@@ -373,8 +378,9 @@ def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, cle
     number, level = len(centre) + np.arange(len(ends)), _levels(radius)
     pairs = [_nearest(ends, number, centre, np.arange(len(centre)), NEIGHBOURS)]
     pairs += [_nearest(ends, number, centre, np.flatnonzero(level == size), LARGER) for size in np.unique(level)]
-    both = np.unique(np.concatenate(pairs), axis=0)
-    return _links(np.concatenate([centre, ends]), np.concatenate([radius, clearance]), both[:, 1], both[:, 0])
+    num, (end, ball) = len(centre), np.concatenate(pairs).T
+    both = np.unique(end * num + ball)
+    return _links(np.concatenate([centre, ends]), np.concatenate([radius, clearance]), both % num, both // num)
 
 
 def _nearest(points: np.ndarray, number: np.ndarray, centre: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:

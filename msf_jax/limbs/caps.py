@@ -266,8 +266,10 @@ class Caps:
             best = int(np.where(is_counted, value, -1.0).argmax())
             need = least * float(np.interp(rows[best, 6] / rows[best, 2] ** 1.5, *CORNER))
             score = min(height / RAISED, value[best] / need)
+            if not is_counted[best] or score < LEAST_RAISED:
+                continue
             region = self.grown(tip, others, float(value[best]), LARGEST_CAP, 0.0)[1]
-            if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
+            if 2 * len(region) >= TRIANGLES:
                 cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
                 raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
                 others[tip] = 1

@@ -13,6 +13,7 @@ from msf_jax.meso import kernels, ring_tables
 from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 ROWS = kernels.MesoArrays._fields  # the arrays with a row for each vertex
+SPARE = 1.25  # factor on the rows for which memory is allocated, so that many calls of `append` copy a row few times
 
 
 class Fixing(NamedTuple):
@@ -111,12 +112,16 @@ class Meso:
             np.empty((num, 0)) if self.weights is None else self.weights,
         )
 
-    def append(self, count: int) -> None:
-        """Add ``count`` dead rows, with zeros."""
+    def append(self, count: int, whole: dict[str, np.ndarray]) -> None:
+        """Add ``count`` dead rows, with zeros. ``whole`` has the arrays with spare rows of the call before, if any."""
+        num = self.num_rows + count
         for name in ROWS:
             if (value := getattr(self, name)) is not None:
-                more = np.full((count, *value.shape[1:]), -1 if name == "rings" else 0, value.dtype)
-                setattr(self, name, np.concatenate([value, more]))
+                if name not in whole or value.base is not whole[name] or len(whole[name]) < num:
+                    shape = (int(SPARE * num), *value.shape[1:])
+                    whole[name] = np.full(shape, -1 if name == "rings" else 0, value.dtype)
+                    whole[name][: len(value)] = value
+                setattr(self, name, whole[name][:num])
 
     def widen(self, degree: int) -> None:
         """Add slots until every row has at least ``degree``."""

@@ -37,6 +37,7 @@ def split_obtuse_edges(
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     cosine = np.cos(np.radians(angle))
     rounds, waiting, is_touched = [], Waiting(), np.ones(meso.num_rows, dtype=bool)
+    whole: dict[str, np.ndarray] = {}
     while True:
         found = waiting.find(kernels.wide_edges, meso, is_touched, shortest, cosine)
         a, b, apex = found.T[[0, 1, 4]]
@@ -45,7 +46,7 @@ def split_obtuse_edges(
         is_full = meso.num_live + len(chosen) > max_rows
         if len(chosen) == 0 or is_full:
             return rounds, is_full
-        rounds.append(split_edges(meso, a[chosen], b[chosen], waiting.value[chosen, 1], apex[chosen]))
+        rounds.append(split_edges(meso, a[chosen], b[chosen], waiting.value[chosen, 1], apex[chosen], whole))
         if check:
             ring_tables.check_closed_manifold(meso.rings, euler)
         # The edges of the split faces are tested again; waiting edges elsewhere have not changed.
@@ -61,6 +62,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
     a, b = ring_tables.edges_from_rings(meso.rings)
+    whole: dict[str, np.ndarray] = {}
     while True:
         excess = edge_lengths(meso.positions, a, b) * 2 / (limit[a] + limit[b])
         is_long = excess > 1
@@ -71,7 +73,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
         if len(chosen) == 0:
             return
         limit = np.concatenate([limit, (limit[a] + limit[b])[chosen] / 2])
-        new = split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5)).new
+        new = split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5), None, whole).new
         if check:
             ring_tables.check_closed_manifold(meso.rings, euler)
         # The other edges have not changed.
@@ -82,12 +84,18 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
 
 
 def split_edges(
-    meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray, apex: np.ndarray | None = None
+    meso: Meso,
+    a: np.ndarray,
+    b: np.ndarray,
+    fraction: np.ndarray,
+    apex: np.ndarray | None,
+    whole: dict[str, np.ndarray],
 ) -> SplitRound:
-    """Split the edges ab (c,), which share no face, at ``fraction`` from a to b, where ``apex`` projects."""
+    """Split the edges ab (c,), which share no face, at ``fraction`` from a to b, where ``apex`` projects. ``whole``:
+    see `Meso.append`."""
     meso.widen(int(meso.degree.max(initial=0)) + 1)
     new = np.arange(meso.num_rows, meso.num_rows + len(a))
-    meso.append(len(a))
+    meso.append(len(a), whole)
     kernels.cut(meso.surface(), a, b, fraction)
     done = SplitRound(a, b, new, fraction, apex)
     meso.edits.append(done)

@@ -29,6 +29,7 @@ Rows = Annotated[np.ndarray, _INT, 2]
 Flags = Annotated[np.ndarray, _FLAG, 1]
 
 MODULES = (
+    "msf_jax.solid.handles",
     "msf_jax.solid.kernels",
     "msf_jax.solid.walks",
     "msf_jax.limbs.fronts",

@@ -1,4 +1,315 @@
 ; Made of the kernels by `python -m tests.translate`: edit those.
+declare i64 @llvm.smax.i64(i64, i64)
+define i64 @msf_jax.solid.handles.crossed(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 56
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 64
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 72
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 80
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 88
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 96
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 112
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 128
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 136
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 144
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 152
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 160
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 168
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 184
+  %40 = load ptr, ptr %39, align 8
+  %41 = getelementptr i8, ptr %0, i64 192
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 200
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr i8, ptr %0, i64 208
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr i8, ptr %0, i64 216
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr i8, ptr %0, i64 224
+  %50 = load i64, ptr %49, align 8
+  %51 = icmp slt i64 %4, 1
+  br i1 %51, label %284, label %52
+52:
+  %53 = getelementptr i8, ptr %0, i64 176
+  %54 = load i64, ptr %53, align 8
+  %55 = getelementptr i8, ptr %24, i64 8
+  %56 = getelementptr i8, ptr %26, i64 8
+  %57 = shl i64 %54, 3
+  br label %61
+58:
+  %59 = phi i64 [ %62, %61 ], [ %62, %108 ], [ %278, %280 ]
+  %60 = icmp eq i64 %64, %4
+  br i1 %60, label %284, label %61
+61:
+  %62 = phi i64 [ %59, %58 ], [ 0, %52 ]
+  %63 = phi i64 [ %64, %58 ], [ 0, %52 ]
+  %64 = add nuw nsw i64 %63, 1
+  %65 = mul i64 %63, %6
+  %66 = getelementptr double, ptr %2, i64 %65
+  %67 = load double, ptr %66, align 8
+  %68 = mul i64 %63, %10
+  %69 = getelementptr double, ptr %8, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = fcmp olt double %70, %67
+  %72 = select i1 %71, double %70, double %67
+  %73 = fcmp ogt double %70, %67
+  %74 = select i1 %73, double %70, double %67
+  %75 = load double, ptr %24, align 8
+  %76 = load double, ptr %26, align 8
+  %77 = fsub double %72, %75
+  %78 = fdiv double %77, %76
+  %79 = fcmp olt double %78, 0.000000e+00
+  %80 = select i1 %79, double 0.000000e+00, double %78
+  %81 = fcmp ogt double %80, 9.500000e+01
+  %82 = select i1 %81, double 9.500000e+01, double %80
+  %83 = fptosi double %82 to i64
+  %84 = fsub double %74, %75
+  %85 = fdiv double %84, %76
+  %86 = fcmp olt double %85, 0.000000e+00
+  %87 = select i1 %86, double 0.000000e+00, double %85
+  %88 = fcmp ogt double %87, 9.500000e+01
+  %89 = select i1 %88, double 9.500000e+01, double %87
+  %90 = fptosi double %89 to i64
+  %91 = getelementptr i8, ptr %66, i64 8
+  %92 = load double, ptr %91, align 8
+  %93 = getelementptr i8, ptr %69, i64 8
+  %94 = load double, ptr %93, align 8
+  %95 = fcmp olt double %94, %92
+  %96 = select i1 %95, double %94, double %92
+  %97 = load double, ptr %55, align 8
+  %98 = load double, ptr %56, align 8
+  %99 = fsub double %96, %97
+  %100 = fdiv double %99, %98
+  %101 = fcmp olt double %100, 0.000000e+00
+  %102 = select i1 %101, double 0.000000e+00, double %100
+  %103 = fcmp ogt double %102, 9.500000e+01
+  %104 = select i1 %103, double 9.500000e+01, double %102
+  %105 = fptosi double %104 to i64
+  %106 = sub i64 %90, %83
+  %107 = icmp ult i64 %106, 9223372036854775807
+  br i1 %107, label %108, label %58
+108:
+  %109 = fcmp ogt double %94, %92
+  %110 = select i1 %109, double %94, double %92
+  %111 = fsub double %110, %97
+  %112 = fdiv double %111, %98
+  %113 = fcmp olt double %112, 0.000000e+00
+  %114 = select i1 %113, double 0.000000e+00, double %112
+  %115 = fcmp ogt double %114, 9.500000e+01
+  %116 = select i1 %115, double 9.500000e+01, double %114
+  %117 = fptosi double %116 to i64
+  %118 = add i64 %117, 1
+  %119 = sub i64 %118, %105
+  %120 = tail call i64 @llvm.smax.i64(i64 %119, i64 0)
+  %121 = icmp slt i64 %119, 1
+  br i1 %121, label %58, label %122
+122:
+  %123 = add nuw nsw i64 %106, 1
+  %124 = shl i64 %65, 3
+  %125 = getelementptr i8, ptr %2, i64 %124
+  %126 = getelementptr i8, ptr %125, i64 8
+  %127 = shl i64 %68, 3
+  %128 = getelementptr i8, ptr %8, i64 %127
+  %129 = getelementptr i8, ptr %128, i64 8
+  %130 = getelementptr i8, ptr %125, i64 16
+  %131 = getelementptr i8, ptr %128, i64 16
+  br label %132
+132:
+  %133 = phi i64 [ %278, %280 ], [ %62, %122 ]
+  %134 = phi i64 [ %281, %280 ], [ %123, %122 ]
+  %135 = phi i64 [ %282, %280 ], [ %83, %122 ]
+  %136 = mul nsw i64 %135, 96
+  br label %137
+137:
+  %138 = phi i64 [ %133, %132 ], [ %278, %277 ]
+  %139 = phi i64 [ %120, %132 ], [ %141, %277 ]
+  %140 = phi i64 [ %105, %132 ], [ %142, %277 ]
+  %141 = add nsw i64 %139, -1
+  %142 = add i64 %140, 1
+  %143 = add nsw i64 %140, %136
+  %144 = icmp slt i64 %143, 0
+  %145 = select i1 %144, i64 %36, i64 0
+  %146 = getelementptr i64, ptr %34, i64 %143
+  %147 = getelementptr i64, ptr %146, i64 %145
+  %148 = load i64, ptr %147, align 8
+  %149 = icmp slt i64 %143, -1
+  %150 = select i1 %149, i64 %36, i64 0
+  %151 = getelementptr i8, ptr %146, i64 8
+  %152 = getelementptr i64, ptr %151, i64 %150
+  %153 = load i64, ptr %152, align 8
+  %154 = sub i64 %153, %148
+  %155 = icmp slt i64 %154, 1
+  br i1 %155, label %277, label %156
+156:
+  %157 = add nuw i64 %154, 1
+  br label %158
+158:
+  %159 = phi i64 [ %157, %156 ], [ %274, %272 ]
+  %160 = phi i64 [ %138, %156 ], [ %273, %272 ]
+  %161 = phi i64 [ %148, %156 ], [ %275, %272 ]
+  %162 = icmp slt i64 %161, 0
+  %163 = select i1 %162, i64 %57, i64 0
+  %164 = getelementptr i8, ptr %38, i64 %163
+  %165 = shl i64 %161, 3
+  %166 = getelementptr i8, ptr %164, i64 %165
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp slt i64 %167, 0
+  %169 = select i1 %168, i64 %30, i64 0
+  %170 = add i64 %169, %167
+  %171 = mul i64 %170, %32
+  %172 = getelementptr i64, ptr %28, i64 %171
+  %173 = load i64, ptr %172, align 8
+  %174 = tail call i64 @llvm.smax.i64(i64 %173, i64 %83)
+  %175 = icmp eq i64 %174, %135
+  br i1 %175, label %176, label %272
+176:
+  %177 = shl i64 %171, 3
+  %178 = getelementptr i8, ptr %28, i64 %177
+  %179 = getelementptr i8, ptr %178, i64 8
+  %180 = load i64, ptr %179, align 8
+  %181 = tail call i64 @llvm.smax.i64(i64 %180, i64 %105)
+  %182 = icmp eq i64 %181, %140
+  br i1 %182, label %183, label %272
+183:
+  %184 = select i1 %168, i64 %20, i64 0
+  %185 = add i64 %184, %167
+  %186 = mul i64 %185, %22
+  %187 = getelementptr double, ptr %18, i64 %186
+  %188 = load double, ptr %187, align 8
+  %189 = select i1 %168, i64 %14, i64 0
+  %190 = add i64 %189, %167
+  %191 = mul i64 %190, %16
+  %192 = getelementptr double, ptr %12, i64 %191
+  %193 = load double, ptr %192, align 8
+  %194 = fsub double %188, %193
+  %195 = getelementptr i8, ptr %187, i64 8
+  %196 = load double, ptr %195, align 8
+  %197 = getelementptr i8, ptr %192, i64 8
+  %198 = load double, ptr %197, align 8
+  %199 = fsub double %196, %198
+  %200 = load double, ptr %126, align 8
+  %201 = fsub double %200, %198
+  %202 = fmul double %194, %201
+  %203 = load double, ptr %125, align 8
+  %204 = fsub double %203, %193
+  %205 = fmul double %199, %204
+  %206 = fsub double %202, %205
+  %207 = load double, ptr %129, align 8
+  %208 = fsub double %207, %198
+  %209 = fmul double %194, %208
+  %210 = load double, ptr %128, align 8
+  %211 = fsub double %210, %193
+  %212 = fmul double %199, %211
+  %213 = fsub double %209, %212
+  %214 = fsub double %210, %203
+  %215 = fsub double %207, %200
+  %216 = fsub double %198, %200
+  %217 = fmul double %216, %214
+  %218 = fsub double %193, %203
+  %219 = fmul double %218, %215
+  %220 = fsub double %217, %219
+  %221 = fsub double %196, %200
+  %222 = fmul double %221, %214
+  %223 = fsub double %188, %203
+  %224 = fmul double %223, %215
+  %225 = fsub double %222, %224
+  %226 = fcmp oge double %206, 0.000000e+00
+  %227 = fcmp ult double %213, 0.000000e+00
+  %228 = xor i1 %226, %227
+  br i1 %228, label %272, label %229
+229:
+  %230 = fcmp oge double %220, 0.000000e+00
+  %231 = fcmp ult double %225, 0.000000e+00
+  %232 = xor i1 %230, %231
+  br i1 %232, label %272, label %233
+233:
+  %234 = fsub double %206, %213
+  %235 = fdiv double %206, %234
+  %236 = fsub double %220, %225
+  %237 = fdiv double %220, %236
+  %238 = load double, ptr %130, align 8
+  %239 = load double, ptr %131, align 8
+  %240 = fsub double %239, %238
+  %241 = fmul double %235, %240
+  %242 = fadd double %238, %241
+  %243 = shl i64 %191, 3
+  %244 = getelementptr i8, ptr %12, i64 %243
+  %245 = getelementptr i8, ptr %244, i64 16
+  %246 = load double, ptr %245, align 8
+  %247 = fsub double %242, %246
+  %248 = shl i64 %186, 3
+  %249 = getelementptr i8, ptr %18, i64 %248
+  %250 = getelementptr i8, ptr %249, i64 16
+  %251 = load double, ptr %250, align 8
+  %252 = fsub double %251, %246
+  %253 = fmul double %237, %252
+  %254 = fcmp ogt double %247, %253
+  br i1 %254, label %255, label %272
+255:
+  %256 = icmp slt i64 %160, %42
+  br i1 %256, label %257, label %270
+257:
+  %258 = fcmp ogt double %213, %206
+  %259 = select i1 %258, i64 -1, i64 1
+  %260 = icmp slt i64 %160, 0
+  %261 = select i1 %260, i64 %42, i64 0
+  %262 = getelementptr i64, ptr %40, i64 %160
+  %263 = getelementptr i64, ptr %262, i64 %261
+  store i64 %63, ptr %263, align 8
+  %264 = select i1 %260, i64 %46, i64 0
+  %265 = getelementptr i64, ptr %44, i64 %160
+  %266 = getelementptr i64, ptr %265, i64 %264
+  store i64 %167, ptr %266, align 8
+  %267 = select i1 %260, i64 %50, i64 0
+  %268 = getelementptr i64, ptr %48, i64 %160
+  %269 = getelementptr i64, ptr %268, i64 %267
+  store i64 %259, ptr %269, align 8
+  br label %270
+270:
+  %271 = add nsw i64 %160, 1
+  br label %272
+272:
+  %273 = phi i64 [ %160, %229 ], [ %160, %158 ], [ %160, %176 ], [ %160, %183 ], [ %271, %270 ], [ %160, %233 ]
+  %274 = add i64 %159, -1
+  %275 = add i64 %161, 1
+  %276 = icmp samesign ugt i64 %274, 1
+  br i1 %276, label %158, label %277
+277:
+  %278 = phi i64 [ %138, %137 ], [ %273, %272 ]
+  %279 = icmp sgt i64 %139, 1
+  br i1 %279, label %137, label %280
+280:
+  %281 = add nsw i64 %134, -1
+  %282 = add i64 %135, 1
+  %283 = icmp sgt i64 %134, 1
+  br i1 %283, label %132, label %58
+284:
+  %285 = phi i64 [ 0, %1 ], [ %59, %58 ]
+  ret i64 %285
+}
 define internal fastcc void @0(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr {
   %10 = icmp slt i64 %8, 0
   %11 = select i1 %10, i64 %5, i64 0
@@ -467,319 +778,330 @@ define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed
 180:
   ret i64 0
 }
-define noundef i64 @msf_jax.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {
-  %2 = load ptr, ptr %0, align 8
-  %3 = getelementptr i8, ptr %0, i64 8
-  %4 = load i64, ptr %3, align 8
-  %5 = getelementptr i8, ptr %0, i64 16
-  %6 = load i64, ptr %5, align 8
-  %7 = getelementptr i8, ptr %0, i64 48
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr i8, ptr %0, i64 56
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr i8, ptr %0, i64 64
-  %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 72
-  %14 = load i64, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 88
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 112
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 120
-  %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 128
-  %22 = load i64, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 136
-  %24 = load ptr, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 144
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 152
-  %28 = load ptr, ptr %27, align 8
-  %29 = icmp slt i64 %4, 1
-  br i1 %29, label %272, label %30
-30:
-  %31 = getelementptr i8, ptr %0, i64 80
-  %32 = load i64, ptr %31, align 8
-  %33 = mul i64 %32, %16
-  %34 = shl i64 %16, 4
-  br label %35
-35:
-  %36 = phi i64 [ 0, %30 ], [ %206, %205 ]
-  %37 = mul i64 %36, %6
-  %38 = getelementptr double, ptr %2, i64 %37
+define internal fastcc void @1(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, ptr readonly %6, i64 %7, i64 %8, i64 %9, ptr readonly %10, i64 %11, i64 %12, ptr readonly %13, i64 %14) unnamed_addr {
+  %16 = mul i64 %9, %8
+  %17 = shl i64 %9, 4
+  br label %18
+18:
+  %19 = phi i64 [ %167, %176 ], [ 0, %15 ]
+  %20 = phi i64 [ %177, %176 ], [ 1, %15 ]
+  %21 = mul i64 %20, %12
+  %22 = getelementptr double, ptr %10, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fcmp ogt double %23, %1
+  br i1 %24, label %165, label %25
+25:
+  %26 = phi i64 [ %161, %156 ], [ %21, %18 ]
+  %27 = phi i64 [ %157, %156 ], [ %20, %18 ]
+  %28 = shl i64 %26, 3
+  %29 = getelementptr i8, ptr %10, i64 %28
+  %30 = getelementptr i8, ptr %29, i64 8
+  %31 = load double, ptr %30, align 8
+  %32 = fcmp ogt double %31, %2
+  br i1 %32, label %165, label %33
+33:
+  %34 = getelementptr i8, ptr %29, i64 24
+  %35 = load double, ptr %34, align 8
+  %36 = fcmp olt double %35, %1
+  br i1 %36, label %165, label %37
+37:
+  %38 = getelementptr i8, ptr %29, i64 32
   %39 = load double, ptr %38, align 8
-  %40 = getelementptr i8, ptr %38, i64 8
-  %41 = load double, ptr %40, align 8
-  %42 = getelementptr i8, ptr %38, i64 16
+  %40 = fcmp olt double %39, %2
+  br i1 %40, label %165, label %41
+41:
+  %42 = getelementptr i8, ptr %29, i64 40
   %43 = load double, ptr %42, align 8
-  br label %44
-44:
-  %45 = phi i64 [ %193, %202 ], [ 0, %35 ]
-  %46 = phi i64 [ %203, %202 ], [ 1, %35 ]
-  %47 = mul i64 %46, %22
-  %48 = getelementptr double, ptr %18, i64 %47
-  %49 = load double, ptr %48, align 8
-  %50 = fcmp ogt double %49, %39
-  br i1 %50, label %191, label %51
+  %44 = fcmp uge double %43, %3
+  br i1 %44, label %45, label %165
+45:
+  %46 = icmp slt i64 %27, %14
+  br i1 %46, label %156, label %180
+47:
+  %48 = fcmp oeq double %220, 0.000000e+00
+  br i1 %48, label %49, label %55
+49:
+  %50 = fcmp olt double %215, 0.000000e+00
+  br i1 %50, label %55, label %51
 51:
-  %52 = phi i64 [ %187, %182 ], [ %47, %44 ]
-  %53 = phi i64 [ %183, %182 ], [ %46, %44 ]
-  %54 = shl i64 %52, 3
-  %55 = getelementptr i8, ptr %18, i64 %54
-  %56 = getelementptr i8, ptr %55, i64 8
-  %57 = load double, ptr %56, align 8
-  %58 = fcmp ogt double %57, %41
-  br i1 %58, label %191, label %59
-59:
-  %60 = getelementptr i8, ptr %55, i64 24
-  %61 = load double, ptr %60, align 8
-  %62 = fcmp olt double %61, %39
-  br i1 %62, label %191, label %63
-63:
-  %64 = getelementptr i8, ptr %55, i64 32
-  %65 = load double, ptr %64, align 8
-  %66 = fcmp olt double %65, %41
-  br i1 %66, label %191, label %67
-67:
-  %68 = getelementptr i8, ptr %55, i64 40
-  %69 = load double, ptr %68, align 8
-  %70 = fcmp uge double %69, %43
-  br i1 %70, label %71, label %191
-71:
-  %72 = icmp slt i64 %53, %26
-  br i1 %72, label %182, label %209
-73:
-  %74 = fcmp oeq double %249, 0.000000e+00
-  br i1 %74, label %75, label %81
-75:
-  %76 = fcmp olt double %244, 0.000000e+00
-  br i1 %76, label %81, label %77
-77:
-  %78 = fcmp oeq double %244, 0.000000e+00
-  br i1 %78, label %79, label %81
-79:
-  %80 = fcmp ogt double %239, 0.000000e+00
-  br label %81
-81:
-  %82 = phi i1 [ true, %209 ], [ true, %75 ], [ %80, %79 ], [ false, %77 ], [ false, %73 ]
-  %83 = xor i1 %227, %82
-  %84 = xor i1 %83, true
-  %85 = zext i1 %84 to i64
-  %86 = fneg double %249
-  %87 = select i1 %227, double %249, double %86
-  %88 = fadd double %87, 0.000000e+00
-  %89 = shl i64 %216, 3
-  %90 = getelementptr i8, ptr %12, i64 %89
-  %91 = getelementptr i8, ptr %90, i64 16
-  %92 = load double, ptr %91, align 8
-  %93 = fmul double %87, %92
-  %94 = fadd double %93, 0.000000e+00
-  %95 = getelementptr i64, ptr %220, i64 %218
-  %96 = load i64, ptr %95, align 8
-  %97 = icmp slt i64 %226, %96
-  %98 = select i1 %97, i64 0, i64 2
-  %99 = select i1 %97, i64 2, i64 0
-  %100 = mul i64 %98, %16
-  %101 = getelementptr double, ptr %12, i64 %100
-  %102 = getelementptr double, ptr %101, i64 %216
-  %103 = load double, ptr %102, align 8
-  %104 = mul i64 %99, %16
-  %105 = getelementptr double, ptr %12, i64 %104
-  %106 = getelementptr double, ptr %105, i64 %216
-  %107 = load double, ptr %106, align 8
-  %108 = fsub double %103, %107
-  %109 = getelementptr i8, ptr %102, i64 8
-  %110 = load double, ptr %109, align 8
-  %111 = getelementptr i8, ptr %106, i64 8
-  %112 = load double, ptr %111, align 8
-  %113 = fsub double %110, %112
-  %114 = fsub double %41, %112
-  %115 = fmul double %108, %114
-  %116 = fsub double %39, %107
-  %117 = fmul double %116, %113
-  %118 = fsub double %115, %117
-  %119 = fcmp ogt double %118, 0.000000e+00
-  br i1 %119, label %128, label %120
-120:
-  %121 = fcmp oeq double %118, 0.000000e+00
-  br i1 %121, label %122, label %128
-122:
-  %123 = fcmp olt double %113, 0.000000e+00
-  br i1 %123, label %128, label %124
-124:
-  %125 = fcmp oeq double %113, 0.000000e+00
-  br i1 %125, label %126, label %128
-126:
-  %127 = fcmp ogt double %108, 0.000000e+00
-  br label %128
-128:
-  %129 = phi i1 [ true, %81 ], [ true, %122 ], [ %127, %126 ], [ false, %124 ], [ false, %120 ]
-  %130 = xor i1 %97, %129
-  %131 = xor i1 %130, true
-  %132 = zext i1 %131 to i64
-  %133 = add nuw nsw i64 %132, %85
-  %134 = fneg double %118
-  %135 = select i1 %97, double %118, double %134
-  %136 = fadd double %88, %135
-  %137 = getelementptr double, ptr %217, i64 %16
-  %138 = getelementptr i8, ptr %137, i64 16
-  %139 = load double, ptr %138, align 8
-  %140 = fmul double %135, %139
-  %141 = fadd double %94, %140
-  %142 = icmp slt i64 %96, %223
-  %143 = select i1 %142, i64 %16, i64 0
-  %144 = getelementptr double, ptr %12, i64 %143
-  %145 = getelementptr double, ptr %144, i64 %216
-  %146 = load double, ptr %145, align 8
-  %147 = select i1 %142, i64 0, i64 %16
-  %148 = getelementptr double, ptr %12, i64 %147
-  %149 = getelementptr double, ptr %148, i64 %216
-  %150 = load double, ptr %149, align 8
-  %151 = fsub double %146, %150
-  %152 = getelementptr i8, ptr %145, i64 8
-  %153 = load double, ptr %152, align 8
-  %154 = getelementptr i8, ptr %149, i64 8
-  %155 = load double, ptr %154, align 8
-  %156 = fsub double %153, %155
-  %157 = fsub double %41, %155
-  %158 = fmul double %151, %157
-  %159 = fsub double %39, %150
-  %160 = fmul double %159, %156
-  %161 = fsub double %158, %160
-  %162 = fcmp ogt double %161, 0.000000e+00
-  br i1 %162, label %251, label %163
-163:
-  %164 = fcmp oeq double %161, 0.000000e+00
-  br i1 %164, label %165, label %251
+  %52 = fcmp oeq double %215, 0.000000e+00
+  br i1 %52, label %53, label %55
+53:
+  %54 = fcmp ogt double %210, 0.000000e+00
+  br label %55
+55:
+  %56 = phi i1 [ true, %180 ], [ true, %49 ], [ %54, %53 ], [ false, %51 ], [ false, %47 ]
+  %57 = xor i1 %198, %56
+  %58 = xor i1 %57, true
+  %59 = zext i1 %58 to i64
+  %60 = fneg double %220
+  %61 = select i1 %198, double %220, double %60
+  %62 = fadd double %61, 0.000000e+00
+  %63 = shl i64 %187, 3
+  %64 = getelementptr i8, ptr %6, i64 %63
+  %65 = getelementptr i8, ptr %64, i64 16
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %61, %66
+  %68 = fadd double %67, 0.000000e+00
+  %69 = getelementptr i64, ptr %191, i64 %189
+  %70 = load i64, ptr %69, align 8
+  %71 = icmp slt i64 %197, %70
+  %72 = select i1 %71, i64 0, i64 2
+  %73 = select i1 %71, i64 2, i64 0
+  %74 = mul i64 %72, %9
+  %75 = getelementptr double, ptr %6, i64 %74
+  %76 = getelementptr double, ptr %75, i64 %187
+  %77 = load double, ptr %76, align 8
+  %78 = mul i64 %73, %9
+  %79 = getelementptr double, ptr %6, i64 %78
+  %80 = getelementptr double, ptr %79, i64 %187
+  %81 = load double, ptr %80, align 8
+  %82 = fsub double %77, %81
+  %83 = getelementptr i8, ptr %76, i64 8
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr i8, ptr %80, i64 8
+  %86 = load double, ptr %85, align 8
+  %87 = fsub double %84, %86
+  %88 = fsub double %2, %86
+  %89 = fmul double %82, %88
+  %90 = fsub double %1, %81
+  %91 = fmul double %90, %87
+  %92 = fsub double %89, %91
+  %93 = fcmp ogt double %92, 0.000000e+00
+  br i1 %93, label %102, label %94
+94:
+  %95 = fcmp oeq double %92, 0.000000e+00
+  br i1 %95, label %96, label %102
+96:
+  %97 = fcmp olt double %87, 0.000000e+00
+  br i1 %97, label %102, label %98
+98:
+  %99 = fcmp oeq double %87, 0.000000e+00
+  br i1 %99, label %100, label %102
+100:
+  %101 = fcmp ogt double %82, 0.000000e+00
+  br label %102
+102:
+  %103 = phi i1 [ true, %55 ], [ true, %96 ], [ %101, %100 ], [ false, %98 ], [ false, %94 ]
+  %104 = xor i1 %71, %103
+  %105 = xor i1 %104, true
+  %106 = zext i1 %105 to i64
+  %107 = add nuw nsw i64 %106, %59
+  %108 = fneg double %92
+  %109 = select i1 %71, double %92, double %108
+  %110 = fadd double %62, %109
+  %111 = getelementptr double, ptr %188, i64 %9
+  %112 = getelementptr i8, ptr %111, i64 16
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %109, %113
+  %115 = fadd double %68, %114
+  %116 = icmp slt i64 %70, %194
+  %117 = select i1 %116, i64 %9, i64 0
+  %118 = getelementptr double, ptr %6, i64 %117
+  %119 = getelementptr double, ptr %118, i64 %187
+  %120 = load double, ptr %119, align 8
+  %121 = select i1 %116, i64 0, i64 %9
+  %122 = getelementptr double, ptr %6, i64 %121
+  %123 = getelementptr double, ptr %122, i64 %187
+  %124 = load double, ptr %123, align 8
+  %125 = fsub double %120, %124
+  %126 = getelementptr i8, ptr %119, i64 8
+  %127 = load double, ptr %126, align 8
+  %128 = getelementptr i8, ptr %123, i64 8
+  %129 = load double, ptr %128, align 8
+  %130 = fsub double %127, %129
+  %131 = fsub double %2, %129
+  %132 = fmul double %125, %131
+  %133 = fsub double %1, %124
+  %134 = fmul double %133, %130
+  %135 = fsub double %132, %134
+  %136 = fcmp ogt double %135, 0.000000e+00
+  br i1 %136, label %222, label %137
+137:
+  %138 = fcmp oeq double %135, 0.000000e+00
+  br i1 %138, label %139, label %222
+139:
+  %140 = fcmp olt double %130, 0.000000e+00
+  br i1 %140, label %222, label %141
+141:
+  %142 = fcmp oeq double %130, 0.000000e+00
+  br i1 %142, label %143, label %222
+143:
+  %144 = fcmp ogt double %125, 0.000000e+00
+  br label %222
+145:
+  %146 = icmp sge i64 %70, %194
+  %147 = xor i1 %146, %223
+  %148 = zext i1 %147 to i64
+  %149 = add nuw nsw i64 %107, %148
+  %150 = icmp eq i64 %149, 3
+  %151 = icmp eq i64 %149, 0
+  %152 = zext i1 %150 to i64
+  %153 = sext i1 %151 to i64
+  %154 = add i64 %19, %152
+  %155 = add i64 %154, %153
+  br label %165
+156:
+  %157 = shl nsw i64 %27, 1
+  %158 = icmp slt i64 %27, 0
+  %159 = select i1 %158, i64 %11, i64 0
+  %160 = add i64 %159, %157
+  %161 = mul i64 %160, %12
+  %162 = getelementptr double, ptr %10, i64 %161
+  %163 = load double, ptr %162, align 8
+  %164 = fcmp ogt double %163, %1
+  br i1 %164, label %165, label %25
 165:
-  %166 = fcmp olt double %156, 0.000000e+00
-  br i1 %166, label %251, label %167
-167:
-  %168 = fcmp oeq double %156, 0.000000e+00
-  br i1 %168, label %169, label %251
-169:
-  %170 = fcmp ogt double %151, 0.000000e+00
-  br label %251
+  %166 = phi i64 [ %27, %145 ], [ %27, %222 ], [ %20, %18 ], [ %27, %41 ], [ %27, %37 ], [ %27, %33 ], [ %27, %25 ], [ %157, %156 ]
+  %167 = phi i64 [ %155, %145 ], [ %19, %222 ], [ %19, %18 ], [ %19, %25 ], [ %19, %33 ], [ %19, %37 ], [ %19, %41 ], [ %19, %156 ]
+  %168 = add nsw i64 %166, 1
+  %169 = and i64 %166, 1
+  %170 = icmp eq i64 %169, 0
+  br i1 %170, label %176, label %171
 171:
-  %172 = xor i1 %142, %252
-  %173 = xor i1 %172, true
-  %174 = zext i1 %173 to i64
-  %175 = add nuw nsw i64 %133, %174
-  %176 = icmp eq i64 %175, 3
-  %177 = icmp eq i64 %175, 0
-  %178 = zext i1 %176 to i64
-  %179 = sext i1 %177 to i64
-  %180 = add i64 %45, %178
-  %181 = add i64 %180, %179
-  br label %191
-182:
-  %183 = shl nsw i64 %53, 1
-  %184 = icmp slt i64 %53, 0
-  %185 = select i1 %184, i64 %20, i64 0
+  %172 = phi i64 [ %173, %171 ], [ %168, %165 ]
+  %173 = ashr i64 %172, 1
+  %174 = and i64 %172, 2
+  %175 = icmp eq i64 %174, 0
+  br i1 %175, label %171, label %176
+176:
+  %177 = phi i64 [ %168, %165 ], [ %173, %171 ]
+  %178 = icmp sgt i64 %177, 1
+  br i1 %178, label %18, label %179
+179:
+  store i64 %167, ptr %0, align 8
+  ret void
+180:
+  %181 = sub nsw i64 %27, %14
+  %182 = getelementptr i64, ptr %13, i64 %181
+  %183 = load i64, ptr %182, align 8
+  %184 = icmp slt i64 %183, 0
+  %185 = select i1 %184, i64 %7, i64 0
   %186 = add i64 %185, %183
-  %187 = mul i64 %186, %22
-  %188 = getelementptr double, ptr %18, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = fcmp ogt double %189, %39
-  br i1 %190, label %191, label %51
-191:
-  %192 = phi i64 [ %53, %171 ], [ %53, %251 ], [ %46, %44 ], [ %53, %67 ], [ %53, %63 ], [ %53, %59 ], [ %53, %51 ], [ %183, %182 ]
-  %193 = phi i64 [ %181, %171 ], [ %45, %251 ], [ %45, %44 ], [ %45, %51 ], [ %45, %59 ], [ %45, %63 ], [ %45, %67 ], [ %45, %182 ]
-  %194 = add nsw i64 %192, 1
-  %195 = and i64 %192, 1
-  %196 = icmp eq i64 %195, 0
-  br i1 %196, label %202, label %197
-197:
-  %198 = phi i64 [ %199, %197 ], [ %194, %191 ]
-  %199 = ashr i64 %198, 1
-  %200 = and i64 %198, 2
-  %201 = icmp eq i64 %200, 0
-  br i1 %201, label %197, label %202
-202:
-  %203 = phi i64 [ %194, %191 ], [ %199, %197 ]
-  %204 = icmp sgt i64 %203, 1
-  br i1 %204, label %44, label %205
-205:
-  %206 = add nuw nsw i64 %36, 1
-  %207 = getelementptr i64, ptr %28, i64 %36
-  store i64 %193, ptr %207, align 8
-  %208 = icmp eq i64 %206, %4
-  br i1 %208, label %272, label %35
-209:
-  %210 = sub nsw i64 %53, %26
-  %211 = getelementptr i64, ptr %24, i64 %210
-  %212 = load i64, ptr %211, align 8
-  %213 = icmp slt i64 %212, 0
-  %214 = select i1 %213, i64 %14, i64 0
-  %215 = add i64 %214, %212
-  %216 = mul i64 %33, %215
-  %217 = getelementptr double, ptr %12, i64 %216
-  %218 = select i1 %213, i64 %10, i64 0
-  %219 = mul i64 %212, 24
-  %220 = getelementptr i8, ptr %8, i64 %219
-  %221 = getelementptr i8, ptr %220, i64 8
-  %222 = getelementptr i64, ptr %221, i64 %218
-  %223 = load i64, ptr %222, align 8
-  %224 = getelementptr i8, ptr %220, i64 16
-  %225 = getelementptr i64, ptr %224, i64 %218
-  %226 = load i64, ptr %225, align 8
-  %227 = icmp slt i64 %223, %226
-  %228 = zext i1 %227 to i64
-  %229 = shl i64 %16, %228
-  %230 = getelementptr double, ptr %12, i64 %229
-  %231 = getelementptr double, ptr %230, i64 %216
-  %232 = load double, ptr %231, align 8
-  %233 = xor i1 %227, true
-  %234 = zext i1 %233 to i64
-  %235 = shl i64 %16, %234
-  %236 = getelementptr double, ptr %12, i64 %235
-  %237 = getelementptr double, ptr %236, i64 %216
-  %238 = load double, ptr %237, align 8
-  %239 = fsub double %232, %238
-  %240 = getelementptr i8, ptr %231, i64 8
-  %241 = load double, ptr %240, align 8
-  %242 = getelementptr i8, ptr %237, i64 8
-  %243 = load double, ptr %242, align 8
-  %244 = fsub double %241, %243
-  %245 = fsub double %41, %243
-  %246 = fmul double %239, %245
-  %247 = fsub double %39, %238
-  %248 = fmul double %247, %244
-  %249 = fsub double %246, %248
-  %250 = fcmp ogt double %249, 0.000000e+00
-  br i1 %250, label %81, label %73
-251:
-  %252 = phi i1 [ true, %128 ], [ true, %165 ], [ %170, %169 ], [ false, %167 ], [ false, %163 ]
-  %253 = fneg double %161
-  %254 = select i1 %142, double %161, double %253
-  %255 = fadd double %136, %254
-  %256 = freeze double %255
-  %257 = getelementptr i8, ptr %217, i64 %34
-  %258 = getelementptr i8, ptr %257, i64 16
-  %259 = load double, ptr %258, align 8
-  %260 = fmul double %254, %259
-  %261 = fadd double %141, %260
-  %262 = fcmp une double %256, 0.000000e+00
-  %263 = fdiv double %261, %256
-  %264 = select i1 %262, double %263, double %261
-  %265 = getelementptr i8, ptr %55, i64 16
-  %266 = load double, ptr %265, align 8
-  %267 = fcmp ogt double %266, %264
-  %268 = select i1 %267, double %266, double %264
-  %269 = fcmp olt double %69, %268
-  %270 = select i1 %269, double %69, double %268
-  %271 = fcmp ogt double %270, %43
-  br i1 %271, label %171, label %191
-272:
+  %187 = mul i64 %16, %186
+  %188 = getelementptr double, ptr %6, i64 %187
+  %189 = select i1 %184, i64 %5, i64 0
+  %190 = mul i64 %183, 24
+  %191 = getelementptr i8, ptr %4, i64 %190
+  %192 = getelementptr i8, ptr %191, i64 8
+  %193 = getelementptr i64, ptr %192, i64 %189
+  %194 = load i64, ptr %193, align 8
+  %195 = getelementptr i8, ptr %191, i64 16
+  %196 = getelementptr i64, ptr %195, i64 %189
+  %197 = load i64, ptr %196, align 8
+  %198 = icmp slt i64 %194, %197
+  %199 = zext i1 %198 to i64
+  %200 = shl i64 %9, %199
+  %201 = getelementptr double, ptr %6, i64 %200
+  %202 = getelementptr double, ptr %201, i64 %187
+  %203 = load double, ptr %202, align 8
+  %204 = xor i1 %198, true
+  %205 = zext i1 %204 to i64
+  %206 = shl i64 %9, %205
+  %207 = getelementptr double, ptr %6, i64 %206
+  %208 = getelementptr double, ptr %207, i64 %187
+  %209 = load double, ptr %208, align 8
+  %210 = fsub double %203, %209
+  %211 = getelementptr i8, ptr %202, i64 8
+  %212 = load double, ptr %211, align 8
+  %213 = getelementptr i8, ptr %208, i64 8
+  %214 = load double, ptr %213, align 8
+  %215 = fsub double %212, %214
+  %216 = fsub double %2, %214
+  %217 = fmul double %210, %216
+  %218 = fsub double %1, %209
+  %219 = fmul double %218, %215
+  %220 = fsub double %217, %219
+  %221 = fcmp ogt double %220, 0.000000e+00
+  br i1 %221, label %55, label %47
+222:
+  %223 = phi i1 [ true, %102 ], [ true, %139 ], [ %144, %143 ], [ false, %141 ], [ false, %137 ]
+  %224 = fneg double %135
+  %225 = select i1 %116, double %135, double %224
+  %226 = getelementptr i8, ptr %188, i64 %17
+  %227 = getelementptr i8, ptr %226, i64 16
+  %228 = load double, ptr %227, align 8
+  %229 = fmul double %225, %228
+  %230 = fadd double %115, %229
+  %231 = fadd double %110, %225
+  %232 = freeze double %231
+  %233 = fcmp une double %232, 0.000000e+00
+  %234 = fdiv double %230, %232
+  %235 = select i1 %233, double %234, double %230
+  %236 = getelementptr i8, ptr %29, i64 16
+  %237 = load double, ptr %236, align 8
+  %238 = fcmp ogt double %237, %235
+  %239 = select i1 %238, double %237, double %235
+  %240 = fcmp olt double %43, %239
+  %241 = select i1 %240, double %43, double %239
+  %242 = fcmp ogt double %241, %3
+  br i1 %242, label %145, label %165
+}
+define noundef i64 @msf_jax.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca i64, align 8
+  %3 = load ptr, ptr %0, align 8
+  %4 = getelementptr i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = shl i64 %7, 3
+  %9 = getelementptr i8, ptr %0, i64 48
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 56
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 72
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 80
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 88
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 112
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 120
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 128
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 136
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 144
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 152
+  %32 = load ptr, ptr %31, align 8
+  %33 = icmp slt i64 %5, 1
+  br i1 %33, label %50, label %34
+34:
+  %35 = getelementptr i8, ptr %3, i64 16
+  br label %36
+36:
+  %37 = phi ptr [ %35, %34 ], [ %48, %36 ]
+  %38 = phi i64 [ 0, %34 ], [ %44, %36 ]
+  %39 = getelementptr i8, ptr %37, i64 -16
+  %40 = load double, ptr %39, align 8
+  %41 = getelementptr i8, ptr %37, i64 -8
+  %42 = load double, ptr %41, align 8
+  %43 = load double, ptr %37, align 8
+  store i64 0, ptr %2, align 8
+  call fastcc void @1(ptr nonnull %2, double %40, double %42, double %43, ptr readonly %10, i64 %12, ptr readonly %14, i64 %16, i64 %18, i64 %20, ptr readonly %22, i64 %24, i64 %26, ptr readonly %28, i64 %30)
+  %44 = add nuw nsw i64 %38, 1
+  %45 = load i64, ptr %2, align 8
+  %46 = shl i64 %38, 3
+  %47 = getelementptr i8, ptr %32, i64 %46
+  store i64 %45, ptr %47, align 8
+  %48 = getelementptr i8, ptr %37, i64 %8
+  %49 = icmp eq i64 %5, %44
+  br i1 %49, label %50, label %36
+50:
   ret i64 0
 }
 declare double @llvm.fabs.f64(double)
 define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
-  %2 = load ptr, ptr %0, align 8
-  %3 = getelementptr i8, ptr %0, i64 8
-  %4 = load i64, ptr %3, align 8
-  %5 = getelementptr i8, ptr %0, i64 16
-  %6 = load i64, ptr %5, align 8
+  %2 = getelementptr i8, ptr %0, i64 8
+  %3 = load i64, ptr %2, align 8
+  %4 = getelementptr i8, ptr %0, i64 16
+  %5 = load i64, ptr %4, align 8
+  %6 = shl i64 %5, 3
   %7 = getelementptr i8, ptr %0, i64 24
   %8 = load ptr, ptr %7, align 8
   %9 = getelementptr i8, ptr %0, i64 56
@@ -814,7 +1136,7 @@ define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
   %38 = load ptr, ptr %37, align 8
   %39 = getelementptr i8, ptr %0, i64 256
   %40 = load i64, ptr %39, align 8
-  %41 = icmp slt i64 %4, 1
+  %41 = icmp slt i64 %3, 1
   br i1 %41, label %371, label %42
 42:
   %43 = getelementptr i8, ptr %0, i64 224
@@ -824,365 +1146,980 @@ define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
   %47 = load i64, ptr %46, align 8
   %48 = getelementptr i8, ptr %0, i64 40
   %49 = load i64, ptr %48, align 8
-  %50 = mul i64 %49, %47
-  %51 = shl i64 %44, 4
-  %52 = shl i64 %47, 4
-  %53 = getelementptr i8, ptr %8, i64 %52
-  %54 = getelementptr double, ptr %8, i64 %47
-  %55 = getelementptr i8, ptr %32, i64 8
-  %56 = getelementptr i8, ptr %32, i64 16
-  %57 = getelementptr i8, ptr %32, i64 %45
-  %58 = getelementptr i8, ptr %57, i64 8
-  %59 = getelementptr i8, ptr %57, i64 16
-  %60 = getelementptr i8, ptr %32, i64 %51
-  %61 = getelementptr i8, ptr %60, i64 8
-  %62 = getelementptr i8, ptr %60, i64 16
-  br label %134
-63:
-  %64 = add nuw nsw i64 %136, 1
-  %65 = icmp eq i64 %64, %4
-  br i1 %65, label %371, label %134
-66:
-  %67 = phi i64 [ %116, %111 ], [ %192, %189 ]
-  %68 = phi i64 [ %112, %111 ], [ %191, %189 ]
-  %69 = shl i64 %67, 3
-  %70 = getelementptr i8, ptr %22, i64 %69
-  %71 = getelementptr i8, ptr %70, i64 8
+  %50 = load ptr, ptr %0, align 8
+  %51 = getelementptr i8, ptr %50, i64 16
+  %52 = mul i64 %49, %47
+  %53 = shl i64 %47, 4
+  %54 = shl i64 %44, 4
+  %55 = getelementptr double, ptr %8, i64 %47
+  %56 = getelementptr i8, ptr %8, i64 %53
+  %57 = getelementptr i8, ptr %32, i64 8
+  %58 = getelementptr i8, ptr %32, i64 16
+  %59 = getelementptr i8, ptr %32, i64 %45
+  %60 = getelementptr i8, ptr %59, i64 8
+  %61 = getelementptr i8, ptr %59, i64 16
+  %62 = getelementptr i8, ptr %32, i64 %54
+  %63 = getelementptr i8, ptr %62, i64 8
+  %64 = getelementptr i8, ptr %62, i64 16
+  br label %65
+65:
+  %66 = phi ptr [ %51, %42 ], [ %369, %367 ]
+  %67 = phi i64 [ 0, %42 ], [ %178, %367 ]
+  %68 = phi i64 [ 0, %42 ], [ %368, %367 ]
+  %69 = getelementptr i8, ptr %66, i64 -16
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr i8, ptr %66, i64 -8
   %72 = load double, ptr %71, align 8
-  %73 = fcmp ogt double %72, %173
-  br i1 %73, label %120, label %74
-74:
-  %75 = getelementptr i8, ptr %70, i64 16
+  %73 = load double, ptr %66, align 8
+  %74 = shl i64 %68, 3
+  %75 = getelementptr i8, ptr %10, i64 %74
   %76 = load double, ptr %75, align 8
-  %77 = fcmp ogt double %76, %176
-  br i1 %77, label %120, label %78
-78:
-  %79 = getelementptr i8, ptr %70, i64 24
+  %77 = mul i64 %52, %68
+  %78 = getelementptr double, ptr %8, i64 %77
+  %79 = getelementptr i8, ptr %78, i64 %53
   %80 = load double, ptr %79, align 8
-  %81 = fcmp olt double %80, %161
-  br i1 %81, label %120, label %82
-82:
-  %83 = getelementptr i8, ptr %70, i64 32
+  %81 = fmul double %76, %80
+  %82 = fadd double %70, %81
+  %83 = getelementptr i8, ptr %79, i64 8
   %84 = load double, ptr %83, align 8
-  %85 = fcmp olt double %84, %164
-  br i1 %85, label %120, label %86
-86:
-  %87 = getelementptr i8, ptr %70, i64 40
+  %85 = fmul double %76, %84
+  %86 = fadd double %72, %85
+  %87 = getelementptr i8, ptr %79, i64 16
   %88 = load double, ptr %87, align 8
-  %89 = fcmp uge double %88, %167
-  br i1 %89, label %90, label %120
-90:
-  %91 = icmp slt i64 %68, %30
-  br i1 %91, label %111, label %196
-92:
-  %93 = tail call double @llvm.fabs.f64(double %337)
-  %94 = fmul double %322, 0x3D06849B86A12B9B
-  %95 = fcmp ogt double %93, %94
-  br i1 %95, label %349, label %120
-96:
-  %97 = load double, ptr %188, align 8
-  %98 = fcmp ugt double %369, %97
-  br i1 %98, label %120, label %99
-99:
-  %100 = icmp slt i64 %190, %36
-  br i1 %100, label %101, label %109
-101:
-  %102 = icmp slt i64 %190, 0
-  %103 = select i1 %102, i64 %36, i64 0
-  %104 = getelementptr i64, ptr %34, i64 %190
-  %105 = getelementptr i64, ptr %104, i64 %103
-  store i64 %136, ptr %105, align 8
-  %106 = select i1 %102, i64 %40, i64 0
-  %107 = getelementptr double, ptr %38, i64 %190
-  %108 = getelementptr double, ptr %107, i64 %106
-  store double %369, ptr %108, align 8
-  br label %109
-109:
-  %110 = add nsw i64 %190, 1
-  br label %120
-111:
-  %112 = shl nsw i64 %68, 1
-  %113 = icmp slt i64 %68, 0
-  %114 = select i1 %113, i64 %24, i64 0
-  %115 = add i64 %114, %112
-  %116 = mul i64 %115, %26
-  %117 = getelementptr double, ptr %22, i64 %116
-  %118 = load double, ptr %117, align 8
-  %119 = fcmp ogt double %118, %170
-  br i1 %119, label %120, label %66
-120:
-  %121 = phi i64 [ %68, %109 ], [ %68, %343 ], [ %68, %92 ], [ %68, %349 ], [ %68, %96 ], [ %191, %189 ], [ %68, %86 ], [ %68, %82 ], [ %68, %78 ], [ %68, %74 ], [ %68, %66 ], [ %112, %111 ]
-  %122 = phi i64 [ %110, %109 ], [ %190, %343 ], [ %190, %92 ], [ %190, %349 ], [ %190, %96 ], [ %190, %189 ], [ %190, %66 ], [ %190, %74 ], [ %190, %78 ], [ %190, %82 ], [ %190, %86 ], [ %190, %111 ]
-  %123 = add nsw i64 %121, 1
-  %124 = and i64 %121, 1
-  %125 = icmp eq i64 %124, 0
-  br i1 %125, label %131, label %126
-126:
-  %127 = phi i64 [ %128, %126 ], [ %123, %120 ]
-  %128 = ashr i64 %127, 1
-  %129 = and i64 %127, 2
-  %130 = icmp eq i64 %129, 0
-  br i1 %130, label %126, label %131
-131:
-  %132 = phi i64 [ %123, %120 ], [ %128, %126 ]
-  %133 = icmp sgt i64 %132, 1
-  br i1 %133, label %189, label %63
-134:
-  %135 = phi i64 [ 0, %42 ], [ %122, %63 ]
-  %136 = phi i64 [ 0, %42 ], [ %64, %63 ]
-  %137 = mul i64 %136, %6
-  %138 = getelementptr double, ptr %2, i64 %137
+  %89 = fmul double %76, %88
+  %90 = fadd double %73, %89
+  %91 = fcmp olt double %82, %70
+  %92 = select i1 %91, double %82, double %70
+  %93 = fsub double %92, %12
+  %94 = fcmp olt double %86, %72
+  %95 = select i1 %94, double %86, double %72
+  %96 = fsub double %95, %12
+  %97 = fcmp olt double %90, %73
+  %98 = select i1 %97, double %90, double %73
+  %99 = fsub double %98, %12
+  %100 = fcmp ogt double %82, %70
+  %101 = select i1 %100, double %82, double %70
+  %102 = fadd double %12, %101
+  %103 = fcmp ogt double %86, %72
+  %104 = select i1 %103, double %86, double %72
+  %105 = fadd double %12, %104
+  %106 = fcmp ogt double %90, %73
+  %107 = select i1 %106, double %90, double %73
+  %108 = fadd double %12, %107
+  %109 = getelementptr i8, ptr %78, i64 8
+  %110 = getelementptr i8, ptr %78, i64 16
+  %111 = shl i64 %77, 3
+  %112 = getelementptr i8, ptr %55, i64 %111
+  %113 = getelementptr i8, ptr %112, i64 8
+  %114 = getelementptr i8, ptr %112, i64 16
+  %115 = getelementptr i8, ptr %56, i64 %111
+  %116 = getelementptr i8, ptr %115, i64 8
+  %117 = getelementptr i8, ptr %115, i64 16
+  br label %118
+118:
+  %119 = phi i64 [ %178, %187 ], [ %67, %65 ]
+  %120 = phi i64 [ %188, %187 ], [ 1, %65 ]
+  %121 = mul i64 %120, %26
+  %122 = getelementptr double, ptr %22, i64 %121
+  %123 = load double, ptr %122, align 8
+  %124 = fcmp ogt double %123, %102
+  br i1 %124, label %176, label %125
+125:
+  %126 = phi i64 [ %172, %167 ], [ %121, %118 ]
+  %127 = phi i64 [ %168, %167 ], [ %120, %118 ]
+  %128 = shl i64 %126, 3
+  %129 = getelementptr i8, ptr %22, i64 %128
+  %130 = getelementptr i8, ptr %129, i64 8
+  %131 = load double, ptr %130, align 8
+  %132 = fcmp ogt double %131, %105
+  br i1 %132, label %176, label %133
+133:
+  %134 = getelementptr i8, ptr %129, i64 16
+  %135 = load double, ptr %134, align 8
+  %136 = fcmp ogt double %135, %108
+  br i1 %136, label %176, label %137
+137:
+  %138 = getelementptr i8, ptr %129, i64 24
   %139 = load double, ptr %138, align 8
-  %140 = getelementptr i8, ptr %138, i64 8
-  %141 = load double, ptr %140, align 8
-  %142 = getelementptr i8, ptr %138, i64 16
+  %140 = fcmp olt double %139, %93
+  br i1 %140, label %176, label %141
+141:
+  %142 = getelementptr i8, ptr %129, i64 32
   %143 = load double, ptr %142, align 8
-  %144 = getelementptr double, ptr %10, i64 %136
-  %145 = load double, ptr %144, align 8
-  %146 = mul i64 %50, %136
-  %147 = getelementptr double, ptr %53, i64 %146
-  %148 = load double, ptr %147, align 8
-  %149 = fmul double %145, %148
-  %150 = fadd double %139, %149
-  %151 = getelementptr i8, ptr %147, i64 8
-  %152 = load double, ptr %151, align 8
-  %153 = fmul double %145, %152
-  %154 = fadd double %141, %153
-  %155 = getelementptr i8, ptr %147, i64 16
-  %156 = load double, ptr %155, align 8
-  %157 = fmul double %145, %156
-  %158 = fadd double %143, %157
-  %159 = fcmp olt double %150, %139
-  %160 = select i1 %159, double %150, double %139
-  %161 = fsub double %160, %12
-  %162 = fcmp olt double %154, %141
-  %163 = select i1 %162, double %154, double %141
-  %164 = fsub double %163, %12
-  %165 = fcmp olt double %158, %143
-  %166 = select i1 %165, double %158, double %143
-  %167 = fsub double %166, %12
-  %168 = fcmp ogt double %150, %139
-  %169 = select i1 %168, double %150, double %139
-  %170 = fadd double %12, %169
-  %171 = fcmp ogt double %154, %141
-  %172 = select i1 %171, double %154, double %141
-  %173 = fadd double %12, %172
-  %174 = fcmp ogt double %158, %143
-  %175 = select i1 %174, double %158, double %143
-  %176 = fadd double %12, %175
-  %177 = shl i64 %146, 3
-  %178 = getelementptr i8, ptr %8, i64 %177
-  %179 = getelementptr i8, ptr %178, i64 8
-  %180 = getelementptr i8, ptr %178, i64 16
-  %181 = getelementptr inbounds i8, ptr %54, i64 %177
-  %182 = getelementptr i8, ptr %181, i64 8
-  %183 = getelementptr i8, ptr %181, i64 16
-  %184 = getelementptr inbounds i8, ptr %53, i64 %177
-  %185 = getelementptr i8, ptr %184, i64 8
-  %186 = getelementptr i8, ptr %184, i64 16
-  %187 = shl i64 %136, 3
-  %188 = getelementptr i8, ptr %10, i64 %187
-  br label %189
-189:
-  %190 = phi i64 [ %122, %131 ], [ %135, %134 ]
-  %191 = phi i64 [ %132, %131 ], [ 1, %134 ]
-  %192 = mul i64 %191, %26
-  %193 = getelementptr double, ptr %22, i64 %192
-  %194 = load double, ptr %193, align 8
-  %195 = fcmp ogt double %194, %170
-  br i1 %195, label %120, label %66
-196:
-  %197 = sub nsw i64 %68, %30
-  %198 = getelementptr i64, ptr %28, i64 %197
-  %199 = load i64, ptr %198, align 8
-  %200 = icmp slt i64 %199, 0
-  %201 = select i1 %200, i64 %16, i64 0
-  %202 = add i64 %201, %199
-  %203 = mul i64 %202, %18
-  %204 = mul i64 %203, %20
-  %205 = getelementptr double, ptr %14, i64 %204
+  %144 = fcmp olt double %143, %96
+  br i1 %144, label %176, label %145
+145:
+  %146 = getelementptr i8, ptr %129, i64 40
+  %147 = load double, ptr %146, align 8
+  %148 = fcmp uge double %147, %99
+  br i1 %148, label %149, label %176
+149:
+  %150 = icmp slt i64 %127, %30
+  br i1 %150, label %167, label %190
+151:
+  %152 = tail call double @llvm.fabs.f64(double %331)
+  %153 = fmul double %316, 0x3D06849B86A12B9B
+  %154 = fcmp ogt double %152, %153
+  br i1 %154, label %343, label %176
+155:
+  %156 = icmp slt i64 %119, %36
+  br i1 %156, label %157, label %165
+157:
+  %158 = icmp slt i64 %119, 0
+  %159 = select i1 %158, i64 %36, i64 0
+  %160 = getelementptr i64, ptr %34, i64 %119
+  %161 = getelementptr i64, ptr %160, i64 %159
+  store i64 %68, ptr %161, align 8
+  %162 = select i1 %158, i64 %40, i64 0
+  %163 = getelementptr double, ptr %38, i64 %119
+  %164 = getelementptr double, ptr %163, i64 %162
+  store double %363, ptr %164, align 8
+  br label %165
+165:
+  %166 = add nsw i64 %119, 1
+  br label %176
+167:
+  %168 = shl nsw i64 %127, 1
+  %169 = icmp slt i64 %127, 0
+  %170 = select i1 %169, i64 %24, i64 0
+  %171 = add i64 %170, %168
+  %172 = mul i64 %171, %26
+  %173 = getelementptr double, ptr %22, i64 %172
+  %174 = load double, ptr %173, align 8
+  %175 = fcmp ogt double %174, %102
+  br i1 %175, label %176, label %125
+176:
+  %177 = phi i64 [ %127, %343 ], [ %127, %165 ], [ %127, %337 ], [ %127, %151 ], [ %120, %118 ], [ %127, %145 ], [ %127, %141 ], [ %127, %137 ], [ %127, %133 ], [ %127, %125 ], [ %168, %167 ]
+  %178 = phi i64 [ %119, %343 ], [ %166, %165 ], [ %119, %337 ], [ %119, %151 ], [ %119, %118 ], [ %119, %125 ], [ %119, %133 ], [ %119, %137 ], [ %119, %141 ], [ %119, %145 ], [ %119, %167 ]
+  %179 = add nsw i64 %177, 1
+  %180 = and i64 %177, 1
+  %181 = icmp eq i64 %180, 0
+  br i1 %181, label %187, label %182
+182:
+  %183 = phi i64 [ %184, %182 ], [ %179, %176 ]
+  %184 = ashr i64 %183, 1
+  %185 = and i64 %183, 2
+  %186 = icmp eq i64 %185, 0
+  br i1 %186, label %182, label %187
+187:
+  %188 = phi i64 [ %179, %176 ], [ %184, %182 ]
+  %189 = icmp sgt i64 %188, 1
+  br i1 %189, label %118, label %367
+190:
+  %191 = sub nsw i64 %127, %30
+  %192 = getelementptr i64, ptr %28, i64 %191
+  %193 = load i64, ptr %192, align 8
+  %194 = icmp slt i64 %193, 0
+  %195 = select i1 %194, i64 %16, i64 0
+  %196 = add i64 %195, %193
+  %197 = mul i64 %196, %18
+  %198 = mul i64 %197, %20
+  %199 = getelementptr double, ptr %14, i64 %198
+  %200 = load double, ptr %199, align 8
+  %201 = fsub double %200, %70
+  %202 = getelementptr i8, ptr %199, i64 8
+  %203 = load double, ptr %202, align 8
+  %204 = fsub double %203, %72
+  %205 = getelementptr i8, ptr %199, i64 16
   %206 = load double, ptr %205, align 8
-  %207 = fsub double %206, %139
-  %208 = getelementptr i8, ptr %205, i64 8
-  %209 = load double, ptr %208, align 8
-  %210 = fsub double %209, %141
-  %211 = getelementptr i8, ptr %205, i64 16
-  %212 = load double, ptr %211, align 8
-  %213 = fsub double %212, %143
-  %214 = load double, ptr %178, align 8
-  %215 = load double, ptr %179, align 8
-  %216 = load double, ptr %180, align 8
-  %217 = fmul double %207, %214
-  %218 = fmul double %213, %216
-  %219 = fadd double %217, %218
-  %220 = fmul double %210, %215
-  %221 = fadd double %220, %219
-  store double %221, ptr %32, align 8
-  %222 = load double, ptr %181, align 8
-  %223 = load double, ptr %182, align 8
-  %224 = load double, ptr %183, align 8
-  %225 = fmul double %207, %222
-  %226 = fmul double %213, %224
-  %227 = fadd double %225, %226
-  %228 = fmul double %210, %223
-  %229 = fadd double %228, %227
-  store double %229, ptr %55, align 8
-  %230 = load double, ptr %184, align 8
-  %231 = load double, ptr %185, align 8
-  %232 = load double, ptr %186, align 8
-  %233 = fmul double %207, %230
-  %234 = fmul double %213, %232
-  %235 = fadd double %233, %234
-  %236 = fmul double %210, %231
-  %237 = fadd double %236, %235
-  store double %237, ptr %56, align 8
-  %238 = add i64 %203, 1
-  %239 = mul i64 %238, %20
-  %240 = getelementptr double, ptr %14, i64 %239
+  %207 = fsub double %206, %73
+  %208 = load double, ptr %78, align 8
+  %209 = load double, ptr %109, align 8
+  %210 = load double, ptr %110, align 8
+  %211 = fmul double %201, %208
+  %212 = fmul double %207, %210
+  %213 = fadd double %211, %212
+  %214 = fmul double %204, %209
+  %215 = fadd double %214, %213
+  store double %215, ptr %32, align 8
+  %216 = load double, ptr %112, align 8
+  %217 = load double, ptr %113, align 8
+  %218 = load double, ptr %114, align 8
+  %219 = fmul double %201, %216
+  %220 = fmul double %207, %218
+  %221 = fadd double %219, %220
+  %222 = fmul double %204, %217
+  %223 = fadd double %222, %221
+  store double %223, ptr %57, align 8
+  %224 = load double, ptr %115, align 8
+  %225 = load double, ptr %116, align 8
+  %226 = load double, ptr %117, align 8
+  %227 = fmul double %201, %224
+  %228 = fmul double %207, %226
+  %229 = fadd double %227, %228
+  %230 = fmul double %204, %225
+  %231 = fadd double %230, %229
+  store double %231, ptr %58, align 8
+  %232 = add i64 %197, 1
+  %233 = mul i64 %232, %20
+  %234 = getelementptr double, ptr %14, i64 %233
+  %235 = load double, ptr %234, align 8
+  %236 = fsub double %235, %70
+  %237 = getelementptr i8, ptr %234, i64 8
+  %238 = load double, ptr %237, align 8
+  %239 = fsub double %238, %72
+  %240 = getelementptr i8, ptr %234, i64 16
   %241 = load double, ptr %240, align 8
-  %242 = fsub double %241, %139
-  %243 = getelementptr i8, ptr %240, i64 8
-  %244 = load double, ptr %243, align 8
-  %245 = fsub double %244, %141
-  %246 = getelementptr i8, ptr %240, i64 16
-  %247 = load double, ptr %246, align 8
-  %248 = fsub double %247, %143
-  %249 = load double, ptr %178, align 8
-  %250 = load double, ptr %179, align 8
-  %251 = load double, ptr %180, align 8
-  %252 = fmul double %242, %249
-  %253 = fmul double %248, %251
-  %254 = fadd double %252, %253
-  %255 = fmul double %245, %250
-  %256 = fadd double %255, %254
-  store double %256, ptr %57, align 8
-  %257 = load double, ptr %181, align 8
-  %258 = load double, ptr %182, align 8
-  %259 = load double, ptr %183, align 8
-  %260 = fmul double %242, %257
-  %261 = fmul double %248, %259
-  %262 = fadd double %260, %261
-  %263 = fmul double %245, %258
-  %264 = fadd double %263, %262
-  store double %264, ptr %58, align 8
-  %265 = load double, ptr %184, align 8
-  %266 = load double, ptr %185, align 8
-  %267 = load double, ptr %186, align 8
-  %268 = fmul double %242, %265
-  %269 = fmul double %248, %267
-  %270 = fadd double %268, %269
-  %271 = fmul double %245, %266
-  %272 = fadd double %271, %270
-  store double %272, ptr %59, align 8
-  %273 = add i64 %203, 2
-  %274 = mul i64 %273, %20
-  %275 = getelementptr double, ptr %14, i64 %274
+  %242 = fsub double %241, %73
+  %243 = load double, ptr %78, align 8
+  %244 = load double, ptr %109, align 8
+  %245 = load double, ptr %110, align 8
+  %246 = fmul double %236, %243
+  %247 = fmul double %242, %245
+  %248 = fadd double %246, %247
+  %249 = fmul double %239, %244
+  %250 = fadd double %249, %248
+  store double %250, ptr %59, align 8
+  %251 = load double, ptr %112, align 8
+  %252 = load double, ptr %113, align 8
+  %253 = load double, ptr %114, align 8
+  %254 = fmul double %236, %251
+  %255 = fmul double %242, %253
+  %256 = fadd double %254, %255
+  %257 = fmul double %239, %252
+  %258 = fadd double %257, %256
+  store double %258, ptr %60, align 8
+  %259 = load double, ptr %115, align 8
+  %260 = load double, ptr %116, align 8
+  %261 = load double, ptr %117, align 8
+  %262 = fmul double %236, %259
+  %263 = fmul double %242, %261
+  %264 = fadd double %262, %263
+  %265 = fmul double %239, %260
+  %266 = fadd double %265, %264
+  store double %266, ptr %61, align 8
+  %267 = add i64 %197, 2
+  %268 = mul i64 %267, %20
+  %269 = getelementptr double, ptr %14, i64 %268
+  %270 = load double, ptr %269, align 8
+  %271 = fsub double %270, %70
+  %272 = getelementptr i8, ptr %269, i64 8
+  %273 = load double, ptr %272, align 8
+  %274 = fsub double %273, %72
+  %275 = getelementptr i8, ptr %269, i64 16
   %276 = load double, ptr %275, align 8
-  %277 = fsub double %276, %139
-  %278 = getelementptr i8, ptr %275, i64 8
-  %279 = load double, ptr %278, align 8
-  %280 = fsub double %279, %141
-  %281 = getelementptr i8, ptr %275, i64 16
-  %282 = load double, ptr %281, align 8
-  %283 = fsub double %282, %143
-  %284 = load double, ptr %178, align 8
-  %285 = load double, ptr %179, align 8
-  %286 = load double, ptr %180, align 8
-  %287 = fmul double %277, %284
-  %288 = fmul double %283, %286
-  %289 = fadd double %287, %288
-  %290 = fmul double %280, %285
-  %291 = fadd double %290, %289
-  store double %291, ptr %60, align 8
-  %292 = load double, ptr %181, align 8
-  %293 = load double, ptr %182, align 8
-  %294 = load double, ptr %183, align 8
-  %295 = fmul double %277, %292
-  %296 = fmul double %283, %294
-  %297 = fadd double %295, %296
-  %298 = fmul double %280, %293
-  %299 = fadd double %298, %297
-  store double %299, ptr %61, align 8
-  %300 = load double, ptr %184, align 8
-  %301 = load double, ptr %185, align 8
-  %302 = load double, ptr %186, align 8
-  %303 = fmul double %277, %300
-  %304 = fmul double %283, %302
-  %305 = fadd double %303, %304
-  %306 = fmul double %280, %301
-  %307 = fadd double %306, %305
-  store double %307, ptr %62, align 8
-  %308 = fmul double %299, %299
-  %309 = fmul double %291, %291
-  %310 = fmul double %264, %264
-  %311 = fmul double %256, %256
-  %312 = fmul double %229, %229
-  %313 = fmul double %221, %221
-  %314 = fadd double %313, %312
-  %315 = fcmp ogt double %314, 0.000000e+00
-  %316 = select i1 %315, double %314, double 0.000000e+00
-  %317 = fadd double %311, %310
-  %318 = fcmp ogt double %317, %316
-  %319 = select i1 %318, double %317, double %316
-  %320 = fadd double %309, %308
-  %321 = fcmp ogt double %320, %319
-  %322 = select i1 %321, double %320, double %319
-  %323 = load double, ptr %32, align 8
-  %324 = load double, ptr %58, align 8
-  %325 = fmul double %323, %324
-  %326 = load double, ptr %57, align 8
-  %327 = load double, ptr %55, align 8
-  %328 = fmul double %326, %327
-  %329 = fsub double %325, %328
-  %330 = fmul double %299, %326
-  %331 = fmul double %291, %324
-  %332 = fsub double %330, %331
-  %333 = fmul double %291, %327
-  %334 = fmul double %299, %323
-  %335 = fsub double %333, %334
-  %336 = fadd double %332, %329
-  %337 = fadd double %335, %336
-  %338 = fcmp olt double %332, %329
-  %339 = select i1 %338, double %332, double %329
-  %340 = fcmp olt double %335, %339
-  %341 = select i1 %340, double %335, double %339
-  %342 = fcmp ult double %341, 0.000000e+00
-  br i1 %342, label %343, label %92
+  %277 = fsub double %276, %73
+  %278 = load double, ptr %78, align 8
+  %279 = load double, ptr %109, align 8
+  %280 = load double, ptr %110, align 8
+  %281 = fmul double %271, %278
+  %282 = fmul double %277, %280
+  %283 = fadd double %281, %282
+  %284 = fmul double %274, %279
+  %285 = fadd double %284, %283
+  store double %285, ptr %62, align 8
+  %286 = load double, ptr %112, align 8
+  %287 = load double, ptr %113, align 8
+  %288 = load double, ptr %114, align 8
+  %289 = fmul double %271, %286
+  %290 = fmul double %277, %288
+  %291 = fadd double %289, %290
+  %292 = fmul double %274, %287
+  %293 = fadd double %292, %291
+  store double %293, ptr %63, align 8
+  %294 = load double, ptr %115, align 8
+  %295 = load double, ptr %116, align 8
+  %296 = load double, ptr %117, align 8
+  %297 = fmul double %271, %294
+  %298 = fmul double %277, %296
+  %299 = fadd double %297, %298
+  %300 = fmul double %274, %295
+  %301 = fadd double %300, %299
+  store double %301, ptr %64, align 8
+  %302 = fmul double %293, %293
+  %303 = fmul double %285, %285
+  %304 = fmul double %258, %258
+  %305 = fmul double %250, %250
+  %306 = fmul double %223, %223
+  %307 = fmul double %215, %215
+  %308 = fadd double %307, %306
+  %309 = fcmp ogt double %308, 0.000000e+00
+  %310 = select i1 %309, double %308, double 0.000000e+00
+  %311 = fadd double %305, %304
+  %312 = fcmp ogt double %311, %310
+  %313 = select i1 %312, double %311, double %310
+  %314 = fadd double %303, %302
+  %315 = fcmp ogt double %314, %313
+  %316 = select i1 %315, double %314, double %313
+  %317 = load double, ptr %32, align 8
+  %318 = load double, ptr %60, align 8
+  %319 = fmul double %317, %318
+  %320 = load double, ptr %59, align 8
+  %321 = load double, ptr %57, align 8
+  %322 = fmul double %320, %321
+  %323 = fsub double %319, %322
+  %324 = fmul double %293, %320
+  %325 = fmul double %285, %318
+  %326 = fsub double %324, %325
+  %327 = fmul double %285, %321
+  %328 = fmul double %293, %317
+  %329 = fsub double %327, %328
+  %330 = fadd double %326, %323
+  %331 = fadd double %329, %330
+  %332 = fcmp olt double %326, %323
+  %333 = select i1 %332, double %326, double %323
+  %334 = fcmp olt double %329, %333
+  %335 = select i1 %334, double %329, double %333
+  %336 = fcmp ult double %335, 0.000000e+00
+  br i1 %336, label %337, label %151
+337:
+  %338 = fcmp ogt double %326, %323
+  %339 = select i1 %338, double %326, double %323
+  %340 = fcmp ogt double %329, %339
+  %341 = select i1 %340, double %329, double %339
+  %342 = fcmp ugt double %341, 0.000000e+00
+  br i1 %342, label %176, label %151
 343:
-  %344 = fcmp ogt double %332, %329
-  %345 = select i1 %344, double %332, double %329
-  %346 = fcmp ogt double %335, %345
-  %347 = select i1 %346, double %335, double %345
-  %348 = fcmp ugt double %347, 0.000000e+00
-  br i1 %348, label %120, label %92
-349:
-  %350 = load double, ptr %56, align 8
-  %351 = load double, ptr %59, align 8
-  %352 = fmul double %307, %329
-  %353 = fmul double %335, %351
-  %354 = fadd double %352, %353
-  %355 = fmul double %332, %350
-  %356 = fadd double %355, %354
-  %357 = fcmp olt double %351, %350
-  %358 = select i1 %357, double %351, double %350
-  %359 = fcmp olt double %307, %358
-  %360 = select i1 %359, double %307, double %358
-  %361 = fdiv double %356, %337
-  %362 = fcmp ogt double %360, %361
-  %363 = select i1 %362, double %360, double %361
-  %364 = fcmp ogt double %351, %350
-  %365 = select i1 %364, double %351, double %350
-  %366 = fcmp ogt double %307, %365
-  %367 = select i1 %366, double %307, double %365
-  %368 = fcmp olt double %367, %363
-  %369 = select i1 %368, double %367, double %363
-  %370 = fcmp ult double %369, 0.000000e+00
-  br i1 %370, label %120, label %96
+  %344 = load double, ptr %58, align 8
+  %345 = load double, ptr %61, align 8
+  %346 = fmul double %301, %323
+  %347 = fmul double %329, %345
+  %348 = fadd double %346, %347
+  %349 = fmul double %326, %344
+  %350 = fadd double %349, %348
+  %351 = fcmp olt double %345, %344
+  %352 = select i1 %351, double %345, double %344
+  %353 = fcmp olt double %301, %352
+  %354 = select i1 %353, double %301, double %352
+  %355 = fdiv double %350, %331
+  %356 = fcmp ogt double %354, %355
+  %357 = select i1 %356, double %354, double %355
+  %358 = fcmp ogt double %345, %344
+  %359 = select i1 %358, double %345, double %344
+  %360 = fcmp ogt double %301, %359
+  %361 = select i1 %360, double %301, double %359
+  %362 = fcmp olt double %361, %357
+  %363 = select i1 %362, double %361, double %357
+  %364 = fcmp oge double %363, 0.000000e+00
+  %365 = fcmp ole double %363, %76
+  %366 = select i1 %364, i1 %365, i1 false
+  br i1 %366, label %155, label %176
+367:
+  %368 = add nuw nsw i64 %68, 1
+  %369 = getelementptr i8, ptr %66, i64 %6
+  %370 = icmp eq i64 %3, %368
+  br i1 %370, label %371, label %65
 371:
-  %372 = phi i64 [ 0, %1 ], [ %122, %63 ]
+  %372 = phi i64 [ 0, %1 ], [ %178, %367 ]
   ret i64 %372
 }
-define internal fastcc void @1(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
+declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
+define i64 @msf_jax.solid.kernels.within(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca i64, align 8
+  %3 = alloca i64, align 8
+  %4 = alloca i64, align 8
+  %5 = load ptr, ptr %0, align 8
+  %6 = getelementptr i8, ptr %0, i64 8
+  %7 = load i64, ptr %6, align 8
+  %8 = getelementptr i8, ptr %0, i64 16
+  %9 = load i64, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 24
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load double, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 88
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 96
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 104
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 112
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 120
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 128
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 152
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 160
+  %33 = load i64, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 168
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 176
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 184
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 192
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 216
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 224
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 240
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 248
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr i8, ptr %0, i64 256
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr i8, ptr %0, i64 264
+  %53 = load ptr, ptr %52, align 8
+  %54 = getelementptr i8, ptr %0, i64 272
+  %55 = load i64, ptr %54, align 8
+  %56 = getelementptr i8, ptr %0, i64 280
+  %57 = load ptr, ptr %56, align 8
+  %58 = icmp slt i64 %7, 1
+  br i1 %58, label %540, label %59
+59:
+  %60 = shl i64 %47, 3
+  %61 = shl i64 %43, 3
+  %62 = shl i64 %43, 4
+  %63 = getelementptr i8, ptr %41, i64 %62
+  %64 = getelementptr i8, ptr %63, i64 8
+  %65 = getelementptr i8, ptr %63, i64 16
+  %66 = getelementptr i8, ptr %41, i64 8
+  %67 = getelementptr i8, ptr %41, i64 16
+  %68 = getelementptr i8, ptr %41, i64 %61
+  %69 = getelementptr i8, ptr %68, i64 8
+  %70 = getelementptr i8, ptr %68, i64 16
+  %71 = shl i64 %47, 4
+  %72 = getelementptr i8, ptr %45, i64 8
+  %73 = getelementptr i8, ptr %45, i64 16
+  %74 = getelementptr i8, ptr %45, i64 %60
+  %75 = getelementptr i8, ptr %74, i64 8
+  %76 = getelementptr i8, ptr %74, i64 16
+  %77 = getelementptr i8, ptr %45, i64 %71
+  %78 = getelementptr i8, ptr %77, i64 8
+  %79 = getelementptr i8, ptr %77, i64 16
+  %80 = shl i64 %55, 3
+  br label %81
+81:
+  %82 = phi i64 [ %83, %168 ], [ 0, %59 ]
+  %83 = add nuw nsw i64 %82, 1
+  %84 = mul i64 %82, %9
+  %85 = getelementptr double, ptr %5, i64 %84
+  %86 = load double, ptr %85, align 8
+  %87 = getelementptr i8, ptr %85, i64 8
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr i8, ptr %85, i64 16
+  %90 = load double, ptr %89, align 8
+  store i64 0, ptr %2, align 8
+  call fastcc void @1(ptr nonnull %2, double %86, double %88, double %90, ptr readonly %19, i64 %21, ptr readonly %23, i64 %25, i64 %27, i64 %29, ptr readonly %31, i64 %33, i64 %35, ptr readonly %37, i64 %39)
+  %91 = load i64, ptr %2, align 8
+  %92 = icmp sgt i64 %91, 0
+  %93 = getelementptr i8, ptr %57, i64 %82
+  %94 = zext i1 %92 to i8
+  store i8 %94, ptr %93, align 1
+  br i1 %92, label %170, label %168
+95:
+  %96 = phi ptr [ %128, %127 ], [ %53, %525 ]
+  %97 = phi i64 [ %98, %127 ], [ 1, %525 ]
+  %98 = add nuw i64 %97, 1
+  %99 = getelementptr double, ptr %53, i64 %97
+  %100 = getelementptr i8, ptr %99, i64 -8
+  %101 = load double, ptr %100, align 8
+  %102 = load double, ptr %99, align 8
+  %103 = fcmp ogt double %101, %102
+  br i1 %103, label %104, label %127
+104:
+  %105 = phi ptr [ %126, %118 ], [ %96, %95 ]
+  %106 = phi i64 [ %116, %118 ], [ %97, %95 ]
+  %107 = icmp slt i64 %106, 0
+  %108 = select i1 %107, i64 %80, i64 0
+  %109 = getelementptr i8, ptr %105, i64 %108
+  %110 = getelementptr i8, ptr %109, i64 8
+  %111 = load double, ptr %110, align 8
+  %112 = icmp sgt i64 %106, 0
+  %113 = select i1 %112, i64 0, i64 %80
+  %114 = getelementptr i8, ptr %105, i64 %113
+  %115 = load double, ptr %114, align 8
+  store double %111, ptr %114, align 8
+  store double %115, ptr %110, align 8
+  %116 = add nsw i64 %106, -1
+  %117 = icmp eq i64 %116, 0
+  br i1 %117, label %127, label %118
+118:
+  %119 = icmp slt i64 %106, 2
+  %120 = select i1 %119, i64 %80, i64 0
+  %121 = getelementptr i8, ptr %105, i64 %120
+  %122 = getelementptr i8, ptr %121, i64 -8
+  %123 = load double, ptr %122, align 8
+  %124 = load double, ptr %114, align 8
+  %125 = fcmp ogt double %123, %124
+  %126 = getelementptr i8, ptr %105, i64 -8
+  br i1 %125, label %104, label %127
+127:
+  %128 = getelementptr i8, ptr %96, i64 8
+  %129 = icmp eq i64 %98, %334
+  br i1 %129, label %130, label %95
+130:
+  %131 = icmp slt i64 %334, 1
+  %132 = load i8, ptr %93, align 1
+  br i1 %131, label %152, label %133
+133:
+  %134 = phi i8 [ %150, %149 ], [ %132, %130 ]
+  %135 = phi double [ %144, %149 ], [ 0.000000e+00, %130 ]
+  %136 = phi i64 [ %137, %149 ], [ 0, %130 ]
+  %137 = add nuw i64 %136, 1
+  %138 = icmp slt i64 %136, %334
+  br i1 %138, label %139, label %143
+139:
+  %140 = shl i64 %136, 3
+  %141 = getelementptr i8, ptr %53, i64 %140
+  %142 = load double, ptr %141, align 8
+  br label %143
+143:
+  %144 = phi double [ %142, %139 ], [ %186, %133 ]
+  %145 = icmp ne i8 %134, 0
+  %146 = fsub double %144, %135
+  %147 = fcmp ogt double %146, %15
+  %148 = select i1 %145, i1 %147, i1 false
+  br i1 %148, label %528, label %149
+149:
+  %150 = phi i8 [ %134, %143 ], [ %539, %528 ]
+  %151 = icmp eq i64 %334, %136
+  br i1 %151, label %152, label %133
+152:
+  %153 = phi i8 [ %132, %130 ], [ %150, %149 ]
+  %154 = icmp eq i8 %153, 0
+  br i1 %154, label %166, label %155
+155:
+  %156 = shl i64 %171, 3
+  %157 = getelementptr i8, ptr %11, i64 %156
+  %158 = load double, ptr %157, align 8
+  %159 = getelementptr i8, ptr %157, i64 8
+  %160 = load double, ptr %159, align 8
+  %161 = getelementptr i8, ptr %157, i64 16
+  %162 = load double, ptr %161, align 8
+  store i64 0, ptr %4, align 8
+  call fastcc void @1(ptr nonnull %4, double %158, double %160, double %162, ptr readonly %19, i64 %21, ptr readonly %23, i64 %25, i64 %27, i64 %29, ptr readonly %31, i64 %33, i64 %35, ptr readonly %37, i64 %39)
+  %163 = load i64, ptr %4, align 8
+  %164 = icmp sgt i64 %163, 0
+  %165 = zext i1 %164 to i8
+  br label %166
+166:
+  %167 = phi i8 [ %165, %155 ], [ 0, %152 ]
+  store i8 %167, ptr %93, align 1
+  br label %168
+168:
+  %169 = icmp eq i64 %7, %83
+  br i1 %169, label %540, label %81
+170:
+  %171 = mul i64 %82, %13
+  %172 = getelementptr double, ptr %11, i64 %171
+  %173 = load double, ptr %172, align 8
+  %174 = fsub double %173, %86
+  %175 = getelementptr i8, ptr %172, i64 8
+  %176 = load double, ptr %175, align 8
+  %177 = fsub double %176, %88
+  %178 = getelementptr i8, ptr %172, i64 16
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %179, %90
+  %181 = fmul double %174, %174
+  %182 = fmul double %177, %177
+  %183 = fadd double %181, %182
+  %184 = fmul double %180, %180
+  %185 = fadd double %183, %184
+  %186 = tail call double @llvm.sqrt.f64(double %185)
+  %187 = fcmp olt double %186, 1.000000e-300
+  %188 = select i1 %187, double 1.000000e-300, double %186
+  %189 = fdiv double %174, %188
+  %190 = fdiv double %177, %188
+  %191 = fdiv double %180, %188
+  %192 = tail call double @llvm.fabs.f64(double %190)
+  %193 = tail call double @llvm.fabs.f64(double %189)
+  %194 = fcmp olt double %192, %193
+  %195 = select i1 %194, double %192, double %193
+  %196 = tail call double @llvm.fabs.f64(double %191)
+  %197 = zext i1 %194 to i64
+  %198 = fcmp uge double %196, %195
+  %199 = select i1 %198, i64 %197, i64 2
+  store double %189, ptr %63, align 8
+  store double %190, ptr %64, align 8
+  store double %191, ptr %65, align 8
+  %200 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %199, i64 1)
+  %201 = extractvalue { i64, i1 } %200, 0
+  %202 = extractvalue { i64, i1 } %200, 1
+  %203 = select i1 %202, i64 2, i64 %201
+  %204 = getelementptr double, ptr %63, i64 %203
+  %205 = load double, ptr %204, align 8
+  %206 = select i1 %194, i64 2, i64 1
+  %207 = select i1 %198, i64 %206, i64 0
+  %208 = getelementptr double, ptr %63, i64 %207
+  %209 = load double, ptr %208, align 8
+  %210 = fneg double %209
+  %211 = getelementptr double, ptr %41, i64 %199
+  store double 0.000000e+00, ptr %211, align 8
+  %212 = getelementptr double, ptr %41, i64 %207
+  store double %205, ptr %212, align 8
+  %213 = getelementptr double, ptr %41, i64 %203
+  store double %210, ptr %213, align 8
+  %214 = load double, ptr %41, align 8
+  %215 = load double, ptr %66, align 8
+  %216 = load double, ptr %67, align 8
+  %217 = fmul double %214, %214
+  %218 = fmul double %215, %215
+  %219 = fadd double %217, %218
+  %220 = fmul double %216, %216
+  %221 = fadd double %219, %220
+  %222 = tail call double @llvm.sqrt.f64(double %221)
+  %223 = fcmp olt double %222, 1.000000e-300
+  %224 = select i1 %223, double 1.000000e-300, double %222
+  %225 = fdiv double %214, %224
+  store double %225, ptr %41, align 8
+  %226 = fdiv double %215, %224
+  store double %226, ptr %66, align 8
+  %227 = fdiv double %216, %224
+  store double %227, ptr %67, align 8
+  %228 = load double, ptr %64, align 8
+  %229 = fmul double %228, %227
+  %230 = load double, ptr %65, align 8
+  %231 = fmul double %230, %226
+  %232 = fsub double %229, %231
+  store double %232, ptr %68, align 8
+  %233 = load double, ptr %65, align 8
+  %234 = load double, ptr %41, align 8
+  %235 = fmul double %233, %234
+  %236 = load double, ptr %63, align 8
+  %237 = load double, ptr %67, align 8
+  %238 = fmul double %236, %237
+  %239 = fsub double %235, %238
+  store double %239, ptr %69, align 8
+  %240 = load double, ptr %63, align 8
+  %241 = load double, ptr %66, align 8
+  %242 = fmul double %240, %241
+  %243 = load double, ptr %64, align 8
+  %244 = load double, ptr %41, align 8
+  %245 = fmul double %243, %244
+  %246 = fsub double %242, %245
+  store double %246, ptr %70, align 8
+  %247 = load double, ptr %63, align 8
+  %248 = fmul double %186, %247
+  %249 = fadd double %86, %248
+  %250 = load double, ptr %64, align 8
+  %251 = fmul double %186, %250
+  %252 = fadd double %88, %251
+  %253 = load double, ptr %65, align 8
+  %254 = fmul double %186, %253
+  %255 = fadd double %90, %254
+  %256 = fcmp olt double %249, %86
+  %257 = select i1 %256, double %249, double %86
+  %258 = fsub double %257, %17
+  %259 = fcmp olt double %252, %88
+  %260 = select i1 %259, double %252, double %88
+  %261 = fsub double %260, %17
+  %262 = fcmp olt double %255, %90
+  %263 = select i1 %262, double %255, double %90
+  %264 = fsub double %263, %17
+  %265 = fcmp ogt double %249, %86
+  %266 = select i1 %265, double %249, double %86
+  %267 = fadd double %17, %266
+  %268 = fcmp ogt double %252, %88
+  %269 = select i1 %268, double %252, double %88
+  %270 = fadd double %17, %269
+  %271 = fcmp ogt double %255, %90
+  %272 = select i1 %271, double %255, double %90
+  %273 = fadd double %17, %272
+  br label %274
+274:
+  %275 = phi i64 [ %334, %343 ], [ 0, %170 ]
+  %276 = phi i64 [ %344, %343 ], [ 1, %170 ]
+  %277 = mul i64 %276, %35
+  %278 = getelementptr double, ptr %31, i64 %277
+  %279 = load double, ptr %278, align 8
+  %280 = fcmp ogt double %279, %267
+  br i1 %280, label %332, label %281
+281:
+  %282 = phi i64 [ %328, %323 ], [ %277, %274 ]
+  %283 = phi i64 [ %324, %323 ], [ %276, %274 ]
+  %284 = shl i64 %282, 3
+  %285 = getelementptr i8, ptr %31, i64 %284
+  %286 = getelementptr i8, ptr %285, i64 8
+  %287 = load double, ptr %286, align 8
+  %288 = fcmp ogt double %287, %270
+  br i1 %288, label %332, label %289
+289:
+  %290 = getelementptr i8, ptr %285, i64 16
+  %291 = load double, ptr %290, align 8
+  %292 = fcmp ogt double %291, %273
+  br i1 %292, label %332, label %293
+293:
+  %294 = getelementptr i8, ptr %285, i64 24
+  %295 = load double, ptr %294, align 8
+  %296 = fcmp olt double %295, %258
+  br i1 %296, label %332, label %297
+297:
+  %298 = getelementptr i8, ptr %285, i64 32
+  %299 = load double, ptr %298, align 8
+  %300 = fcmp olt double %299, %261
+  br i1 %300, label %332, label %301
+301:
+  %302 = getelementptr i8, ptr %285, i64 40
+  %303 = load double, ptr %302, align 8
+  %304 = fcmp uge double %303, %264
+  br i1 %304, label %305, label %332
+305:
+  %306 = icmp slt i64 %283, %39
+  br i1 %306, label %323, label %346
+307:
+  %308 = tail call double @llvm.fabs.f64(double %487)
+  %309 = fmul double %472, 0x3D06849B86A12B9B
+  %310 = fcmp ogt double %308, %309
+  br i1 %310, label %499, label %332
+311:
+  %312 = icmp slt i64 %275, %51
+  br i1 %312, label %313, label %321
+313:
+  %314 = icmp slt i64 %275, 0
+  %315 = select i1 %314, i64 %51, i64 0
+  %316 = getelementptr i64, ptr %49, i64 %275
+  %317 = getelementptr i64, ptr %316, i64 %315
+  store i64 0, ptr %317, align 8
+  %318 = select i1 %314, i64 %55, i64 0
+  %319 = getelementptr double, ptr %53, i64 %275
+  %320 = getelementptr double, ptr %319, i64 %318
+  store double %519, ptr %320, align 8
+  br label %321
+321:
+  %322 = add nsw i64 %275, 1
+  br label %332
+323:
+  %324 = shl nsw i64 %283, 1
+  %325 = icmp slt i64 %283, 0
+  %326 = select i1 %325, i64 %33, i64 0
+  %327 = add i64 %326, %324
+  %328 = mul i64 %327, %35
+  %329 = getelementptr double, ptr %31, i64 %328
+  %330 = load double, ptr %329, align 8
+  %331 = fcmp ogt double %330, %267
+  br i1 %331, label %332, label %281
+332:
+  %333 = phi i64 [ %283, %499 ], [ %283, %321 ], [ %283, %493 ], [ %283, %307 ], [ %276, %274 ], [ %283, %301 ], [ %283, %297 ], [ %283, %293 ], [ %283, %289 ], [ %283, %281 ], [ %324, %323 ]
+  %334 = phi i64 [ %275, %499 ], [ %322, %321 ], [ %275, %493 ], [ %275, %307 ], [ %275, %274 ], [ %275, %281 ], [ %275, %289 ], [ %275, %293 ], [ %275, %297 ], [ %275, %301 ], [ %275, %323 ]
+  %335 = add nsw i64 %333, 1
+  %336 = and i64 %333, 1
+  %337 = icmp eq i64 %336, 0
+  br i1 %337, label %343, label %338
+338:
+  %339 = phi i64 [ %340, %338 ], [ %335, %332 ]
+  %340 = ashr i64 %339, 1
+  %341 = and i64 %339, 2
+  %342 = icmp eq i64 %341, 0
+  br i1 %342, label %338, label %343
+343:
+  %344 = phi i64 [ %335, %332 ], [ %340, %338 ]
+  %345 = icmp sgt i64 %344, 1
+  br i1 %345, label %274, label %523
+346:
+  %347 = sub nsw i64 %283, %39
+  %348 = getelementptr i64, ptr %37, i64 %347
+  %349 = load i64, ptr %348, align 8
+  %350 = icmp slt i64 %349, 0
+  %351 = select i1 %350, i64 %25, i64 0
+  %352 = add i64 %351, %349
+  %353 = mul i64 %352, %27
+  %354 = mul i64 %353, %29
+  %355 = getelementptr double, ptr %23, i64 %354
+  %356 = load double, ptr %355, align 8
+  %357 = fsub double %356, %86
+  %358 = getelementptr i8, ptr %355, i64 8
+  %359 = load double, ptr %358, align 8
+  %360 = fsub double %359, %88
+  %361 = getelementptr i8, ptr %355, i64 16
+  %362 = load double, ptr %361, align 8
+  %363 = fsub double %362, %90
+  %364 = load double, ptr %41, align 8
+  %365 = load double, ptr %66, align 8
+  %366 = load double, ptr %67, align 8
+  %367 = fmul double %357, %364
+  %368 = fmul double %363, %366
+  %369 = fadd double %367, %368
+  %370 = fmul double %360, %365
+  %371 = fadd double %370, %369
+  store double %371, ptr %45, align 8
+  %372 = load double, ptr %68, align 8
+  %373 = load double, ptr %69, align 8
+  %374 = load double, ptr %70, align 8
+  %375 = fmul double %357, %372
+  %376 = fmul double %363, %374
+  %377 = fadd double %375, %376
+  %378 = fmul double %360, %373
+  %379 = fadd double %378, %377
+  store double %379, ptr %72, align 8
+  %380 = load double, ptr %63, align 8
+  %381 = load double, ptr %64, align 8
+  %382 = load double, ptr %65, align 8
+  %383 = fmul double %357, %380
+  %384 = fmul double %363, %382
+  %385 = fadd double %383, %384
+  %386 = fmul double %360, %381
+  %387 = fadd double %386, %385
+  store double %387, ptr %73, align 8
+  %388 = add i64 %353, 1
+  %389 = mul i64 %388, %29
+  %390 = getelementptr double, ptr %23, i64 %389
+  %391 = load double, ptr %390, align 8
+  %392 = fsub double %391, %86
+  %393 = getelementptr i8, ptr %390, i64 8
+  %394 = load double, ptr %393, align 8
+  %395 = fsub double %394, %88
+  %396 = getelementptr i8, ptr %390, i64 16
+  %397 = load double, ptr %396, align 8
+  %398 = fsub double %397, %90
+  %399 = load double, ptr %41, align 8
+  %400 = load double, ptr %66, align 8
+  %401 = load double, ptr %67, align 8
+  %402 = fmul double %392, %399
+  %403 = fmul double %398, %401
+  %404 = fadd double %402, %403
+  %405 = fmul double %395, %400
+  %406 = fadd double %405, %404
+  store double %406, ptr %74, align 8
+  %407 = load double, ptr %68, align 8
+  %408 = load double, ptr %69, align 8
+  %409 = load double, ptr %70, align 8
+  %410 = fmul double %392, %407
+  %411 = fmul double %398, %409
+  %412 = fadd double %410, %411
+  %413 = fmul double %395, %408
+  %414 = fadd double %413, %412
+  store double %414, ptr %75, align 8
+  %415 = load double, ptr %63, align 8
+  %416 = load double, ptr %64, align 8
+  %417 = load double, ptr %65, align 8
+  %418 = fmul double %392, %415
+  %419 = fmul double %398, %417
+  %420 = fadd double %418, %419
+  %421 = fmul double %395, %416
+  %422 = fadd double %421, %420
+  store double %422, ptr %76, align 8
+  %423 = add i64 %353, 2
+  %424 = mul i64 %423, %29
+  %425 = getelementptr double, ptr %23, i64 %424
+  %426 = load double, ptr %425, align 8
+  %427 = fsub double %426, %86
+  %428 = getelementptr i8, ptr %425, i64 8
+  %429 = load double, ptr %428, align 8
+  %430 = fsub double %429, %88
+  %431 = getelementptr i8, ptr %425, i64 16
+  %432 = load double, ptr %431, align 8
+  %433 = fsub double %432, %90
+  %434 = load double, ptr %41, align 8
+  %435 = load double, ptr %66, align 8
+  %436 = load double, ptr %67, align 8
+  %437 = fmul double %427, %434
+  %438 = fmul double %433, %436
+  %439 = fadd double %437, %438
+  %440 = fmul double %430, %435
+  %441 = fadd double %440, %439
+  store double %441, ptr %77, align 8
+  %442 = load double, ptr %68, align 8
+  %443 = load double, ptr %69, align 8
+  %444 = load double, ptr %70, align 8
+  %445 = fmul double %427, %442
+  %446 = fmul double %433, %444
+  %447 = fadd double %445, %446
+  %448 = fmul double %430, %443
+  %449 = fadd double %448, %447
+  store double %449, ptr %78, align 8
+  %450 = load double, ptr %63, align 8
+  %451 = load double, ptr %64, align 8
+  %452 = load double, ptr %65, align 8
+  %453 = fmul double %427, %450
+  %454 = fmul double %433, %452
+  %455 = fadd double %453, %454
+  %456 = fmul double %430, %451
+  %457 = fadd double %456, %455
+  store double %457, ptr %79, align 8
+  %458 = fmul double %449, %449
+  %459 = fmul double %441, %441
+  %460 = fmul double %414, %414
+  %461 = fmul double %406, %406
+  %462 = fmul double %379, %379
+  %463 = fmul double %371, %371
+  %464 = fadd double %463, %462
+  %465 = fcmp ogt double %464, 0.000000e+00
+  %466 = select i1 %465, double %464, double 0.000000e+00
+  %467 = fadd double %461, %460
+  %468 = fcmp ogt double %467, %466
+  %469 = select i1 %468, double %467, double %466
+  %470 = fadd double %459, %458
+  %471 = fcmp ogt double %470, %469
+  %472 = select i1 %471, double %470, double %469
+  %473 = load double, ptr %45, align 8
+  %474 = load double, ptr %75, align 8
+  %475 = fmul double %473, %474
+  %476 = load double, ptr %74, align 8
+  %477 = load double, ptr %72, align 8
+  %478 = fmul double %476, %477
+  %479 = fsub double %475, %478
+  %480 = fmul double %449, %476
+  %481 = fmul double %441, %474
+  %482 = fsub double %480, %481
+  %483 = fmul double %441, %477
+  %484 = fmul double %449, %473
+  %485 = fsub double %483, %484
+  %486 = fadd double %482, %479
+  %487 = fadd double %485, %486
+  %488 = fcmp olt double %482, %479
+  %489 = select i1 %488, double %482, double %479
+  %490 = fcmp olt double %485, %489
+  %491 = select i1 %490, double %485, double %489
+  %492 = fcmp ult double %491, 0.000000e+00
+  br i1 %492, label %493, label %307
+493:
+  %494 = fcmp ogt double %482, %479
+  %495 = select i1 %494, double %482, double %479
+  %496 = fcmp ogt double %485, %495
+  %497 = select i1 %496, double %485, double %495
+  %498 = fcmp ugt double %497, 0.000000e+00
+  br i1 %498, label %332, label %307
+499:
+  %500 = load double, ptr %73, align 8
+  %501 = load double, ptr %76, align 8
+  %502 = fmul double %457, %479
+  %503 = fmul double %485, %501
+  %504 = fadd double %502, %503
+  %505 = fmul double %482, %500
+  %506 = fadd double %505, %504
+  %507 = fcmp olt double %501, %500
+  %508 = select i1 %507, double %501, double %500
+  %509 = fcmp olt double %457, %508
+  %510 = select i1 %509, double %457, double %508
+  %511 = fdiv double %506, %487
+  %512 = fcmp ogt double %510, %511
+  %513 = select i1 %512, double %510, double %511
+  %514 = fcmp ogt double %501, %500
+  %515 = select i1 %514, double %501, double %500
+  %516 = fcmp ogt double %457, %515
+  %517 = select i1 %516, double %457, double %515
+  %518 = fcmp olt double %517, %513
+  %519 = select i1 %518, double %517, double %513
+  %520 = fcmp oge double %519, 0.000000e+00
+  %521 = fcmp ole double %519, %186
+  %522 = select i1 %520, i1 %521, i1 false
+  br i1 %522, label %311, label %332
+523:
+  %524 = icmp sgt i64 %334, %55
+  br i1 %524, label %540, label %525
+525:
+  %526 = add i64 %334, -1
+  %527 = icmp slt i64 %526, 1
+  br i1 %527, label %130, label %95
+528:
+  %529 = fadd double %135, %144
+  %530 = fmul double %529, 5.000000e-01
+  %531 = fmul double %189, %530
+  %532 = fadd double %86, %531
+  %533 = fmul double %190, %530
+  %534 = fadd double %88, %533
+  %535 = fmul double %191, %530
+  %536 = fadd double %90, %535
+  store i64 0, ptr %3, align 8
+  call fastcc void @1(ptr nonnull %3, double %532, double %534, double %536, ptr readonly %19, i64 %21, ptr readonly %23, i64 %25, i64 %27, i64 %29, ptr readonly %31, i64 %33, i64 %35, ptr readonly %37, i64 %39)
+  %537 = load i64, ptr %3, align 8
+  %538 = icmp sgt i64 %537, 0
+  %539 = zext i1 %538 to i8
+  store i8 %539, ptr %93, align 1
+  br label %149
+540:
+  %541 = phi i64 [ 0, %1 ], [ %334, %523 ], [ 0, %168 ]
+  ret i64 %541
+}
+define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
   %9 = icmp slt i64 %5, 0
   %10 = select i1 %9, i64 %2, i64 0
   %11 = add i64 %10, %5
@@ -1340,7 +2277,7 @@ define internal fastcc void @1(ptr noalias nonnull writeonly %0, ptr readonly %1
   %156 = zext i1 %155 to i8
   br label %54
 }
-define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
+define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
   %10 = freeze i64 %6
   %11 = add i64 %10, 1
   %12 = icmp eq i64 %11, 3
@@ -1731,12 +2668,12 @@ define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
 164:
   %165 = add nsw i64 %91, 1
   store i64 %165, ptr %33, align 8
-  call fastcc void @1(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 %131, double %29)
+  call fastcc void @2(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 %131, double %29)
   %166 = load i8, ptr %2, align 1
   %167 = icmp eq i8 %166, 0
   br i1 %167, label %216, label %242
 168:
-  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 0, i64 %131, double %29)
+  call fastcc void @3(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 0, i64 %131, double %29)
   %169 = load i8, ptr %4, align 1
   %170 = icmp eq i8 %169, 0
   br i1 %170, label %245, label %171
@@ -1758,7 +2695,7 @@ define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
   %182 = add nsw i64 %92, 1
   br label %216
 183:
-  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 1, i64 %53, double %29)
+  call fastcc void @3(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 1, i64 %53, double %29)
   %184 = load i8, ptr %5, align 1
   %185 = icmp eq i8 %184, 0
   br i1 %185, label %198, label %186
@@ -1780,12 +2717,12 @@ define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
   %197 = add nsw i64 %92, 1
   br label %216
 198:
-  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 2, i64 %131, double %29)
+  call fastcc void @3(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 2, i64 %131, double %29)
   %199 = load i8, ptr %4, align 1
   %200 = icmp eq i8 %199, 0
   br i1 %200, label %201, label %204
 201:
-  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 2, i64 %53, double %29)
+  call fastcc void @3(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 2, i64 %53, double %29)
   %202 = load i8, ptr %5, align 1
   %203 = icmp eq i8 %202, 0
   br i1 %203, label %216, label %204
@@ -1840,17 +2777,17 @@ define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
   %241 = icmp slt i64 %240, 2
   br i1 %241, label %236, label %61
 242:
-  call fastcc void @1(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 %53, double %29)
+  call fastcc void @2(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 %53, double %29)
   %243 = load i8, ptr %3, align 1
   %244 = icmp eq i8 %243, 0
   br i1 %244, label %216, label %168
 245:
-  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 0, i64 %53, double %29)
+  call fastcc void @3(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 0, i64 %53, double %29)
   %246 = load i8, ptr %5, align 1
   %247 = icmp eq i8 %246, 0
   br i1 %247, label %248, label %171
 248:
-  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 1, i64 %131, double %29)
+  call fastcc void @3(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 1, i64 %131, double %29)
   %249 = load i8, ptr %4, align 1
   %250 = icmp eq i8 %249, 0
   br i1 %250, label %183, label %186
@@ -1861,7 +2798,6 @@ define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
   %254 = phi i64 [ 0, %1 ], [ %237, %236 ]
   ret i64 %254
 }
-declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
 define i64 @msf_jax.solid.walks.loops(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 8
@@ -2878,7 +3814,6 @@ define i64 @msf_jax.solid.walks.loops(ptr readonly %0) local_unnamed_addr {
   %953 = phi i64 [ 1, %1 ], [ 0, %822 ], [ 1, %824 ]
   ret i64 %953
 }
-declare i64 @llvm.smax.i64(i64, i64)
 declare double @atan2(double, double) local_unnamed_addr
 define noundef i64 @msf_jax.solid.walks.measures(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8

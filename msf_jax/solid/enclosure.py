@@ -19,6 +19,7 @@ from msf_jax.solid.triangles import Samples, boxes, middles, reaches, sampled, t
 
 SURE = 0.5  # share of an approximate clearance that counts as certain
 HITS_AT_FIRST = 8  # hits a ray for which memory is allocated first; few rays have more
+HITS_OF_SEGMENT = 1_000  # hits of one segment for which memory is allocated first
 MOST_CROSSED = 10_000  # pairs of triangles that cross that are listed; the rest is counted
 MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a crossing; limbs of a fan have many more
 APART = 1e-9  # extents: triangles that pass through each other by less only touch
@@ -59,13 +60,26 @@ class Enclosure:
         return unit(cross(b - a, c - a))
 
     @cached_property
+    def heads(self) -> np.ndarray:
+        """(3F,) the vertex at the end of each half-edge."""
+        return np.roll(self.faces, -1, axis=1).ravel()
+
+    @cached_property
     def mesh(self) -> Mesh:
         """The surface as the kernels take it."""
-        tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-        num = len(self.vertices)
+        tail, head, num = self.faces.ravel(), self.heads, len(self.vertices)
         twins = np.empty(len(tail), dtype=np.int64)
         twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
         return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes(self.triangles)))
+
+    @cached_property
+    def _slack(self) -> float:
+        return ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
+
+    @cached_property
+    def extent(self) -> float:
+        """The longest side of the bounding box."""
+        return float(np.ptp(self.vertices, axis=0).max())
 
     @cached_property
     def handles(self) -> Handles:
@@ -81,7 +95,7 @@ class Enclosure:
         """Where the surface crosses itself: pairs of triangles that have no corner in common."""
         corners = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()[self.faces.ravel()]
         pairs, tested = np.empty((2, MOST_CROSSED), dtype=np.int64), np.zeros(1, dtype=np.int64)
-        most, least = MOST_TESTED * len(self.faces), APART * float(np.ptp(self.vertices, axis=0).max())
+        most, least = MOST_TESTED * len(self.faces), APART * self.extent
         num = kernels.crossed(corners, self.mesh, least, most, tested, pairs[0], pairs[1])
         return Crossed(pairs[:, :num].T, num, bool(tested[0] >= most))
 
@@ -171,12 +185,19 @@ class Enclosure:
         # Two axes perpendicular to each ray: seen along it, the ray is a point.
         across = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
         across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-        axes = np.stack([across, cross(directions, across), directions], axis=1)
-        slack = ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
-        capacity = HITS_AT_FIRST * len(points)
+        axes, capacity = np.stack([across, cross(directions, across), directions], axis=1), HITS_AT_FIRST * len(points)
         while True:
             ray, distance = np.empty(capacity, dtype=np.int64), np.empty(capacity)
-            count = kernels.hits(points, axes, reach, slack, self.mesh, np.empty((3, 3)), ray, distance)
+            count = kernels.hits(points, axes, reach, self._slack, self.mesh, np.empty((3, 3)), ray, distance)
             if count <= capacity:
                 return ray[:count], distance[:count]
             capacity = count
+
+    def holds(self, a: np.ndarray, b: np.ndarray, sliver: float) -> np.ndarray:
+        """(E,) whether the segments from a (E, 3) to b (E, 3) are inside, up to stretches shorter than ``sliver``
+        between hits of the surface."""
+        is_in, capacity = np.empty(len(a), dtype=bool), HITS_OF_SEGMENT
+        while capacity:
+            scratch = np.empty((1, 3, 3)), np.empty((3, 3)), np.empty(capacity, dtype=np.int64), np.empty(capacity)
+            capacity = kernels.within(a, b, sliver, self._slack, self.mesh, *scratch, is_in)
+        return is_in

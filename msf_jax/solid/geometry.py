@@ -2,8 +2,6 @@
 
 import numpy as np
 
-PAIRS_AT_ONCE = 2_000_000  # pairs of points, segments or triangles in a batch: bounds memory
-
 
 def unit(vectors: np.ndarray) -> np.ndarray:
     """``vectors`` (..., 3) scaled to length 1; a zero vector stays zero."""

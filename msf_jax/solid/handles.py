@@ -12,20 +12,21 @@ the same ends go around the same handles exactly if their classes are equal. So 
 The surface's loops come from a tree and a cotree (Eppstein 2003).
 """
 
-from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-from msf_jax.solid.geometry import PAIRS_AT_ONCE, repeated, unit, vertex_normals
+from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
+from msf_jax.solid.geometry import repeated, unit, vertex_normals
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import along_forest, forest, loop_along, shortest_forest
 from msf_jax.topology.half_edges import HalfEdges, half_edges
 
 SEED = 2003  # seed of the random weights that combine all linking numbers into one number
 CELLS = 96  # cells along each axis of the grid that finds pairs of segments
+CROSSINGS_AT_FIRST = 8  # crossings a segment for which memory is allocated first; few segments have more
 PUSH = 1e-9  # extents that the loops lie outside the surface, as a pinned node lies on it
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
 TURN *= np.linalg.det(TURN)  # a rotation in general position: two axes across the curtains, then the curtains' own
@@ -75,6 +76,87 @@ def _has_handles(faces: np.ndarray) -> bool:
     return num - len(faces) // 2 < 2 * num_components - np.count_nonzero(np.bincount(faces.ravel()) == 0)
 
 
+class Grid(NamedTuple):
+    """Edges in the cells of a grid of the plane across the curtains that their boxes touch.
+
+    low, size: (2,) of the first cell. first: (K, 2) the first cell of each edge. listed: the edges by cells; those of
+    cell k begin at ``start[k]``.
+    """
+
+    low: Reals
+    size: Reals
+    first: Rows
+    start: Ints
+    listed: Ints
+
+
+def grid_of(tail: np.ndarray, head: np.ndarray) -> Grid:
+    """The grid of the edges from ``tail`` to ``head`` (K, 2)."""
+    least, most = np.minimum(tail, head), np.maximum(tail, head)
+    low = least.min(axis=0)
+    size = np.maximum(most.max(axis=0) - low, 1e-300) / CELLS
+    first, last = (np.clip((ends - low) / size, 0, CELLS - 1).astype(np.int64) for ends in (least, most))
+    span = last - first + 1
+    row, place = repeated(span[:, 0] * span[:, 1])
+    cell = (first[row, 0] + place // span[row, 1]) * CELLS + first[row, 1] + place % span[row, 1]
+    order = np.argsort(cell, kind="stable")
+    return Grid(low, size, first, np.searchsorted(cell[order], np.arange(CELLS**2 + 1)), row[order])
+
+
+@part
+def side(points: Points, row: int, start: Points, end: Points, line: int) -> float:
+    """On which side of a line of the plane a point is."""
+    x, y = end[line, 0] - start[line, 0], end[line, 1] - start[line, 1]
+    return x * (points[row, 1] - start[line, 1]) - y * (points[row, 0] - start[line, 0])
+
+
+@part
+def cell_of(x: float, low: float, size: float) -> int:
+    """The cell of a coordinate, along an axis; what is beyond the grid counts as in its outermost cells."""
+    return int(min(max((x - low) / size, 0.0), CELLS - 1.0))
+
+
+@kernel
+def crossed(
+    p: Points,
+    p_end: Points,
+    q: Points,
+    q_end: Points,
+    grid: Grid,
+    segment: Ints,
+    edge: Ints,
+    sign: Ints,
+) -> int:
+    """Crossings of segments from p to p_end (E, 3) with the curtains of edges from q to q_end (K, 3) in a ``grid``.
+
+    Returns the number of crossings; ``segment``, ``edge`` and ``sign`` hold the first of them, up to their length.
+    """
+    low, size, first, count = grid.low, grid.size, grid.first, 0
+    for one in range(len(p)):
+        left, right = min(p[one, 0], p_end[one, 0]), max(p[one, 0], p_end[one, 0])
+        first_x, last_x = cell_of(left, low[0], size[0]), cell_of(right, low[0], size[0])
+        left, right = min(p[one, 1], p_end[one, 1]), max(p[one, 1], p_end[one, 1])
+        first_y, last_y = cell_of(left, low[1], size[1]), cell_of(right, low[1], size[1])
+        for column in range(first_x, last_x + 1):
+            for line in range(first_y, last_y + 1):
+                for at in range(grid.start[column * CELLS + line], grid.start[column * CELLS + line + 1]):
+                    other = grid.listed[at]
+                    # A pair whose boxes share several cells counts in the first of them only.
+                    if max(first_x, first[other, 0]) != column or max(first_y, first[other, 1]) != line:
+                        continue
+                    s, s_end = side(p, one, q, q_end, other), side(p_end, one, q, q_end, other)
+                    t, t_end = side(q, other, p, p_end, one), side(q_end, other, p, p_end, one)
+                    if (s >= 0) == (s_end >= 0) or (t >= 0) == (t_end >= 0):
+                        continue
+                    at_p, at_q = s / (s - s_end), t / (t - t_end)
+                    height = p[one, 2] + at_p * (p_end[one, 2] - p[one, 2]) - q[other, 2]
+                    if height - at_q * (q_end[other, 2] - q[other, 2]) > 0:
+                        if count < len(segment):
+                            segment[count], edge[count], sign[count] = one, other, -1 if s_end > s else 1
+                        count += 1
+    return count
+
+
 class Handles:
     """The handles of a solid, to be asked which of them a curve inside goes around.
 
@@ -105,8 +187,8 @@ class Handles:
         self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
     @cached_property
-    def _grid(self) -> "_SegmentGrid":
-        return _SegmentGrid((self._tail[:, :2], self._head[:, :2]))
+    def _grid(self) -> Grid:
+        return grid_of(self._tail[:, :2], self._head[:, :2])
 
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
@@ -148,27 +230,13 @@ class Handles:
         Seen along the curtains, a segment crosses an edge if the ends of each are on different sides of the other.
         Segments that share an end compute the same side for it, so a path through it crosses once or not at all.
         """
-        p, p_end = (_turned((points - self._low) / self._extent) for points in (a, b))
-        q, q_end = self._tail, self._head
-        found = [(np.empty(0, dtype=np.int64),) * 3]
-
-        def side(point: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-            along, away = end - start, point - start
-            return along[:, 0] * away[:, 1] - along[:, 1] * away[:, 0]
-
-        for one, other in self._grid.pairs((p[:, :2], p_end[:, :2])) if len(a) and len(q) else ():
-            s, s_end = (side(x[one], q[other], q_end[other]) for x in (p, p_end))
-            is_across = (s >= 0) != (s_end >= 0)
-            one, other, s, s_end = one[is_across], other[is_across], s[is_across], s_end[is_across]
-            t, t_end = (side(x[other], p[one], p_end[one]) for x in (q, q_end))
-            is_across = (t >= 0) != (t_end >= 0)
-            one, other, s, s_end, t, t_end = (each[is_across] for each in (one, other, s, s_end, t, t_end))
-            at_p, at_q = (s / (s - s_end)), (t / (t - t_end))
-            height = p[one, 2] + at_p * (p_end - p)[one, 2] - q[other, 2] - at_q * (q_end - q)[other, 2]
-            is_over = height > 0
-            found.append((one[is_over], other[is_over], np.where(s_end > s, -1, 1)[is_over]))
-        segment, edge, sign = (np.concatenate(each) for each in zip(*found, strict=True))
-        return segment, edge, sign
+        found = np.empty((3, CROSSINGS_AT_FIRST * len(a)), dtype=np.int64)
+        if not (len(a) and len(self._tail)):
+            return found[0, :0], found[1, :0], found[2, :0]
+        ends = [_turned((points - self._low) / self._extent) for points in (a, b)]
+        while (count := crossed(*ends, self._tail, self._head, self._grid, *found)) > found.shape[1]:
+            found = np.empty((3, count), dtype=np.int64)
+        return found[0, :count], found[1, :count], found[2, :count]
 
 
 def _turned(points: np.ndarray) -> np.ndarray:
@@ -176,42 +244,3 @@ def _turned(points: np.ndarray) -> np.ndarray:
     this is written out."""
     x, y, z = points.T
     return np.stack([x * axis[0] + y * axis[1] + z * axis[2] for axis in TURN], axis=1)
-
-
-class _SegmentGrid:
-    """Segments of the plane with ends (n, 2), in the cells of a grid that their boxes touch. It is made once for all
-    queries; what is beyond it counts as in its outermost cells."""
-
-    def __init__(self, ends: tuple[np.ndarray, np.ndarray]):
-        least, most = np.minimum(*ends), np.maximum(*ends)
-        self._low = least.min(axis=0)
-        self._size = np.maximum(most.max(axis=0) - self._low, 1e-300) / CELLS
-        row, cell, self._first = self._listed(ends)
-        order = np.argsort(cell, kind="stable")
-        self._row, self._start = row[order], np.searchsorted(cell[order], np.arange(CELLS**2 + 1))
-
-    def _listed(self, ends: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The row (k,) of each segment, once for each of its cells (k,), and its first cell (n, 2)."""
-        first, last = (
-            np.clip((corner(*ends) - self._low) / self._size, 0, CELLS - 1).astype(np.int64)
-            for corner in (np.minimum, np.maximum)
-        )
-        span = last - first + 1
-        row, place = repeated(span[:, 0] * span[:, 1])
-        cell = first[row] + np.stack([place // span[row, 1], place % span[row, 1]], axis=1)
-        return row, cell[:, 0] * CELLS + cell[:, 1], first
-
-    def pairs(self, ends: tuple[np.ndarray, np.ndarray]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Batches (k,) of pairs that may cross: of segments with ``ends`` (m, 2), and of the grid's."""
-        one, cell, first = self._listed(ends)
-        count = (self._start[1:] - self._start[:-1])[cell]
-        batch = np.cumsum(count) // PAIRS_AT_ONCE
-        for number in np.unique(batch[count > 0]):
-            rows = np.flatnonzero(batch == number)
-            row, place = repeated(count[rows])
-            row = rows[row]
-            a, b = one[row], self._row[self._start[cell[row]] + place]
-            # A pair whose boxes share several cells counts in the first of them only.
-            shared = np.maximum(first[a], self._first[b])
-            is_first = shared[:, 0] * CELLS + shared[:, 1] == cell[row]
-            yield a[is_first], b[is_first]

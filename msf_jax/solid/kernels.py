@@ -1,4 +1,5 @@
-"""The compiled loops of a solid: nearest triangles, winding numbers, ray hits, and pairs of triangles that cross.
+"""The compiled loops of a solid: nearest triangles, winding numbers, ray hits, segments inside, and pairs of
+triangles that cross.
 
 They search a tree of bounding boxes of n triangles. The tree is a heap: the children of node k are 2 k and 2 k + 1, and
 node n + i is the box of triangle ``order[i]``: its lowest and its highest x, y and z. The search needs no stack. After
@@ -13,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.numerics.compiled import Ints, Points, Reals, Triangles, kernel, part
+from msf_jax.numerics.compiled import Flags, Ints, Points, Reals, Triangles, kernel, part
 
 FLAT = 1e-14  # squared sizes of a triangle: a smaller area, seen along a ray, is a rounding error
 SLACK = 1 + 1e-12  # factor on a squared distance: by rounding a box may seem farther than its triangle
@@ -134,41 +135,94 @@ def nearest(
         found2[row], found[row] = best, which
 
 
-@kernel
-def windings(points: Points, mesh: Mesh, found: Ints) -> None:
-    """``found`` (P,): the winding number of the surface around each point: signed crossings of the ray upwards.
+@part
+def winding(x: float, y: float, z: float, mesh: Mesh) -> int:
+    """The winding number of the surface around a point: signed crossings of the ray upwards.
 
     Seen from above, the ray is a point. It is in a triangle if it is on the same side of all three edges. The side is
     computed with an edge's ends in order of index, so both faces at the edge agree. A point on an edge's line counts as
     shifted by (e, e^2) for a vanishing e, so a ray through a vertex or along a wall needs no special case.
     """
     corners, triangles, boxes, num = mesh.corners, mesh.triangles, mesh.boxes, len(mesh.order)
+    found, node = 0, 1
+    while node:
+        is_met = overlaps(boxes, node, x, y, z, x, y, np.inf)
+        if is_met and node >= num:
+            face = mesh.order[node - num]
+            num_left, total, weighted = 0, 0.0, 0.0
+            for opposite in range(3):
+                k, j = (opposite + 1) % 3, (opposite + 2) % 3
+                is_up = corners[3 * face + k] < corners[3 * face + j]
+                low, high = (k, j) if is_up else (j, k)
+                dx = triangles[face, high, 0] - triangles[face, low, 0]
+                dy = triangles[face, high, 1] - triangles[face, low, 1]
+                side = dx * (y - triangles[face, low, 1]) - dy * (x - triangles[face, low, 0])
+                is_left = side > 0 or (side == 0 and (dy < 0 or (dy == 0 and dx > 0)))
+                num_left += is_left == is_up
+                side = side if is_up else -side
+                total += side
+                weighted += side * triangles[face, opposite, 2]
+            # Height at which the ray meets the plane, by barycentric weights.
+            height = weighted / total if total != 0 else weighted
+            if min(max(height, boxes[node, 2]), boxes[node, 5]) > z:
+                found += (num_left == 3) - (num_left == 0)
+        node = onward(node, num, is_met)
+    return found
+
+
+@kernel
+def windings(points: Points, mesh: Mesh, found: Ints) -> None:
+    """``found`` (P,): the winding number of the surface around each point."""
     for row in range(len(points)):
-        x, y, z = points[row, 0], points[row, 1], points[row, 2]
-        winding, node = 0, 1
-        while node:
-            is_met = overlaps(boxes, node, x, y, z, x, y, np.inf)
-            if is_met and node >= num:
-                face = mesh.order[node - num]
-                num_left, total, weighted = 0, 0.0, 0.0
-                for opposite in range(3):
-                    k, j = (opposite + 1) % 3, (opposite + 2) % 3
-                    is_up = corners[3 * face + k] < corners[3 * face + j]
-                    low, high = (k, j) if is_up else (j, k)
-                    dx = triangles[face, high, 0] - triangles[face, low, 0]
-                    dy = triangles[face, high, 1] - triangles[face, low, 1]
-                    side = dx * (y - triangles[face, low, 1]) - dy * (x - triangles[face, low, 0])
-                    is_left = side > 0 or (side == 0 and (dy < 0 or (dy == 0 and dx > 0)))
-                    num_left += is_left == is_up
-                    side = side if is_up else -side
-                    total += side
-                    weighted += side * triangles[face, opposite, 2]
-                # Height at which the ray meets the plane, by barycentric weights.
-                height = weighted / total if total != 0 else weighted
-                if min(max(height, boxes[node, 2]), boxes[node, 5]) > z:
-                    winding += (num_left == 3) - (num_left == 0)
-            node = onward(node, num, is_met)
-        found[row] = winding
+        found[row] = winding(points[row, 0], points[row, 1], points[row, 2], mesh)
+
+
+@part
+def hits_of(
+    x: float,
+    y: float,
+    z: float,
+    row: int,
+    axes: Triangles,
+    reach: float,
+    slack: float,
+    mesh: Mesh,
+    seen: Points,
+    count: int,
+    ray: Ints,
+    distance: Reals,
+) -> int:
+    """Every hit of the ray number ``row`` from a point, see `hits`, after the first ``count``; returns the number of
+    all."""
+    triangles, num = mesh.triangles, len(mesh.order)
+    u, v, w = x + reach * axes[row, 2, 0], y + reach * axes[row, 2, 1], z + reach * axes[row, 2, 2]
+    low_x, low_y, low_z = min(x, u) - slack, min(y, v) - slack, min(z, w) - slack
+    high_x, high_y, high_z = max(x, u) + slack, max(y, v) + slack, max(z, w) + slack
+    node = 1
+    while node:
+        is_met = overlaps(mesh.boxes, node, low_x, low_y, low_z, high_x, high_y, high_z)
+        if is_met and node >= num:
+            triangle, size2 = mesh.order[node - num], 0.0
+            for k in range(3):
+                dx, dy, dz = triangles[triangle, k, 0] - x, triangles[triangle, k, 1] - y, triangles[triangle, k, 2] - z
+                for i in range(3):
+                    seen[k, i] = dot(dx, dy, dz, axes[row, i, 0], axes[row, i, 1], axes[row, i, 2])
+                size2 = max(size2, seen[k, 0] ** 2 + seen[k, 1] ** 2)
+            one = seen[0, 0] * seen[1, 1] - seen[1, 0] * seen[0, 1]  # twice the areas with the edges
+            two = seen[1, 0] * seen[2, 1] - seen[2, 0] * seen[1, 1]
+            three = seen[2, 0] * seen[0, 1] - seen[0, 0] * seen[2, 1]
+            total = one + two + three
+            # A triangle seen edge-on has an area of rounding errors only: it is no hit.
+            if (min(one, two, three) >= 0 or max(one, two, three) <= 0) and abs(total) > FLAT * size2:
+                t = dot(one, two, three, seen[2, 2], seen[0, 2], seen[1, 2]) / total
+                t = max(t, min(seen[0, 2], seen[1, 2], seen[2, 2]))
+                t = min(t, max(seen[0, 2], seen[1, 2], seen[2, 2]))
+                if 0 <= t <= reach:
+                    if count < len(ray):
+                        ray[count], distance[count] = row, t
+                    count += 1
+        node = onward(node, num, is_met)
+    return count
 
 
 @kernel
@@ -180,41 +234,79 @@ def hits(
     ``seen`` (3, 3) is scratch space for a triangle in the ray's axes. Returns the number of hits; ``ray`` and
     ``distance`` hold the first of them, up to their length.
     """
-    triangles, num, count = mesh.triangles, len(mesh.order), 0
+    count = 0
     for row in range(len(points)):
         x, y, z = points[row, 0], points[row, 1], points[row, 2]
-        u, v, w = x + reach[row] * axes[row, 2, 0], y + reach[row] * axes[row, 2, 1], z + reach[row] * axes[row, 2, 2]
-        low_x, low_y, low_z = min(x, u) - slack, min(y, v) - slack, min(z, w) - slack
-        high_x, high_y, high_z = max(x, u) + slack, max(y, v) + slack, max(z, w) + slack
-        node = 1
-        while node:
-            is_met = overlaps(mesh.boxes, node, low_x, low_y, low_z, high_x, high_y, high_z)
-            if is_met and node >= num:
-                triangle, size2 = mesh.order[node - num], 0.0
-                for k in range(3):
-                    dx, dy, dz = (
-                        triangles[triangle, k, 0] - x,
-                        triangles[triangle, k, 1] - y,
-                        triangles[triangle, k, 2] - z,
-                    )
-                    for i in range(3):
-                        seen[k, i] = dot(dx, dy, dz, axes[row, i, 0], axes[row, i, 1], axes[row, i, 2])
-                    size2 = max(size2, seen[k, 0] ** 2 + seen[k, 1] ** 2)
-                one = seen[0, 0] * seen[1, 1] - seen[1, 0] * seen[0, 1]  # twice the areas with the edges
-                two = seen[1, 0] * seen[2, 1] - seen[2, 0] * seen[1, 1]
-                three = seen[2, 0] * seen[0, 1] - seen[0, 0] * seen[2, 1]
-                total = one + two + three
-                # A triangle seen edge-on has an area of rounding errors only: it is no hit.
-                if (min(one, two, three) >= 0 or max(one, two, three) <= 0) and abs(total) > FLAT * size2:
-                    t = dot(one, two, three, seen[2, 2], seen[0, 2], seen[1, 2]) / total
-                    t = max(t, min(seen[0, 2], seen[1, 2], seen[2, 2]))
-                    t = min(t, max(seen[0, 2], seen[1, 2], seen[2, 2]))
-                    if 0 <= t <= reach[row]:
-                        if count < len(ray):
-                            ray[count], distance[count] = row, t
-                        count += 1
-            node = onward(node, num, is_met)
+        count = hits_of(x, y, z, row, axes, reach[row], slack, mesh, seen, count, ray, distance)
     return count
+
+
+@part
+def set_axes(axes: Triangles, x: float, y: float, z: float) -> None:
+    """Set the last of the first ``axes`` to a unit vector, and the others perpendicular to it, as `Enclosure` does."""
+    k = 1 if abs(y) < abs(x) else 0
+    k = 2 if abs(z) < min(abs(x), abs(y)) else k
+    axes[0, 2, 0], axes[0, 2, 1], axes[0, 2, 2] = x, y, z
+    axes[0, 0, k], axes[0, 0, (k + 1) % 3], axes[0, 0, (k + 2) % 3] = (
+        0.0,
+        axes[0, 2, (k + 2) % 3],
+        -axes[0, 2, (k + 1) % 3],
+    )
+    size = max(norm(axes[0, 0, 0], axes[0, 0, 1], axes[0, 0, 2]), 1e-300)
+    for i in range(3):
+        axes[0, 0, i] /= size
+    for i in range(3):
+        j, m = (i + 1) % 3, (i + 2) % 3
+        axes[0, 1, i] = axes[0, 2, j] * axes[0, 0, m] - axes[0, 2, m] * axes[0, 0, j]
+
+
+@kernel
+def within(
+    points: Points,
+    ends: Points,
+    sliver: float,
+    slack: float,
+    mesh: Mesh,
+    axes: Triangles,
+    seen: Points,
+    ray: Ints,
+    hit: Reals,
+    is_in: Flags,
+) -> int:
+    """``is_in`` (P,): whether each segment, from ``points`` (P, 3) to ``ends`` (P, 3), is inside the solid.
+
+    At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits that are
+    longer than ``sliver`` decide. A ray along a face, or from the surface, may miss its exit, so the end is tested,
+    too. ``axes`` (1, 3, 3), ``seen`` (3, 3), ``ray`` and ``hit`` are scratch space. Returns the number of hits of a
+    segment that has more, else 0.
+    """
+    for row in range(len(points)):
+        x, y, z = points[row, 0], points[row, 1], points[row, 2]
+        is_in[row] = winding(x, y, z, mesh) > 0
+        if not is_in[row]:
+            continue
+        dx, dy, dz = ends[row, 0] - x, ends[row, 1] - y, ends[row, 2] - z
+        length = norm(dx, dy, dz)
+        size = max(length, 1e-300)
+        dx, dy, dz = dx / size, dy / size, dz / size
+        set_axes(axes, dx, dy, dz)
+        count = hits_of(x, y, z, 0, axes, length, slack, mesh, seen, 0, ray, hit)
+        if count > len(hit):
+            return count
+        for last in range(1, count):  # in ascending order
+            at = last
+            while at and hit[at - 1] > hit[at]:
+                hit[at - 1], hit[at] = hit[at], hit[at - 1]
+                at -= 1
+        stop = 0.0
+        for number in range(count + 1 if count else 0):
+            further = hit[number] if number < count else length
+            if is_in[row] and further - stop > sliver:
+                half = (stop + further) / 2
+                is_in[row] = winding(x + half * dx, y + half * dy, z + half * dz, mesh) > 0
+            stop = further
+        is_in[row] = is_in[row] and winding(ends[row, 0], ends[row, 1], ends[row, 2], mesh) > 0
+    return 0
 
 
 @part

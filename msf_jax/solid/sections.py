@@ -37,7 +37,8 @@ class Corners(NamedTuple):
     def places(self, shape: Enclosure) -> np.ndarray:
         """(C, 3) the corners on ``shape``."""
         t = self.part[:, None]
-        return (1 - t) * shape.vertices[self.tail] + t * shape.vertices[self.head]
+        # `take` gathers rows faster than an index.
+        return (1 - t) * shape.vertices.take(self.tail, axis=0) + t * shape.vertices.take(self.head, axis=0)
 
 
 class Sections(NamedTuple):
@@ -77,9 +78,9 @@ def corners(
     shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
 ) -> Corners:
     """The corners of the loops that `cut` measures."""
-    num, corner = len(points), shape.faces.ravel()
+    num = len(points)
     near = np.full(num, -1) if near is None else near
-    reach = FIRST_REACH * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    reach = FIRST_REACH * np.maximum(radii, 1e-3 * shape.extent)
     capacity, ends = CAPACITY * num, np.empty(num, dtype=np.int64)
     while True:
         edge, part = np.empty(capacity, dtype=np.int64), np.empty(capacity)
@@ -90,9 +91,7 @@ def corners(
     count = np.diff(ends, prepend=0)
     loop = np.repeat(np.arange(num), count)
     edge, part = edge[: len(loop)], part[: len(loop)]
-    triangle = edge // 3
-    head = corner[3 * triangle + (edge + 1) % 3]
-    return Corners(loop, corner[edge], head, part, triangle, count > 0)
+    return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], part, edge // 3, count > 0)
 
 
 def nowhere(points: np.ndarray) -> Sections:
@@ -109,17 +108,17 @@ def areas(shape: Enclosure, corners: Corners, normals: np.ndarray) -> np.ndarray
         return np.zeros(len(normals))
     first = np.searchsorted(loop, loop)
     is_last = np.append(loop[1:] != loop[:-1], True)
-    place = place - place[first]
-    onward = place[np.where(is_last, first, np.arange(len(loop)) + 1)]
-    twice = np.einsum("ci,ci->c", cross(place, onward), normals[loop])
+    place = place - place.take(first, axis=0)
+    onward = place.take(np.where(is_last, first, np.arange(len(loop)) + 1), axis=0)
+    twice = np.einsum("ci,ci->c", cross(place, onward), normals.take(loop, axis=0))
     return np.bincount(loop, weights=twice, minlength=len(normals)) / 2
 
 
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
     """Measure the loops with these ``corners``, in planes through ``points`` (P, 3) with ``normals`` (P, 3)."""
     loop = corners.loop
-    places = corners.places(shape) - points[loop]
-    leans = -np.einsum("ci,ci->c", shape.normals[corners.triangle], normals[loop])
+    places = corners.places(shape) - points.take(loop, axis=0)
+    leans = -np.einsum("ci,ci->c", shape.normals.take(corners.triangle, axis=0), normals.take(loop, axis=0))
     sums = np.zeros((len(points), 19))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
     walks.measures(places, leans, normals, ends, loop[ends - 1], ADDED_SINE, sums)

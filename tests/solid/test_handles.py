@@ -45,32 +45,31 @@ def test_classes_add_up_along_any_path(seed):
     assert handles.classes(a, b).any() and not handles.classes(a, a).any()
 
 
-def test_batches_do_not_matter(monkeypatch):
-    vertices, faces, points, edges = theta()
-    handles, ends = Handles(vertices, faces), [points[edges[:, k]] for k in (0, 1)]
-    expected = handles.linking(*ends)
-    assert expected.any()
-    for most in (1, 50, 1000):
-        monkeypatch.setattr(handles_module, "PAIRS_AT_ONCE", most)
-        np.testing.assert_array_equal(handles.linking(*ends), expected)
-
-
-def test_pairs_of_segments_are_all_that_cross():
-    """Against every pair, in general position and on a line."""
-    random = np.random.default_rng(3)
-    ones, others = (tuple(random.uniform(-1, 1, (2, num, 2)) * [1.0, high]) for num, high in ((300, 1.0), (200, 1e-3)))
-    found = [np.stack(pair) for pair in handles_module._SegmentGrid(others).pairs(ones)]
-    pairs = set(map(tuple, np.concatenate(found, axis=1).T.tolist()))
-    assert len(pairs) == sum(batch.shape[1] for batch in found)
-
-    def cross(a, b, c):
-        along, away = b - a, c - a
-        return along[..., 0] * away[..., 1] - along[..., 1] * away[..., 0]
-
-    p, p_end, q, q_end = ones[0][:, None], ones[1][:, None], others[0], others[1]
-    is_across = (cross(p, p_end, q) > 0) != (cross(p, p_end, q_end) > 0)
-    is_across &= (cross(q, q_end, p) > 0) != (cross(q, q_end, p_end) > 0)
-    assert is_across.sum() > 20 and set(map(tuple, np.argwhere(is_across).tolist())) <= pairs
+@pytest.mark.parametrize("most", [0, 8])
+def test_crossings_with_curtains_are_those_of_all_pairs(monkeypatch, most):
+    """Against every pair of a segment and an edge, also of segments beyond the solid; memory for few is enough."""
+    monkeypatch.setattr(handles_module, "CROSSINGS_AT_FIRST", most)
+    vertices, faces, _, _ = theta()
+    handles, random = Handles(vertices, faces), np.random.default_rng(3)
+    middle, extent = vertices.mean(axis=0), np.ptp(vertices, axis=0).max()
+    a, b = middle + extent * random.uniform(-1, 1, (2, 300, 3))
+    segment, edge, sign = handles._crossings(a, b)
+    p, p_end = (handles_module._turned((ends - handles._low) / handles._extent)[:, None] for ends in (a, b))
+    q, q_end = handles._tail[None], handles._head[None]
+    # p + s (p_end - p) is above q + t (q_end - q): solved by Cramer's rule.
+    (one, other), away = (p_end - p, q_end - q), q - p
+    area = one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0]
+    s = (away[..., 0] * other[..., 1] - away[..., 1] * other[..., 0]) / area
+    t = (away[..., 0] * one[..., 1] - away[..., 1] * one[..., 0]) / area
+    height = p[..., 2] + s * one[..., 2] - q[..., 2] - t * other[..., 2]
+    rows, columns = np.nonzero((s > 0) & (s < 1) & (t > 0) & (t < 1) & (height > 0))
+    expected = {(row, column, -np.sign(area[row, column])) for row, column in zip(rows, columns, strict=True)}
+    found = list(zip(segment, edge, sign, strict=True))
+    assert len(found) == len(expected) > 100 and {(i, j, k) for i, j, k in found} in (
+        expected,
+        {(i, j, -k) for i, j, k in expected},
+    )
+    assert all(len(each) == 0 for each in handles._crossings(a[:0], b[:0]))
 
 
 def test_classes_of_paths_inside_are_those_of_the_surface_beside_them():

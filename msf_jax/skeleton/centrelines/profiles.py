@@ -79,17 +79,14 @@ def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num:
     enclosed volume, because a curve encloses none.
     """
 
-    def under(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-        return np.einsum("fi,fi->f", a, cross(b, c)) / 6
-
+    # Six times the volume: the corners' part, less the feet's, and of each side, a ruled surface, the mean of its two
+    # triangulations.
     a, b = np.moveaxis(corners, 1, 0), np.moveaxis(feet, 1, 0)
-    volume = under(*a) - under(*b)
-    for k in range(3):  # a side is a ruled surface: take the mean of its two triangulations
-        p, q = k, (k + 1) % 3
-        one = under(a[q], a[p], b[p]) + under(a[q], b[p], b[q])
-        other = under(a[q], a[p], b[q]) + under(a[p], b[p], b[q])
-        volume = volume + (one + other) / 2
-    return np.bincount(group, weights=volume, minlength=num)
+    six = np.einsum("fi,fi->f", a[0], cross(a[1], a[2])) - np.einsum("fi,fi->f", b[0], cross(b[1], b[2]))
+    for p, q in ((0, 1), (1, 2), (2, 0)):
+        six += np.einsum("fi,fi->f", cross(a[q], a[p]), b[p] + b[q]) / 2
+        six += np.einsum("fi,fi->f", cross(b[p], b[q]), a[p] + a[q]) / 2
+    return np.bincount(group, weights=six / 6, minlength=num)
 
 
 def volumes_of(
@@ -113,17 +110,23 @@ def volumes_of(
     for num in np.unique(parts).tolist():
         own, feet = corners[parts == num], node[parts == num]
         if num > 1:
-            own = np.einsum("sck,fkx->fscx", _split(num), own).reshape(-1, 3, 3)
-            feet = np.asarray(tree.query(own)[1])
+            weights, corner = _split(num)
+            points = np.einsum("sk,fkx->fsx", weights, own)
+            own, feet = (
+                each[:, corner].reshape(-1, 3, *each.shape[2:]) for each in (points, np.asarray(tree.query(points)[1]))
+            )
         found += swept_volumes(own, nodes[feet], branch[feet[:, 0]], len(branches))
     return found
 
 
-def _split(num: int) -> np.ndarray:
-    """(num^2, 3, 3) the barycentric coordinates of the corners of the parts of a triangle, ``num`` along each side."""
-    i, j = (each.ravel() for each in np.meshgrid(np.arange(num), np.arange(num), indexing="ij"))
+def _split(num: int) -> tuple[np.ndarray, np.ndarray]:
+    """Barycentric coordinates (s, 3) of a grid of points in a triangle, ``num`` steps along each side, and the points
+    (num^2, 3) at the corners of the parts between them."""
+    i, j = (each.ravel() for each in np.indices((num + 1, num + 1)))
+    number = np.cumsum(i + j <= num) - 1
     parts = []
-    for steps, is_in in ((((0, 0), (1, 0), (0, 1)), i + j < num), (((1, 1), (0, 1), (1, 0)), i + j < num - 1)):
-        at = np.stack([np.stack([i + a, j + b], axis=1) for a, b in steps], axis=1)[is_in]
-        parts.append(np.concatenate([num - at.sum(axis=2, keepdims=True), at], axis=2) / num)
-    return np.concatenate(parts)
+    for steps, most in ((((0, 0), (1, 0), (0, 1)), num - 1), (((1, 1), (0, 1), (1, 0)), num - 2)):
+        first = np.flatnonzero(i + j <= most)
+        parts.append(np.stack([number[first + (num + 1) * a + b] for a, b in steps], axis=1))
+    i, j = i[i + j <= num], j[i + j <= num]
+    return np.stack([num - i - j, i, j], axis=1) / num, np.concatenate(parts)
