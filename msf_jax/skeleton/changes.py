@@ -12,7 +12,6 @@ from scipy import spatial
 
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError, deprecated
-from msf_jax.base.options import Config
 from msf_jax.curve import finishing, resampling
 from msf_jax.inside import containment
 from msf_jax.limbs import one_branch, pruning
@@ -83,7 +82,7 @@ def pruned(skeleton: "Skeleton", slenderness: float, detail: float | None, is_he
     report, grown = skeleton.report, 0
     if skeleton.source is not None and not report.wavefronts and least:
         solid = skeleton.source.solid
-        caps = Caps(solid.outside, Config.detail if detail is None else float(detail))
+        caps = Caps(solid.outside, *([] if detail is None else [float(detail)]))
         choice = one_branch.choose(caps, solid.enter(x), edges, is_held, least)
         if detail is not None and (grown := choice.leaf.count(-1)):
             new, edges = one_branch.grown(caps, solid.shape, solid.enter(x), edges, choice, least)
