@@ -147,11 +147,11 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
     """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is no nearer to the
-    surface, and the section is no smaller than a ring of ``size`` (p,): one through a blind hole is."""
+    surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is smaller, and one
+    of a blunt limb that leaves it for the body is larger."""
     found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
-    is_better = (
-        found.is_around & (found.size >= WHOLE * size) & (shape.clearance(found.centroid) >= shape.clearance(places))
-    )
+    is_better = found.is_around & (found.size >= WHOLE * size) & (found.size <= size / WHOLE)
+    is_better &= shape.clearance(found.centroid) >= shape.clearance(places)
     return np.where(is_better[:, None], found.centroid, places)
 
 
