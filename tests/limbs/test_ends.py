@@ -283,7 +283,7 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
 @pytest.mark.parametrize(("length", "sections", "rows"), [(60, 16, 6), (60, 8, 6), (200, 12, 8)])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed):
-    """`RING_DEPTH`, `BEHIND`, `LINE_ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some
+    """`LINE_ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some
     that are near its end lie on its side."""
     half = length / 2
     rings = [(1, z) for z in np.linspace(-half, half, rows)]
@@ -296,13 +296,15 @@ def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed)
 
 
 def test_no_ball_fills_the_point_of_a_cone():
-    """`WIDEST`, `LEAST`: its balls are half as large as they are far from it. It ends where the ball is 0.3 * 0.25 of
-    the one a ring farther from the point at 0."""
+    """`WIDEST`, `LEAST`, `END_RINGS`: its balls are half as large as they are far from it. It ends where the ball is
+    0.3 * 0.25 of the one three rings from the point at 0."""
     radius = 4 * np.tan(np.pi / 6)
     shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
-    found = ends._to_end(shape, middles, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3, False)
-    assert found[1].tolist() == [0, 0, -1.2] and -found[0, 2] == pytest.approx(0.075 * 1.2, rel=0.25)
+    down = np.tile([0.0, 0.0, -1.0], (len(middles), 1))
+    found = ends._to_end(shape, middles, down, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3)
+    assert not found[:, :2].any() and (np.diff(found[:, 2]) < 0).all()
+    assert -found[0, 2] == pytest.approx(0.075 * 0.9, rel=0.25)
 
 
 def test_the_end_of_a_channel_is_not_beyond_it():
