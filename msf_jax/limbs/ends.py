@@ -21,7 +21,7 @@ import numpy as np
 from scipy import optimize, sparse
 from scipy.sparse import linalg
 
-from msf_jax.limbs.levels import levels
+from msf_jax.limbs.levels import Levels, levels
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
@@ -30,10 +30,11 @@ from msf_jax.solid.geometry import triangle_areas, unit
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
 END_RINGS = 3  # rings: so far from the end at most its ball is looked for
-NEAR = 0.25  # of the rings' distance: middles that are nearer are one, and no line leads through them
+NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
-HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
+HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump; of
+# the next ring's distance from the surface: a ring that is nearer lies on the end
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
@@ -135,11 +136,30 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         rings.append(int(above[found.perimeter[above].argmax()]))
         piece = int(found.above[rings[-1]])
         beside = np.setdiff1d(np.flatnonzero(found.above == piece), rings)
-        is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
-        whole = len(rings) if is_part and len(rings) <= 4 * NEAR_END else whole
-    rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
+        beside = beside[found.perimeter[beside] > HALF * found.perimeter[rings[-1]]]
+        # A limb ends where it splits into two that meet again: beside a hole through it.
+        before = _before_split(found, rings, beside)
+        if before > NEAR_END + 1:
+            rings = rings[: before + 1]  # with one that is left out below
+            break
+        whole = len(rings) if len(beside) and len(rings) <= 4 * NEAR_END else whole
+    rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base, or beside a hole
     places = _to_end(shape, found.centre[rings], found.way[rings], found.size[rings], whole, step)
     return LimbAxis(places, width)
+
+
+def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
+    """How many of ``rings``, one upon another, are below the piece that they and the rings ``beside`` (b,), which end
+    in one piece, come from; -1 if they come from no common piece."""
+    number = {int(found.below[ring]): place for place, ring in enumerate(rings)}
+    piece, seen = [int(found.below[ring]) for ring in beside], set()
+    while piece:
+        if (here := piece.pop()) in number:
+            return number[here]
+        if here not in seen:
+            seen.add(here)
+            piece += found.below[found.above == here].tolist()
+    return -1
 
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
@@ -155,8 +175,8 @@ def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np
 def _to_end(
     shape: Enclosure, middles: np.ndarray, ways: np.ndarray, size: np.ndarray, whole: int, step: float
 ) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings with normals ``ways`` (k, 3) and of that ``size`` (k,), ``step``
-    apart, that ends `GAP` before the surface.
+    """The curve (m, 3) over ``middles`` (k, 3) of rings with normals ``ways`` (k, 3) and ``size`` (k,), ``step`` apart,
+    that ends `GAP` before the surface.
 
     It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
     it, is smaller than the next one, or much nearer to the surface, and one in a hole in the end is not inside."""
@@ -166,14 +186,14 @@ def _to_end(
     if not is_around.any():  # the middles of a channel are outside
         return middles
     first = int(is_around.argmax())
-    # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one ring
-    # behind a hole is alone: there it is ahead across the ring.
-    pair = np.clip([min(first, last - 1), first + 1], 0, last)
-    heading, middles = -ways[first], middles.copy()
-    is_line = ball[pair[0]] > 0 and np.linalg.norm(middles[pair[0]] - middles[pair[1]]) >= NEAR * step
-    for _ in range(LINE_ROUNDS if is_line else 0):
-        middles[pair] = _centred(shape, middles[pair], unit(middles[pair[0]] - middles[pair[1]]), size[pair])
-        heading = unit(middles[pair[0]] - middles[pair[1]])
+    # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
+    # hole is alone: it is ahead across the ring. What touches the surface is on the end.
+    one, other = np.clip([min(first, last - 1), first + 1], 0, last)
+    heading, middles, pair = -ways[first], middles.copy(), [one, other]
+    is_apart = np.linalg.norm(middles[one] - middles[other]) >= NEAR * step
+    for _ in range(LINE_ROUNDS if is_apart and ball[one] > GAP * LEAST * ball.max() else 0):
+        middles[pair] = _centred(shape, middles[pair], unit(middles[one] - middles[other]), size[pair])
+        heading = unit(middles[one] - middles[other])
     # From the outermost ring on that has its middle inside: a blind hole may lie across the line behind it.
     along = (middles[: first + 1] - middles[first]) @ heading
     ball = shape.clearance(middles[first] + along[:, None] * heading)
