@@ -30,6 +30,7 @@ from msf_jax.solid.geometry import triangle_areas, unit
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
 END_RINGS = 3  # rings: so far from the end at most its ball is looked for
+TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
@@ -140,10 +141,12 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         # A limb ends where it splits into two that meet again: beside a hole through it.
         before = _before_split(found, rings, beside)
         if before > NEAR_END + 1:
-            rings = rings[: before + 1]  # with one that is left out below
+            rings = rings[: before + 1]  # with one that is left out
             break
         whole = len(rings) if len(beside) and len(rings) <= 4 * NEAR_END else whole
-    rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base, or beside a hole
+    # The last one is at the base, or beside a hole. It counts where all others are in a hole in the end.
+    is_inside = shape.clearance(found.centre[rings]) > TOUCHING * found.size[rings]
+    rings = rings[:-1] if len(rings) > 3 and is_inside[:-1].any() else rings
     places = _to_end(shape, found.centre[rings], found.way[rings], found.size[rings], whole, step)
     return LimbAxis(places, width)
 
@@ -181,17 +184,18 @@ def _to_end(
     It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
     it, is smaller than the next one, or much nearer to the surface, and one in a hole in the end is not inside."""
     ball, last = shape.clearance(middles), len(middles) - 1
+    ball = np.where(ball > TOUCHING * size, ball, 0.0)
     is_around = (ball > HALF * np.append(ball[1:], 0.0)) & (size >= WHOLE * np.append(size[1:], 0.0))
     is_around[: min(whole, last)] = False
     if not is_around.any():  # the middles of a channel are outside
         return middles
     first = int(is_around.argmax())
     # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
-    # hole is alone: it is ahead across the ring. What touches the surface is on the end.
+    # hole in the end is alone: there it is ahead across the ring.
     one, other = np.clip([min(first, last - 1), first + 1], 0, last)
     heading, middles, pair = -ways[first], middles.copy(), [one, other]
     is_apart = np.linalg.norm(middles[one] - middles[other]) >= NEAR * step
-    for _ in range(LINE_ROUNDS if is_apart and ball[one] > GAP * LEAST * ball.max() else 0):
+    for _ in range(LINE_ROUNDS if is_apart and ball[one] else 0):
         middles[pair] = _centred(shape, middles[pair], unit(middles[one] - middles[other]), size[pair])
         heading = unit(middles[one] - middles[other])
     # From the outermost ring on that has its middle inside: a blind hole may lie across the line behind it.
