@@ -170,13 +170,12 @@ def laid(
 
 
 def _stretch(points: np.ndarray, is_held: np.ndarray, axis: LimbAxis) -> int:
-    """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, and no farther from it
-    than the limb's base, before a held one. A branch that runs back is replaced from its nearest point on."""
-    reach = min(LAST * axis.width, float(np.linalg.norm(axis.places[-1] - axis.places[0])))
+    """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, before a held one. A
+    branch that runs back is replaced from its nearest point on."""
     away = np.linalg.norm(points - axis.places[0], axis=1)
     last = int(np.argmax(np.append(is_held[1:], True))) + 1
     near = int(away[:last].argmin())
-    first = near + int(np.argmax(np.append(away[near:] > reach, True)))
+    first = near + int(np.argmax(np.append(away[near:] > LAST * axis.width, True)))
     return min(max(1, first), last, len(points) - 1)
 
 
