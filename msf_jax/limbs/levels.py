@@ -15,6 +15,9 @@ from msf_jax.topology import graphs
 MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
 
 
+Measures = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+
+
 class Levels(NamedTuple):
     """Rings between pieces of the surface.
 
@@ -74,11 +77,11 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     num = int(ring.max(initial=-1)) + 1
     below, above = np.zeros((2, num), dtype=np.int64)
     below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
-    found = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
-    return Levels(*found, below, above, piece[: len(vertices)], num_pieces)
+    centre, way, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
+    return Levels(centre, way, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
 
 
-def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, ...]:
+def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> Measures:
     """The centroid (num, 3) of each ring's area, its unit normal (num, 3), its perimeter (num,), and twice the area
     over it (num,).
 
