@@ -21,7 +21,7 @@ import numpy as np
 from scipy import optimize, sparse
 from scipy.sparse import linalg
 
-from msf_jax.limbs.levels import levels
+from msf_jax.limbs.levels import Levels, levels
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
@@ -29,11 +29,13 @@ from msf_jax.solid.geometry import triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
-RING_DEPTH = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
-BEHIND = 2.0  # widths of a limb: so far behind; more than rings on the end or beside it are apart
+END_RINGS = 3  # rings: so far from the end at most its ball is looked for
+TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
+NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
-HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
+HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump; of
+# the next ring's distance from the surface: a ring that is nearer lies on the end
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
@@ -135,76 +137,77 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         rings.append(int(above[found.perimeter[above].argmax()]))
         piece = int(found.above[rings[-1]])
         beside = np.setdiff1d(np.flatnonzero(found.above == piece), rings)
-        is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
-        whole = len(rings) if is_part and len(rings) <= 4 * NEAR_END else whole
-    rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
-    # Where triangles are longer than the limb is wide, u is not linear on them, and its rings are bent.
-    corners = vertices[own]
-    is_near = np.linalg.norm(corners - vertices[near[u.argmax()]], axis=2).min(axis=1) <= width
-    is_bent = bool(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)[is_near].max() > width)
-    return LimbAxis(_to_end(shape, found.centre[rings], found.size[rings], whole, step, is_bent), width)
+        beside = beside[found.perimeter[beside] > HALF * found.perimeter[rings[-1]]]
+        # A limb ends where it splits into two that meet again: beside a hole through it.
+        before = _before_split(found, rings, beside)
+        if before > NEAR_END + 1:
+            rings = rings[: before + 1]  # with one that is left out
+            break
+        whole = len(rings) if len(beside) and len(rings) <= 4 * NEAR_END else whole
+    # The last one is at the base, or beside a hole. It counts where all others are in a hole in the end.
+    is_inside = shape.clearance(found.centre[rings]) > TOUCHING * found.size[rings]
+    rings = rings[:-1] if len(rings) > 3 and is_inside[:-1].any() else rings
+    places = _to_end(shape, found.centre[rings], found.way[rings], found.size[rings], whole, step)
+    return LimbAxis(places, width)
+
+
+def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
+    """How many of ``rings``, one upon another, are below the piece that they and the rings ``beside`` (b,), which end
+    in one piece, come from; -1 if they come from no common piece."""
+    number = {int(found.below[ring]): place for place, ring in enumerate(rings)}
+    piece, seen = [int(found.below[ring]) for ring in beside], set()
+    while piece:
+        if (here := piece.pop()) in number:
+            return number[here]
+        if here not in seen:
+            seen.add(here)
+            piece += found.below[found.above == here].tolist()
+    return -1
 
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is no nearer to the
+    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is hardly nearer to the
     surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is smaller, and one
     of a blunt limb that leaves it for the body is larger."""
     found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
     is_better = found.is_around & (found.size >= WHOLE * size) & (found.size <= size / WHOLE)
-    is_better &= shape.clearance(found.centroid) >= shape.clearance(places)
+    is_better &= shape.clearance(found.centroid) >= WHOLE * shape.clearance(places)
     return np.where(is_better[:, None], found.centroid, places)
 
 
-def _around(shape: Enclosure, middles: np.ndarray, size: np.ndarray, width: float) -> np.ndarray:
-    """(k,) which rings, with those ``middles`` (k, 3) and that ``size`` (k,), go around the limb, though they are bent:
-    their middles are as far from the surface, for their size, as those of the rings behind them. Others are False."""
-    is_near = np.linalg.norm(middles - middles[0], axis=1) <= 2 * BEHIND * width
-    near = middles[: 1 + int(is_near.nonzero()[0][-1])]
-    ratio = np.minimum(shape.clearance(near) / np.maximum(size[: len(near)], 1e-300), 1.0)
-    is_behind = np.linalg.norm(near - near[:, None], axis=2) <= BEHIND * width
-    most = np.where(np.triu(is_behind, 1), ratio, 0.0).max(axis=1)
-    return np.pad((ratio > 0) & (ratio >= RING_DEPTH * most), (0, len(middles) - len(near)))
-
-
 def _to_end(
-    shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int, step: float, is_bent: bool
+    shape: Enclosure, middles: np.ndarray, ways: np.ndarray, size: np.ndarray, whole: int, step: float
 ) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings of that ``size`` (k,), ``step`` apart, that ends `GAP` before
-    the surface.
+    """The curve (m, 3) over ``middles`` (k, 3) of rings with normals ``ways`` (k, 3) and ``size`` (k,), ``step`` apart,
+    that ends `GAP` before the surface.
 
-    From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself. Rings that are
-    bent give way to sections."""
-    first, ball = min(whole, len(middles) - 1), shape.clearance(middles)
-    is_around = ball > LEAST * np.append(ball[1:], 0.0)  # a hole in the end has rings outside
-    if is_bent:
-        is_around = _around(shape, middles, size, step / RING_SPACING)
-    first += int(is_around[first:].argmax())
-    first = min(first, max(len(middles) - 2, 0))
-    # Half a step on at least: two rings of the underside of a bolt's head have one middle.
-    is_on = np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2
-    base = min(first + 1 + int(is_on.argmax()), len(middles) - 1) if len(is_on) else first
-    heading = unit(middles[first] - middles[base])
-    if not heading.any():
-        return middles[base:]
-    if is_bent:
-        middles, both = middles.copy(), [first, base]
-        is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= step / RING_SPACING
-        heading = unit(middles[first] - middles[base + int(is_far.argmax())])
-        for _ in range(LINE_ROUNDS):
-            middles[both] = _centred(shape, middles[both], heading, size[both])
-            heading = unit(middles[first] - middles[base])
-    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.
-    along = (middles[: first + 1] - middles[base]) @ heading
-    line = middles[base] + along[:, None] * heading
-    ball = shape.clearance(line)
-    if not ball.any():  # the middles of a channel are outside
+    It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
+    it, is smaller than the next one, or much nearer to the surface, and one in a hole in the end is not inside."""
+    ball, last = shape.clearance(middles), len(middles) - 1
+    ball = np.where(ball > TOUCHING * size, ball, 0.0)
+    is_around = (ball > HALF * np.append(ball[1:], 0.0)) & (size >= WHOLE * np.append(size[1:], 0.0))
+    is_around[: min(whole, last)] = False
+    if not is_around.any():  # the middles of a channel are outside
         return middles
-    start = float(along[ball > GAP * LEAST * ball.max()].max(initial=along[first]))
-    reach = np.array([(2 * whole + 3) * step])
-    ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
-    # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
-    depth = max(ahead, step / RING_SPACING) * np.linspace(0.0, 1.0, SAMPLES) ** 2
-    ball = shape.clearance(middles[base] + (ahead - depth)[:, None] * heading)
+    first = int(is_around.argmax())
+    # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
+    # hole in the end is alone: there it is ahead across the ring.
+    one, other = np.clip([min(first, last - 1), first + 1], 0, last)
+    heading, middles, pair = -ways[first], middles.copy(), [one, other]
+    is_apart = np.linalg.norm(middles[one] - middles[other]) >= NEAR * step
+    for _ in range(LINE_ROUNDS if is_apart and ball[one] else 0):
+        middles[pair] = _centred(shape, middles[pair], unit(middles[one] - middles[other]), size[pair])
+        heading = unit(middles[one] - middles[other])
+    # From the outermost ring on that has its middle inside: a blind hole may lie across the line behind it.
+    along = (middles[: first + 1] - middles[first]) @ heading
+    ball = shape.clearance(middles[first] + along[:, None] * heading)
+    start = float(along[ball > GAP * LEAST * ball.max()].max(initial=0.0))
+    reach = np.array([(2 * first + 3) * step])
+    ahead = start + float(shape.ray_lengths(middles[[first]] + start * heading, heading[None], reach)[0])
+    # Denser near the end: in a sheet, its ball is small.
+    depth = END_RINGS * step * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    ball = shape.clearance(middles[first] + (ahead - depth)[:, None] * heading)
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
-    end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading
-    return np.concatenate([end[None], middles[base:]])
+    along = ahead - depth[(ball >= GAP * radius).argmax()]
+    is_behind = (middles[first:] - middles[first]) @ heading < along
+    return np.concatenate([[middles[first] + along * heading], middles[first:][is_behind]])

@@ -9,21 +9,26 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.solid.geometry import repeated
+from msf_jax.solid.geometry import cross, repeated, unit
 from msf_jax.topology import graphs
 
 MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
 
 
+Measures = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+
+
 class Levels(NamedTuple):
     """Rings between pieces of the surface.
 
-    centre: (R, 3) centroid of the area inside a ring. perimeter: (R,) of a ring. size: (R,) twice its
-    area over its perimeter, the radius of a disc. below, above: (R,) the pieces that
-    meet there. piece: (V,) the piece of each vertex. num_pieces: of all pieces, also those without a vertex.
+    centre: (R, 3) centroid of the area inside a ring. way: (R, 3) its unit normal, to where the function grows if the
+    ring goes around the solid. perimeter: (R,) of a ring. size: (R,) twice its area over its perimeter, the radius of a
+    disc. below, above: (R,) the pieces that meet there. piece: (V,) the piece of each vertex. num_pieces: of all
+    pieces, also those without a vertex.
     """
 
     centre: np.ndarray
+    way: np.ndarray
     perimeter: np.ndarray
     size: np.ndarray
     below: np.ndarray
@@ -61,7 +66,10 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
         face, up = repeated(np.maximum(top - bottom + 1, 0))
         joined.append(np.stack([stretch[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
         face, up = repeated(np.maximum(top - bottom, 0))
-        beside.append(np.stack([first[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
+        pair = np.stack([first[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)])
+        # All rings have their upper side on the left, seen from outside.
+        is_top = height[faces[face, (k + 1) % 3]] > height[faces[face, k]]
+        beside.append(np.where(is_top, pair[::-1], pair))
     piece = graphs.labels(len(vertices) + int((count + 1).sum()), *np.concatenate(joined, axis=1))
     num_pieces = int(piece.max(initial=-1)) + 1
     pairs = np.concatenate(beside, axis=1)
@@ -69,28 +77,33 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     num = int(ring.max(initial=-1)) + 1
     below, above = np.zeros((2, num), dtype=np.int64)
     below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
-    centre, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
-    return Levels(centre, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
+    centre, way, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
+    return Levels(centre, way, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
 
 
-def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The centroid (num, 3) of each ring's area, its perimeter (num,), and twice the area over it (num,).
+def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> Measures:
+    """The centroid (num, 3) of each ring's area, its unit normal (num, 3), its perimeter (num,), and twice the area
+    over it (num,).
 
-    ``a`` and ``b`` (S, 3) are the ends of the segments, which belong to each ``ring`` (S,).
+    ``a`` and ``b`` (S, 3) are the ends of the segments, which belong to each ``ring`` (S,) and lead around it.
     """
+
+    def summed(vector: np.ndarray) -> np.ndarray:
+        return np.stack([np.bincount(ring, weights=axis, minlength=num) for axis in vector.T], axis=1)
 
     def mean(points: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         total = np.bincount(ring, weights=weight, minlength=num)
-        sums = [np.bincount(ring, weights=weight * axis, minlength=num) for axis in points.T]
-        return np.stack(sums, axis=1) / np.maximum(total, 1e-300)[:, None], total
+        return summed(weight[:, None] * points) / np.maximum(total, 1e-300)[:, None], total
 
     middle, perimeter = mean((a + b) / 2, np.linalg.norm(b - a, axis=1))
     from_there = middle[ring]
-    area = np.linalg.norm(np.cross(a - from_there, b - from_there), axis=1)
+    vector = cross(a - from_there, b - from_there)
+    area = np.linalg.norm(vector, axis=1)
     centre, total = mean((a + b + from_there) / 3, area)
     is_flat = total <= 1e-9 * perimeter**2
     # A ring without a length is a point: all of its segments start and end there.
     point = np.zeros((num, 3))
     point[ring] = a
     centre = np.where(is_flat[:, None], middle, centre)
-    return np.where(perimeter[:, None] > 0, centre, point), perimeter, total / np.maximum(perimeter, 1e-300)
+    centre = np.where(perimeter[:, None] > 0, centre, point)
+    return centre, unit(summed(vector)), perimeter, total / np.maximum(perimeter, 1e-300)

@@ -284,7 +284,7 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
 @pytest.mark.parametrize(("length", "sections", "rows"), [(60, 16, 6), (60, 8, 6), (200, 12, 8)])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed):
-    """`RING_DEPTH`, `BEHIND`, `LINE_ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some
+    """`LINE_ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some
     that are near its end lie on its side."""
     half = length / 2
     rings = [(1, z) for z in np.linspace(-half, half, rows)]
@@ -297,13 +297,15 @@ def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed)
 
 
 def test_no_ball_fills_the_point_of_a_cone():
-    """`WIDEST`, `LEAST`: its balls are half as large as they are far from it. It ends where the ball is 0.3 * 0.25 of
-    the one a ring farther from the point at 0."""
+    """`WIDEST`, `LEAST`, `END_RINGS`: its balls are half as large as they are far from it. It ends where the ball is
+    0.3 * 0.25 of the one three rings from the point at 0."""
     radius = 4 * np.tan(np.pi / 6)
     shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
-    found = ends._to_end(shape, middles, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3, False)
-    assert found[1].tolist() == [0, 0, -1.2] and -found[0, 2] == pytest.approx(0.075 * 1.2, rel=0.25)
+    down = np.tile([0.0, 0.0, -1.0], (len(middles), 1))
+    found = ends._to_end(shape, middles, down, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3)
+    assert np.abs(found[:, :2]).max() < 1e-9 and (np.diff(found[:, 2]) < 0).all()
+    assert -found[0, 2] == pytest.approx(0.075 * 0.9, rel=0.25)
 
 
 def test_the_end_of_a_channel_is_not_beyond_it():
@@ -330,6 +332,54 @@ def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
     along = sections.cut(shape, np.array([place]), np.array([[1.0, 0, 0]]), np.array([0.2]))
     assert along.is_around[0] and along.centroid[0, 2] < 0.5 and along.size[0] > 3 * ring.size[0]
     np.testing.assert_array_equal(ends._centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
+
+
+@settings(max_examples=6, deadline=None)
+@given(st.floats(0.4, 0.9), st.floats(1.8, 2.8), st.floats(0.3, 0.8), st.integers(0, 1000))
+def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
+    """The rings of the underside of its head have one middle, and no line leads through them."""
+    shape = as_shape(Solid.cylinder(6, radius).translate((0, 0, -6)) + Solid.cylinder(height, head), 0.4)
+    turn = Rotation.random(random_state=seed)
+    found = turn.inv().apply(ends_of(Enclosure(turn.apply(shape.vertices), shape.faces)))
+    found = found[found[:, 2].argsort()]
+    assert len(found) == 2 and np.abs(found[:, :2]).max() < 0.1 * radius
+    assert -6 < found[0, 2] < -6 + 0.5 * radius and 0 < found[1, 2] < height
+
+
+@settings(max_examples=6, deadline=None)
+@given(st.floats(1.5, 3.0), st.floats(0.6, 0.9), st.integers(0, 1000))
+def test_a_bar_with_a_blind_hole_in_its_end_ends_at_the_floor_of_the_hole(depth, radius, seed):
+    """Its rings begin at the floor, run out in the hole, and come back around the bar, with middles in the hole."""
+    hole = Solid.cylinder(2 * depth, radius, radius, 24, True).rotate((0, 90, 0)).translate((4.5, 0, 0))
+    shape = as_shape(box(9, 3, 3) - hole, 0.4)
+    turn = Rotation.random(random_state=seed)
+    found = turn.inv().apply(ends_of(Enclosure(turn.apply(shape.vertices), shape.faces)))
+    found = found[found[:, 0].argsort()]
+    assert len(found) == 2 and np.abs(found[:, 1:]).max() < 0.05
+    assert found[0, 0] == pytest.approx(-4.5 + 0.3 * 1.5, abs=0.1)
+    assert 4.5 - depth - 1.5 < found[1, 0] < 4.5 - depth
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.floats(25, 40), st.floats(5.5, 6.5), st.integers(0, 1000))
+def test_crossed_rods_end_on_their_axes(angle, length, seed):
+    """`WHOLE`: the first rings can be in the rim of an end, where its triangles are as long as the rods."""
+    rod = Solid.cylinder(2 * length, 0.7, 0.7, 32, True).rotate((90, 0, 0))
+    shape = as_shape(rod.rotate((0, 0, 90 - angle)) + rod.rotate((0, 0, angle - 90)) + Solid.sphere(0.75, 32))
+    turn = Rotation.random(random_state=seed)
+    found = turn.inv().apply(ends_of(Enclosure(turn.apply(shape.vertices), shape.faces)))
+    ways = [(i * np.cos(np.radians(angle)), j * np.sin(np.radians(angle)), 0) for i in (-1, 1) for j in (-1, 1)]
+    away = np.linalg.norm(found[:, None] - (length - 0.21) * np.array(ways), axis=2)
+    assert len(found) == 4 and away.min(axis=0).max() < 0.1 and away.min(axis=1).max() < 0.1
+
+
+def test_a_limb_ends_in_front_of_a_hole_through_it():
+    """Beside the hole its rings are in either wall."""
+    bore = Solid.cylinder(4, 0.95, 0.95, 24, True).translate((2, 0, 0))
+    shape = as_shape(box(12, 3, 3) - bore, 0.3)
+    places = axis_of(shape, shape.vertices[:, 0] > -0.5).places
+    assert np.abs(places[:, 1:]).max() < 0.05
+    assert places[0, 0] == pytest.approx(6 - 0.3 * 1.5, abs=0.05) and places[-1, 0] > 2 + 0.95
 
 
 def test_triangles_of_a_lid_in_a_line_have_exit_times():
