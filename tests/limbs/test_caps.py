@@ -231,6 +231,36 @@ def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
         assert [cap for cap in limbs(shape, least) if shape.vertices[cap.tip, 2] > 1.9], least
 
 
+@pytest.mark.parametrize("is_turned", [False, True])
+@pytest.mark.parametrize(("length", "width"), [(3.6, 1.4), (4.8, 2.0)])
+def test_both_ends_of_the_head_of_a_hammer_are_limbs(length, width, is_turned):
+    """`meeting`: discs around them pass the middle before they are slender enough. Each limb has its half."""
+    rod = manifold3d.Manifold.cylinder(8.0, 0.5, 0.5, 32).translate((0, 0, -8))
+    shape = solid(rod + manifold3d.Manifold.cube((length, width, width), True), 0.3)
+    x = shape.vertices
+    turn = Rotation.random(random_state=5) if is_turned else Rotation.identity()
+    found = limbs(Enclosure(turn.apply(x), shape.faces), 1.0)
+    tips = x[[cap.tip for cap in found]]
+    np.testing.assert_allclose(np.sort(tips[:, 0]), [-length / 2, tips[tips[:, 2].argmin(), 0], length / 2], atol=0.05)
+    assert abs(tips[:, 2].min() + 8) < 0.05
+    one, other = (cap for cap in found if x[cap.tip, 2] > -7)
+    assert not np.isin(one.region, other.region).any()
+    for cap in (one, other):
+        assert (x[cap.region, 0] * np.sign(x[cap.tip, 0])).min() > -0.5
+
+
+def test_discs_at_both_ends_of_a_rod_grow_until_they_meet():
+    """`meeting.grown`: a half of a rod of radius 0.5 sticks out by 3, and its slenderness is 6."""
+    shape = solid(manifold3d.Manifold.cylinder(6.0, 0.5, 0.5, 48, True), 0.15)
+    x, found = shape.vertices, Caps(shape)
+    tips = [nearest(shape, (0, 0, z)) for z in (-3, 3)]
+    for cap in found._meeting([(tip, 2.0) for tip in tips]):
+        side = np.sign(x[cap.tip, 2])
+        assert cap.slenderness == pytest.approx(6, rel=0.05)
+        assert cap.area == pytest.approx(2 * np.pi * 0.5 * 3 + np.pi * 0.25, rel=0.05)
+        assert (side * x[cap.region, 2]).min() > -0.2
+
+
 @pytest.mark.parametrize("name", ["tee", "plus"])
 def test_few_triangles_do_not_hide_limbs(name):
     """`SPLIT_BELOW`: solids of bars with 16 to 32 vertices."""
