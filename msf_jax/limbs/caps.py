@@ -329,12 +329,11 @@ class Caps:
         self._left[self._component[discs[0][0]]] -= len(discs)
         return meeting.grown(part, tips.astype(np.int64), away, radii, RATIO)
 
-    def _part(self, number: int) -> meeting.Part:
+    def _part(self, number: int) -> meeting.Patch:
         """A component of the surface."""
         of_face, member = self._component[self.surface.faces[:, 0]] == number, np.flatnonzero(self._component == number)
         faces = np.searchsorted(member, self.surface.faces[of_face])
-        share = np.bincount(faces.ravel(), np.repeat(self.area[of_face] / 3, 3), len(member))
-        return meeting.Part(member, self.surface.points[member], faces, share)
+        return meeting.Patch(member, self.surface.points[member], faces, self.area[of_face])
 
     def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float, None]]:
         """The tips of blunt ends that are not small, and their slenderness up to the limbs that ``owner`` (V,) numbers.

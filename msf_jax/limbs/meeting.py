@@ -25,16 +25,16 @@ class Cap(NamedTuple):
     region: np.ndarray
 
 
-class Part(NamedTuple):
-    """A component of a surface. member: (v,) its vertices. points: (v, 3). faces: (f, 3). share: (v,) their areas."""
+class Patch(NamedTuple):
+    """A component of a surface. member: (v,) its vertices. points: (v, 3). faces: (f, 3). area: (f,)."""
 
     member: np.ndarray
     points: np.ndarray
     faces: np.ndarray
-    share: np.ndarray
+    area: np.ndarray
 
 
-def grown(part: Part, tips: np.ndarray, away: np.ndarray, radius: np.ndarray, ratio: float) -> list[Cap]:
+def grown(part: Patch, tips: np.ndarray, away: np.ndarray, radius: np.ndarray, ratio: float) -> list[Cap]:
     """The caps around ``tips`` (t,), with the distances ``away`` (t, v) from them, from the radii ``radius`` (t,) on.
 
     All radii grow by ``ratio`` while the least slender cap gets more slender.
@@ -52,12 +52,20 @@ def grown(part: Part, tips: np.ndarray, away: np.ndarray, radius: np.ndarray, ra
         found, radius = caps, ratio * radius
 
 
-def inside(part: Part, tip: int, value: np.ndarray) -> Cap:
+def inside(part: Patch, tip: int, value: np.ndarray) -> Cap:
     """The cap around ``tip`` where ``value`` (v,) is positive: all but the largest piece where it is not."""
     tail, head = part.faces.ravel(), np.roll(part.faces, -1, axis=1).ravel()
     is_out = (value[tail] <= 0) & (value[head] <= 0)
     piece = graphs.labels(len(value), tail[is_out], head[is_out])
-    is_beyond = piece == np.bincount(piece, np.where(value <= 0, part.share, 0.0)).argmax()
-    area = float(part.share[~is_beyond].sum())
-    perimeter = ends.zero_line(part.points, part.faces[is_beyond[part.faces].any(axis=1)], value)
+    share = np.bincount(part.faces.ravel(), np.repeat(part.area, 3), len(value))
+    is_beyond = piece == np.bincount(piece, np.where(value <= 0, share, 0.0)).argmax()
+    # Of a face with one corner on one side, that side has the part s t, if it has the parts s and t of the edges there.
+    is_in = ~is_beyond[part.faces]
+    count, corner = is_in.sum(axis=1), value[part.faces]
+    odd = (is_in == (count == 1)[:, None]).argmax(axis=1)
+    p, a, b = (np.take_along_axis(corner, (odd[:, None] + k) % 3, axis=1)[:, 0] for k in range(3))
+    is_cut = (count == 1) | (count == 2)
+    cut = p**2 / np.where(is_cut, (p - a) * (p - b), 1.0)
+    area = float(part.area @ np.where(is_cut, np.where(count == 1, cut, 1 - cut), count == 3))
+    perimeter = ends.zero_line(part.points, part.faces[is_cut], value)
     return Cap(tip, 2 * np.pi * area / perimeter**2 - 0.5, area, part.member[~is_beyond])
