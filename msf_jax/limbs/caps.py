@@ -40,6 +40,7 @@ ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around 
 RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
 LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
 LARGEST_CAP = 0.25  # of the surface: caps of limbs that only stand out
+OBLIQUE = 3.5  # slenderness from which on a base can be oblique: at the end, rings are so by exp(-4) of that
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
 # Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
 # plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
@@ -230,7 +231,8 @@ class Caps:
         owner[:] = 0
         for number, cap in sorted(enumerate(caps, 1), key=lambda each: -each[1].area):  # the smaller one last
             owner[cap.region] = number
-        return ends.exit_times(self.surface.points, self.surface.faces, owner)
+        blunt = [number for number, cap in enumerate(caps, 1) if cap.slenderness < OBLIQUE]
+        return ends.times_across(self.surface.points, self.surface.faces, owner, blunt)
 
     def _raised(self, caps: list[Cap], owner: np.ndarray, time: np.ndarray, least: float) -> list[Raised]:
         """Limbs around tips where the surface stands out (see `protrusion`), besides the limbs ``caps``, and beyond
