@@ -9,7 +9,8 @@ cuts off a *cap* of area A: the disc, and the smaller parts that its other bound
 and half of that if A is less than `SMALL_CAP` of the surface. It is 0 for a flat disc, 1 / 2 for half a ball, and
 h / radius for a cylinder that sticks out by h from a larger body. Unlike a measure along a curve, it does not depend on
 where the curve runs, and little on the size of the triangles. The smallest cap around a tip that is slender enough is a
-*limb*, unless it overlaps a smaller one. A very small limb must be twice as slender: it has too few triangles in most
+*limb*, unless it overlaps a smaller one and one has the other's tip: else the two share what they both have, and
+grow on together (see `meeting`). A very small limb must be twice as slender: it has too few triangles in most
 meshes, and its slenderness changes by a fifth with them.
 
 A tip is a vertex whose average geodesic distance from the surface is larger than that of its neighbours (Hilaga,
@@ -22,7 +23,8 @@ from typing import NamedTuple
 import numpy as np
 import trimesh
 
-from msf_jax.limbs import ends, fronts, protrusion
+from msf_jax.limbs import ends, fronts, meeting, protrusion
+from msf_jax.limbs.meeting import Cap
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, largest_of_each
 from msf_jax.topology import graphs
@@ -38,6 +40,7 @@ ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around 
 RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
 LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
 LARGEST_CAP = 0.25  # of the surface: caps of limbs that only stand out
+OBLIQUE = 3.5  # slenderness from which on a base can be oblique: at the end, rings are so by exp(-4) of that
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
 # Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
 # plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
@@ -47,15 +50,6 @@ MOST_DISCS = 200  # radii: more than from the first one to the whole of a surfac
 SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
 MOST_AREA = 100.0  # surfaces of a component: area of all its discs together; then no further tip of it is tried
-
-
-class Cap(NamedTuple):
-    """tip: a vertex. slenderness, area: of the cap. region: (r,) the cap's vertices."""
-
-    tip: int
-    slenderness: float
-    area: float
-    region: np.ndarray
 
 
 class Raised(NamedTuple):
@@ -202,17 +196,19 @@ class Caps:
         most = np.full(len(self.surface.points), np.inf)
         owner = np.zeros(len(most), dtype=np.int64)
         # Of each limb, its tip and the slenderness of its cap: below half of the surface, the largest one.
-        limbs = [(tip, np.inf) for tip in self._slender(tips, owner, most, least, 0.5)]
+        found = self._slender(tips, owner, most, least, 0.5)
+        limbs = [(tip, np.inf, cap) for tip, cap in found]
         if limbs:
-            limbs += [(tip, least) for tip in self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)]
+            found = self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)
+            limbs += [(tip, least, cap) for tip, cap in found]
             limbs += self._blunt(tips[owner[tips] == 0], owner, least)
         blunt = max(BLUNT * least, ROUND_END)
         is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
         rest = tips[is_whole[self._component[tips]]]
-        limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, blunt, 0.5)]
+        limbs += [(tip, np.inf, cap) for tip, cap in self._slender(rest, owner, most, blunt, 0.5)]
         caps = [
-            self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
-            for number, (tip, enough) in enumerate(limbs, 1)
+            cap or self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
+            for number, (tip, enough, cap) in enumerate(limbs, 1)
         ]
         count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
         for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
@@ -235,7 +231,8 @@ class Caps:
         owner[:] = 0
         for number, cap in sorted(enumerate(caps, 1), key=lambda each: -each[1].area):  # the smaller one last
             owner[cap.region] = number
-        return ends.exit_times(self.surface.points, self.surface.faces, owner)
+        blunt = [number for number, cap in enumerate(caps, 1) if cap.slenderness < OBLIQUE]
+        return ends.times_across(self.surface.points, self.surface.faces, owner, blunt)
 
     def _raised(self, caps: list[Cap], owner: np.ndarray, time: np.ndarray, least: float) -> list[Raised]:
         """Limbs around tips where the surface stands out (see `protrusion`), besides the limbs ``caps``, and beyond
@@ -282,25 +279,20 @@ class Caps:
 
     def _halves(self, number: int) -> tuple[list[Cap], bool]:
         """The halves of a component, as caps, and whether it is long in one direction (see `ends.halves`)."""
-        of_face = self._component[self.surface.faces[:, 0]] == number
-        member = np.flatnonzero(self._component == number)
-        x, faces = self.surface.points[member], np.searchsorted(member, self.surface.faces[of_face])
-        value, is_long = ends.halves(x, faces)
-        perimeter = ends.zero_line(x, faces, value)
-        share = np.bincount(faces.ravel(), np.repeat(self.area[of_face] / 3, 3), len(x))
-        found = []
-        for side in (value, -value):
-            area = float(share[side > 0].sum())
-            slenderness = 2 * np.pi * area / perimeter**2 - 0.5
-            found.append(Cap(int(member[side.argmax()]), slenderness, area, member[side > 0]))
-        return found, is_long
+        part = self._part(number)
+        value, is_long = ends.halves(part.points, part.faces)
+        return [meeting.inside(part, int(part.member[side.argmax()]), side) for side in (value, -value)], is_long
 
     def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.LimbAxis:
         """The curve of one of the limbs in the solid ``shape``."""
         return ends.axis(shape, self.surface.points, self.surface.faces, limbs.time, limbs.caps[number].region)
 
-    def _slender(self, tips: np.ndarray, owner: np.ndarray, most: np.ndarray, least: float, share: float) -> list[int]:
+    def _slender(
+        self, tips: np.ndarray, owner: np.ndarray, most: np.ndarray, least: float, share: float
+    ) -> list[tuple[int, Cap | None]]:
         """The tips of limbs with caps of at most that ``share`` of the surface, up to the limbs in ``owner`` (V,).
+
+        Caps that overlap, but not each other's tips, grow together: these tips come with their caps.
 
         Numbers their vertices in ``owner``, and sets ``most`` (V,) to the largest slenderness around the tips.
         """
@@ -312,15 +304,42 @@ class Caps:
             best, rows, region = self._slenderest(tip, others, least, share)
             most[tip] = rows[:, 0].max(initial=0.0)
             if most[tip] >= least and _own(rows) >= ROUND_END:
-                found.append((rows[-1, 2], best, region))
-        limbs = []
-        for _, tip, region in sorted(found, key=lambda each: each[:2]):
-            if not owner[region].any():
-                limbs.append(tip)
-                owner[region] = owner.max() + 1
-        return limbs
+                found.append((rows[-1, 2], best, rows[-1, 1], region))
+        disc: dict[int, tuple[int, float]] = {}  # of each limb, by its number: tip and radius
+        group: dict[int, dict[int, Cap]] = {}  # of each limb that shares: its own cap, and of those that it meets
+        for _, tip, radius, region in sorted(found, key=lambda each: each[:2]):
+            number, met = int(owner.max()) + 1, set(owner[region].tolist()) - {0}
+            if met:
+                is_apart = owner[tip] == 0 and not np.isin([disc[each][0] for each in met], region).any()
+                if not is_apart or self._left[self._component[tip]] < 0:
+                    continue
+                members = sorted(met.union(*(group.get(each, {}) for each in met)))
+                caps = self._meeting([(tip, radius)] + [disc[each] for each in members])
+                if min(cap.slenderness for cap in caps) < least:
+                    continue
+                own = dict(zip([number, *members], caps, strict=True))
+                group |= dict.fromkeys(own, own)
+                for each, cap in own.items():
+                    owner[cap.region[np.isin(owner[cap.region], [0, *own])]] = each
+            else:
+                owner[region] = number
+            disc[number] = tip, radius
+        return [(tip, group[number][number] if number in group else None) for number, (tip, _) in disc.items()]
 
-    def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float]]:
+    def _meeting(self, discs: list[tuple[int, float]]) -> list[Cap]:
+        """The caps of ``discs``, tips and radii, that grow together (see `meeting`)."""
+        part, (tips, radii) = self._part(int(self._component[discs[0][0]])), np.array(discs).T
+        away = np.stack([self._distances(np.array([tip]))[part.member] for tip, _ in discs])
+        self._left[self._component[discs[0][0]]] -= len(discs)
+        return meeting.grown(part, tips.astype(np.int64), away, radii, RATIO)
+
+    def _part(self, number: int) -> meeting.Patch:
+        """A component of the surface."""
+        of_face, member = self._component[self.surface.faces[:, 0]] == number, np.flatnonzero(self._component == number)
+        faces = np.searchsorted(member, self.surface.faces[of_face])
+        return meeting.Patch(member, self.surface.points[member], faces, self.area[of_face])
+
+    def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float, None]]:
         """The tips of blunt ends that are not small, and their slenderness up to the limbs that ``owner`` (V,) numbers.
         It numbers theirs.
 
@@ -338,7 +357,7 @@ class Caps:
         for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
             rows, region = self.grown(tip, (owner > 0).astype(np.int64), own)
             if len(rows) and rows[-1, 0] >= own:
-                limbs.append((tip, own))
+                limbs.append((tip, own, None))
                 owner[region] = owner.max() + 1
         return limbs
 

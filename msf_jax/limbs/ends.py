@@ -41,6 +41,8 @@ WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance 
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
 SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
 SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
+# Of a limb's length from its end: rings that show its direction. They go around it, and are not yet at its base.
+LOW_RINGS = 0.55, 0.9
 EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, a square plate; 0.25 in a plate of 2 : 1
 MOST_LINES = 200  # that are tried of a solid without a direction
 
@@ -87,6 +89,41 @@ def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np
     return found
 
 
+def times_across(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray, blunt: list[int]) -> np.ndarray:
+    """(V,) as `exit_times`, but for the parts ``blunt`` of ``owner`` (V,) from a base that is plane, and 0 beyond it.
+
+    A disc around a corner of the end has an oblique front. If that is the base, the time is largest in this corner.
+    """
+    time, before = exit_times(vertices, faces, owner), np.zeros_like(owner)
+    for number in blunt:
+        region = np.flatnonzero(owner == number)
+        if len(region):
+            before[_before_base(vertices, faces, time, region)] = number
+    return np.where(np.isin(owner, blunt), exit_times(vertices, faces, before), time)
+
+
+def _before_base(vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> np.ndarray:
+    """The vertices (k,) of the limb ``region`` (r,) before a plane across it that touches its base.
+
+    Two rings far from the end show the limb's direction: though they are oblique, their middles are in its middle. All
+    of the limb stays if that plane is nearer to the end than to the middle of the base.
+    """
+    near, own, away = _around_end(vertices, faces, time, region)
+    low, high = np.array(LOW_RINGS) * away.max()
+    found = levels(vertices[near], own, away + -low % (high - low), high - low)
+    piece, rings = int(found.piece[away.argmin()]), []
+    while len(above := np.flatnonzero(found.below == piece)):
+        rings.append(int(above[found.perimeter[above].argmax()]))
+        piece = int(found.above[rings[-1]])
+    if len(rings) < 2:
+        return region
+    along = vertices[near] @ (found.centre[rings[-2]] - found.centre[rings[-1]])
+    is_in = np.isin(near, region)
+    base = along[~is_in]
+    is_short = base.max() - base.mean() > along.max() - base.max()
+    return region if is_short else near[is_in & (along > base.max())]
+
+
 def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:
     """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line. And
     whether there is one only: then the solid has a direction in which it is long."""
@@ -116,23 +153,30 @@ def zero_line(vertices: np.ndarray, faces: np.ndarray, value: np.ndarray) -> flo
     return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
 
 
+def _around_end(
+    vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The vertices (v,) of the limb ``region`` (r,) and its base, its faces (f, 3) of them, and d of each (v,)."""
+    is_in = np.zeros(len(vertices), dtype=bool)
+    is_in[region[time[region] > 0]] = True
+    near, local = np.unique(faces[is_in[faces].any(axis=1)], return_inverse=True)
+    u = np.where(is_in[near], time[near], 0.0)
+    return near, local.reshape(-1, 3), np.sqrt(2 * np.maximum(u.max() - u, 0.0))
+
+
 def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> LimbAxis:
     """The curve of the limb ``region`` (r,), vertices of a surface ``(vertices (V, 3), faces (F, 3))`` of the solid
     ``shape``. ``time`` (V,) is the mean exit time."""
-    is_in = np.zeros(len(vertices), dtype=bool)
-    is_in[region] = True
-    own = faces[is_in[faces].any(axis=1)]
-    near, local = np.unique(own, return_inverse=True)
-    u = np.where(is_in[near], time[near], 0.0)
-    away = np.sqrt(2 * np.maximum(u.max() - u, 0.0))
+    near, local, away = _around_end(vertices, faces, time, region)
+    own, end = near[local], int(away.argmin())
     # The radius of a tube of that area and length; a limb that is shorter than three rings has narrower ones.
     longest = max(float(away.max()), 1e-300)
     width = float(triangle_areas(vertices[own]).sum()) / (2 * np.pi * longest)
     step = min(RING_SPACING * width, longest / 3)
-    found = levels(vertices[near], local.reshape(-1, 3), away + step / 2, step)
+    found = levels(vertices[near], local, away + step / 2, step)
     # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
     # as the flanges of a beam, are left out.
-    piece, rings, whole = int(found.piece[u.argmax()]), [], NEAR_END
+    piece, rings, whole = int(found.piece[end]), [], NEAR_END
     while len(above := np.flatnonzero(found.below == piece)):
         rings.append(int(above[found.perimeter[above].argmax()]))
         piece = int(found.above[rings[-1]])

@@ -231,6 +231,42 @@ def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
         assert [cap for cap in limbs(shape, least) if shape.vertices[cap.tip, 2] > 1.9], least
 
 
+@pytest.mark.parametrize("is_turned", [False, True])
+@pytest.mark.parametrize(("length", "width"), [(3.6, 1.4), (4.8, 2.0)])
+def test_both_ends_of_the_head_of_a_hammer_are_limbs(length, width, is_turned):
+    """`meeting`: discs around them pass the middle before they are slender enough. Each limb has its half."""
+    rod = manifold3d.Manifold.cylinder(8.0, 0.5, 0.5, 32).translate((0, 0, -8))
+    shape = solid(rod + manifold3d.Manifold.cube((length, width, width), True), 0.3)
+    x = shape.vertices
+    turn = Rotation.random(random_state=5) if is_turned else Rotation.identity()
+    found = limbs(Enclosure(turn.apply(x), shape.faces), 1.0)
+    tips = x[[cap.tip for cap in found]]
+    np.testing.assert_allclose(np.sort(tips[:, 0]), [-length / 2, tips[tips[:, 2].argmin(), 0], length / 2], atol=0.05)
+    assert abs(tips[:, 2].min() + 8) < 0.05
+    one, other = (cap for cap in found if x[cap.tip, 2] > -7)
+    assert not np.isin(one.region, other.region).any()
+    for cap in (one, other):
+        assert (x[cap.region, 0] * np.sign(x[cap.tip, 0])).min() > -0.5
+
+
+@pytest.mark.parametrize("edge", [0.25, 0.6])
+def test_the_back_of_a_chair_ends_in_its_middle(edge):
+    """`ends.times_across`: the disc that finds it is around an upper corner, and the base is oblique."""
+    seat = manifold3d.Manifold.cube((4, 4, 0.6), True).translate((0, 0, 0.3))
+    back = manifold3d.Manifold.cube((0.6, 4, 4.6), True).translate((-1.7, 0, 2.3))
+    legs = [
+        manifold3d.Manifold.cube((0.6, 0.6, 4), True).translate((u, v, -2)) for u in (-1.7, 1.7) for v in (-1.7, 1.7)
+    ]
+    shape = solid(manifold3d.Manifold.batch_boolean([seat, back, *legs], manifold3d.OpType.Add), edge)
+    caps = Caps(shape)
+    found = caps.limbs(1.0)
+    (number,) = (n for n, cap in enumerate(found.caps) if caps.shape.vertices[cap.tip, 2] > 4)
+    assert len(found.caps) == 5 and abs(caps.shape.vertices[found.caps[number].tip, 1]) > 1.5
+    places = caps.axis(shape, found, number).places
+    np.testing.assert_allclose(places[0, :2], (-1.7, 0), atol=0.1)
+    assert 4.3 < places[0, 2] < 4.6 and np.abs(places[:, 1]).max() < 0.1
+
+
 @pytest.mark.parametrize("name", ["tee", "plus"])
 def test_few_triangles_do_not_hide_limbs(name):
     """`SPLIT_BELOW`: solids of bars with 16 to 32 vertices."""
