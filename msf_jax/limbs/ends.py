@@ -142,7 +142,27 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     corners = vertices[own]
     is_near = np.linalg.norm(corners - vertices[near[u.argmax()]], axis=2).min(axis=1) <= width
     is_bent = bool(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)[is_near].max() > width)
-    return LimbAxis(_to_end(shape, found.centre[rings], found.size[rings], whole, step, is_bent), width)
+    middles = _held_in(shape, found.centre[rings], found.size[rings], whole)
+    return LimbAxis(_to_end(shape, middles, found.size[rings], whole, step, is_bent), width)
+
+
+def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int) -> np.ndarray:
+    """The ``middles`` (k, 3) of rings of that ``size`` (k,), those of an angle or a channel, which are outside, in its
+    material: see `sections.held_in`. Those from ``whole`` on say how the limb runs."""
+    row = np.arange(len(middles))
+    low, high = np.maximum(row - 1, min(whole, len(middles) - 1)), np.minimum(row + 1, len(middles) - 1)
+    heading = unit(middles[high] - middles[low])
+    out = np.flatnonzero(heading.any(axis=1) & (row >= whole))
+    out = out[~shape.contains(middles[out])]
+    if not len(out):
+        return middles
+    corners = sections.corners(shape, middles[out], heading[out], size[out])
+    plain = sections.measured(shape, middles[out], heading[out], corners)
+    found = sections.held_in(shape, heading[out], corners, plain)
+    is_own = found.is_found & (np.linalg.norm(plain.centroid - middles[out], axis=1) < plain.size)
+    middles = middles.copy()
+    middles[out[is_own]] = found.centroid[is_own]
+    return middles
 
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:

@@ -2,6 +2,13 @@
 
 A plane cuts a closed surface in closed walks. A curve should pass through the middle of the loop around it. The loop is
 followed from triangle to triangle (see `loops`), so the cost depends on the loop's length and not on the surface.
+
+The middle of a loop is the centroid of its area, unless that is outside the loop, as in an angle, a channel or half a
+pipe. There it is the middle of the shortest chord that halves the area (see `held_in`):
+
+    min |q - p|  with  A(p, q) = A / 2
+
+over points p and q of the loop, where A(p, q) is the area between the chord and the loop from p to q.
 """
 
 from typing import NamedTuple
@@ -10,12 +17,13 @@ import numpy as np
 
 from msf_jax.solid import walks
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import cross
+from msf_jax.solid.geometry import arc_length, at, cross, unit
 
 SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
 FIRST_REACH = 1.5  # radii: reach of the first search
 LONGEST_LOOP = 20_000  # triangles after which a loop is given up
 CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
+CHORDS = 64  # from points evenly along a loop, from which the shortest is taken; then as many from around that one's
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
 
@@ -131,3 +139,65 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     centroid = np.where(is_found[:, None], sums[:, :3], 0.0)
     is_around = is_found & (angle > np.pi)
     return Sections(points + centroid, radius, size, is_found, is_around, slide, turn.reshape(-1, 3, 3))
+
+
+def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
+    """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with the middle of the shortest chord that
+    halves the loop's area instead of a centroid outside the loop.
+
+    That is the corner of an angle, the middle of a channel's web and the back of half a pipe. The walls there run along
+    the limb, so its derivatives are 0."""
+    places, loop = corners.places(shape) - found.centroid[corners.loop], corners.loop
+    is_last = np.append(loop[1:] != loop[:-1], True)[: len(loop)]
+    onward = places[np.where(is_last, np.searchsorted(loop, loop), np.arange(len(loop)) + 1)]
+    sine = np.einsum("ci,ci->c", cross(places, onward), normals[loop])
+    angle = np.arctan2(sine, np.einsum("ci,ci->c", places, onward))
+    is_aside = found.is_found & (np.bincount(loop, angle, len(normals)) < np.pi)
+    if not is_aside.any():
+        return found
+    found = Sections(*(field.copy() for field in found))
+    found.slide[is_aside], found.turn[is_aside] = 0.0, 0.0
+    for each in np.flatnonzero(is_aside):
+        normal = normals[each]
+        side = unit(cross(normal, np.eye(3)[np.abs(normal).argmin()]))
+        frame = np.stack([side, cross(normal, side)])
+        found.centroid[each] += _narrowest(places[loop == each] @ frame.T) @ frame
+    return found
+
+
+def _narrowest(corners: np.ndarray) -> np.ndarray:
+    """(2,) the middle of the shortest chord that halves a loop with ``corners`` (C, 2), counterclockwise; 0 if none is
+    found."""
+    x = np.concatenate([corners, corners[:1]])
+    along = arc_length(x)
+    swept = np.append(0.0, np.cumsum(_cross(x[:-1], x[1:])))  # twice the area between the loop and its start
+    stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, np.zeros(2)
+    for _ in range(2):
+        stops = stops % along[-1]
+        p, begun = at(x, along, stops)[:, None], np.interp(stops, along, swept)[:, None]
+        beyond = swept - begun + swept[-1] * (along <= stops[:, None]) + _cross(x, p) - swept[-1] / 2
+        low, high = beyond[:, :-1], beyond[:, 1:]
+        is_own = (along[:-1] <= stops[:, None]) & (stops[:, None] <= along[1:])
+        row, side = np.nonzero(((low > 0) != (high > 0)) & ~is_own)
+        part = (low[row, side] / (low[row, side] - high[row, side]))[:, None]
+        q, p = (1 - part) * x[side] + part * x[side + 1], p[row, 0]
+        length = np.where(_is_around(x, (p + q) / 2), np.linalg.norm(q - p, axis=1), np.inf)
+        if not np.isfinite(length).any():
+            break
+        best = int(length.argmin())
+        middle = (p[best] + q[best]) / 2
+        stops = stops[row[best]] + reach * np.linspace(-1.0, 1.0, CHORDS + 1)
+    return middle
+
+
+def _is_around(x: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(k,) whether the closed polygon ``x`` (C + 1, 2) is around ``points`` (k, 2): a ray crosses it an odd number of
+    times."""
+    a, b, y = x[:-1], x[1:], points[:, 1:]
+    is_crossed = (a[:, 1] > y) != (b[:, 1] > y)
+    turn = _cross(b - a, points[:, None] - a) > 0
+    return (is_crossed & (turn == (b[:, 1] > a[:, 1]))).sum(axis=1) % 2 == 1
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
