@@ -156,6 +156,7 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     if not is_aside.any():
         return found
     found = Sections(*(field.copy() for field in found))
+    found.size[is_aside] = found.radius[is_aside]
     found.slide[is_aside], found.turn[is_aside] = 0.0, 0.0
     for each in np.flatnonzero(is_aside):
         normal = normals[each]
