@@ -147,21 +147,21 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
 
 
 def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int) -> np.ndarray:
-    """The ``middles`` (k, 3) of rings of that ``size`` (k,), those of an angle or a channel, which are outside, in its
-    material: see `sections.held_in`. Those from ``whole`` on say how the limb runs."""
-    row = np.arange(len(middles))
-    low, high = np.maximum(row - 1, min(whole, len(middles) - 1)), np.minimum(row + 1, len(middles) - 1)
-    heading = unit(middles[high] - middles[low])
-    out = np.flatnonzero(heading.any(axis=1) & (row >= whole))
-    out = out[~shape.contains(middles[out])]
-    if not len(out):
+    """The ``middles`` (k, 3) of rings of that ``size`` (k,), from ``whole`` on, in the material of an angle or a channel:
+    see `sections.held_in`. Those that are outside say how the limb runs. That of a bent ring can be in a flange."""
+    row = np.arange(min(whole, len(middles) - 1), len(middles))
+    out = row[~shape.contains(middles[row])]
+    if len(out) < 2:
         return middles
-    corners = sections.corners(shape, middles[out], heading[out], size[out])
-    plain = sections.measured(shape, middles[out], heading[out], corners)
-    found = sections.held_in(shape, heading[out], corners, plain)
-    is_own = found.is_found & (np.linalg.norm(plain.centroid - middles[out], axis=1) < plain.size)
+    near = np.searchsorted(out, row)
+    heading = unit(middles[out[np.minimum(near + 1, len(out) - 1)]] - middles[out[np.clip(near - 1, 0, len(out) - 2)]])
+    row, heading = row[heading.any(axis=1)], heading[heading.any(axis=1)]
+    corners = sections.corners(shape, middles[row], heading, size[row])
+    found = sections.measured(shape, middles[row], heading, corners)
+    held = sections.held_in(shape, heading, corners, found).centroid
+    is_own = np.linalg.norm(found.centroid - middles[row], axis=1) < found.size
     middles = middles.copy()
-    middles[out[is_own]] = found.centroid[is_own]
+    middles[row] = np.where((is_own & (held != found.centroid).any(axis=1))[:, None], held, middles[row])
     return middles
 
 
