@@ -158,11 +158,12 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     found = Sections(*(field.copy() for field in found))
     found.size[is_aside] = found.radius[is_aside]
     found.slide[is_aside], found.turn[is_aside] = 0.0, 0.0
+    begin, end = (np.searchsorted(loop, np.arange(len(normals)), side) for side in ("left", "right"))
     for each in np.flatnonzero(is_aside):
         normal = normals[each]
         side = unit(cross(normal, np.eye(3)[np.abs(normal).argmin()]))
         frame = np.stack([side, cross(normal, side)])
-        found.centroid[each] += _narrowest(places[loop == each] @ frame.T) @ frame
+        found.centroid[each] += _narrowest(places[begin[each] : end[each]] @ frame.T) @ frame
     return found
 
 
@@ -182,22 +183,21 @@ def _narrowest(corners: np.ndarray) -> np.ndarray:
         row, side = np.nonzero(((low > 0) != (high > 0)) & ~is_own)
         part = (low[row, side] / (low[row, side] - high[row, side]))[:, None]
         q, p = (1 - part) * x[side] + part * x[side + 1], p[row, 0]
-        length = np.where(_is_around(x, (p + q) / 2), np.linalg.norm(q - p, axis=1), np.inf)
-        if not np.isfinite(length).any():
+        length, middles = np.linalg.norm(q - p, axis=1), (p + q) / 2
+        best = next((k for k in length.argsort(kind="stable") if _is_around(x, middles[k])), None)
+        if best is None:
             break
-        best = int(length.argmin())
-        middle = (p[best] + q[best]) / 2
+        middle = middles[best]
         stops = stops[row[best]] + reach * np.linspace(-1.0, 1.0, CHORDS + 1)
     return middle
 
 
-def _is_around(x: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(k,) whether the closed polygon ``x`` (C + 1, 2) is around ``points`` (k, 2): a ray crosses it an odd number of
-    times."""
-    a, b, y = x[:-1], x[1:], points[:, 1:]
-    is_crossed = (a[:, 1] > y) != (b[:, 1] > y)
-    turn = _cross(b - a, points[:, None] - a) > 0
-    return (is_crossed & (turn == (b[:, 1] > a[:, 1]))).sum(axis=1) % 2 == 1
+def _is_around(x: np.ndarray, point: np.ndarray) -> bool:
+    """Whether the closed polygon ``x`` (C + 1, 2) is around ``point`` (2,): a ray crosses it an odd number of times."""
+    a, b = x[:-1], x[1:]
+    is_up = b[:, 1] > a[:, 1]
+    is_crossed = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
+    return bool((is_crossed & ((_cross(b - a, point - a) > 0) == is_up)).sum() % 2)
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
