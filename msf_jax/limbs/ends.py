@@ -147,7 +147,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
 
 
 def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int) -> np.ndarray:
-    """The ``middles`` (k, 3) of rings of that ``size`` (k,), from ``whole`` on, in the material of an angle or a channel:
+    """The ``middles`` (k, 3) of rings of that ``size`` (k,), from ``whole`` on, in the material of an angle or channel:
     see `sections.held_in`. Those that are outside say how the limb runs. That of a bent ring can be in a flange."""
     row = np.arange(min(whole, len(middles) - 1), len(middles))
     out = row[~shape.contains(middles[row])]

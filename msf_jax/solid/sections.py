@@ -142,11 +142,11 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
 
 
 def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
-    """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with the middle of the shortest chord that
-    halves the loop's area instead of a centroid outside the loop.
+    """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with middles inside the loops.
 
-    That is the corner of an angle, the middle of a channel's web and the back of half a pipe. The walls there run along
-    the limb, so its derivatives are 0."""
+    A centroid outside its loop gives way to the middle of the shortest chord that halves the area: the corner of an
+    angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there only. They run along
+    the limb, so its derivatives are 0, and such a section counts as a round one: its size is its radius."""
     places, loop = corners.places(shape) - found.centroid[corners.loop], corners.loop
     is_last = np.append(loop[1:] != loop[:-1], True)[: len(loop)]
     onward = places[np.where(is_last, np.searchsorted(loop, loop), np.arange(len(loop)) + 1)]
