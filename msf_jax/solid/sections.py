@@ -23,7 +23,8 @@ SEARCHES = 3  # searches for the nearest loop, each three times as far as the on
 FIRST_REACH = 1.5  # radii: reach of the first search
 LONGEST_LOOP = 20_000  # triangles after which a loop is given up
 CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
-CHORDS = 64  # from points evenly along a loop, from which the shortest is taken; then as many from around that one's
+HOLLOW = 1.1  # section radius over section size: a centroid outside its loop has more; a disc slit to its middle, 1.16
+CHORDS, ROUNDS = 24, 3  # from points evenly along a loop; rounds, each around the point of the shortest one before
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
 
@@ -147,23 +148,26 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     A centroid outside its loop gives way to the middle of the shortest chord that halves the area: the corner of an
     angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there only. They run along
     the limb, so its derivatives are 0, and such a section counts as a round one: its size is its radius."""
+    is_asked = (found.is_found & (found.radius > HOLLOW * found.size))[corners.loop]
+    corners = Corners(*(field[is_asked] for field in corners[:-1]), corners.is_closed)
     places, loop = corners.places(shape) - found.centroid[corners.loop], corners.loop
     is_last = np.append(loop[1:] != loop[:-1], True)[: len(loop)]
     onward = places[np.where(is_last, np.searchsorted(loop, loop), np.arange(len(loop)) + 1)]
     sine = np.einsum("ci,ci->c", cross(places, onward), normals[loop])
     angle = np.arctan2(sine, np.einsum("ci,ci->c", places, onward))
-    is_aside = found.is_found & (np.bincount(loop, angle, len(normals)) < np.pi)
+    count = np.bincount(loop, minlength=len(normals))
+    is_aside = (count > 0) & (np.bincount(loop, angle, len(normals)) < np.pi)
     if not is_aside.any():
         return found
     found = Sections(*(field.copy() for field in found))
     found.size[is_aside] = found.radius[is_aside]
     found.slide[is_aside], found.turn[is_aside] = 0.0, 0.0
-    begin, end = (np.searchsorted(loop, np.arange(len(normals)), side) for side in ("left", "right"))
+    end = np.cumsum(count)
     for each in np.flatnonzero(is_aside):
         normal = normals[each]
         side = unit(cross(normal, np.eye(3)[np.abs(normal).argmin()]))
         frame = np.stack([side, cross(normal, side)])
-        found.centroid[each] += _narrowest(places[begin[each] : end[each]] @ frame.T) @ frame
+        found.centroid[each] += _narrowest(places[end[each] - count[each] : end[each]] @ frame.T) @ frame
     return found
 
 
@@ -174,7 +178,7 @@ def _narrowest(corners: np.ndarray) -> np.ndarray:
     along = arc_length(x)
     swept = np.append(0.0, np.cumsum(_cross(x[:-1], x[1:])))  # twice the area between the loop and its start
     stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, np.zeros(2)
-    for _ in range(2):
+    for _ in range(ROUNDS):
         stops = stops % along[-1]
         p, begun = at(x, along, stops)[:, None], np.interp(stops, along, swept)[:, None]
         beyond = swept - begun + swept[-1] * (along <= stops[:, None]) + _cross(x, p) - swept[-1] / 2
@@ -188,7 +192,7 @@ def _narrowest(corners: np.ndarray) -> np.ndarray:
         if best is None:
             break
         middle = middles[best]
-        stops = stops[row[best]] + reach * np.linspace(-1.0, 1.0, CHORDS + 1)
+        stops, reach = stops[row[best]] + reach * np.linspace(-1.0, 1.0, CHORDS + 1), reach * 2 / CHORDS
     return middle
 
 
