@@ -23,7 +23,6 @@ SEARCHES = 3  # searches for the nearest loop, each three times as far as the on
 FIRST_REACH = 1.5  # radii: reach of the first search
 LONGEST_LOOP = 20_000  # triangles after which a loop is given up
 CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
-HOLLOW = 1.1  # section radius over section size: a centroid outside its loop has more; a disc slit to its middle, 1.16
 CHORDS, ROUNDS = 24, 3  # from points evenly along a loop; rounds, each around the point of the shortest one before
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
@@ -145,36 +144,31 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
 def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
     """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with middles inside the loops.
 
-    A centroid outside its loop gives way to the middle of the shortest chord that halves the area: the corner of an
-    angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there only. They run along
-    the limb, so its derivatives are 0, and such a section counts as a round one: its size is its radius."""
-    is_asked = (found.is_found & (found.radius > HOLLOW * found.size))[corners.loop]
-    corners = Corners(*(field[is_asked] for field in corners[:-1]), corners.is_closed)
-    places, loop = corners.places(shape) - found.centroid[corners.loop], corners.loop
-    is_last = np.append(loop[1:] != loop[:-1], True)[: len(loop)]
-    onward = places[np.where(is_last, np.searchsorted(loop, loop), np.arange(len(loop)) + 1)]
-    sine = np.einsum("ci,ci->c", cross(places, onward), normals[loop])
-    angle = np.arctan2(sine, np.einsum("ci,ci->c", places, onward))
-    count = np.bincount(loop, minlength=len(normals))
-    is_aside = (count > 0) & (np.bincount(loop, angle, len(normals)) < np.pi)
-    if not is_aside.any():
+    A centroid outside its loop, and outside ``shape``, gives way to the middle of the shortest chord that halves the
+    area: the corner of an angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there
+    only. They run along the limb, so its derivatives are 0, and such a section counts as a round one: its size is its
+    radius."""
+    out = np.flatnonzero(found.is_found & ~shape.contains(found.centroid))
+    if not len(out):
         return found
     found = Sections(*(field.copy() for field in found))
-    found.size[is_aside] = found.radius[is_aside]
-    found.slide[is_aside], found.turn[is_aside] = 0.0, 0.0
-    end = np.cumsum(count)
-    for each in np.flatnonzero(is_aside):
-        normal = normals[each]
-        side = unit(cross(normal, np.eye(3)[np.abs(normal).argmin()]))
-        frame = np.stack([side, cross(normal, side)])
-        found.centroid[each] += _narrowest(places[end[each] - count[each] : end[each]] @ frame.T) @ frame
+    first, stop = np.searchsorted(corners.loop, out), np.searchsorted(corners.loop, out + 1)
+    for each, row in zip(out.tolist(), map(slice, first, stop), strict=True):
+        own = corners._replace(tail=corners.tail[row], head=corners.head[row], part=corners.part[row])
+        side = unit(cross(normals[each], np.eye(3)[np.abs(normals[each]).argmin()]))
+        frame = np.stack([side, cross(normals[each], side)])
+        x = (own.places(shape) - found.centroid[each]) @ frame.T
+        x = np.concatenate([x, x[:1]])
+        if not _is_around(x, np.zeros(2)):
+            found.centroid[each] += _narrowest(x) @ frame
+            found.size[each] = found.radius[each]
+            found.slide[each], found.turn[each] = 0.0, 0.0
     return found
 
 
-def _narrowest(corners: np.ndarray) -> np.ndarray:
-    """(2,) the middle of the shortest chord that halves a loop with ``corners`` (C, 2), counterclockwise; 0 if none is
-    found."""
-    x = np.concatenate([corners, corners[:1]])
+def _narrowest(x: np.ndarray) -> np.ndarray:
+    """(2,) the middle of the shortest chord that halves a closed polygon ``x`` (C + 1, 2), counterclockwise; 0 if none
+    is found."""
     along = arc_length(x)
     swept = np.append(0.0, np.cumsum(_cross(x[:-1], x[1:])))  # twice the area between the loop and its start
     stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, np.zeros(2)
