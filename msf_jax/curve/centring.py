@@ -229,7 +229,9 @@ class _Known:
         if len(old):
             corners = sections.corners(shape, x[old], tangent[old], size[old], near[old])
             self.budget.left -= len(corners.loop)
-            for field, value in zip(self.found, sections.measured(shape, x[old], tangent[old], corners), strict=True):
+            found = sections.measured(shape, x[old], tangent[old], corners)
+            found = sections.held_in(shape, tangent[old], corners, found)
+            for field, value in zip(self.found, found, strict=True):
                 field[old] = value
             self.place[old], self.normal[old] = x[old], tangent[old]
         found = sections.Sections(*(field[limb] for field in self.found))

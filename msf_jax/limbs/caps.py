@@ -292,9 +292,8 @@ class Caps:
     ) -> list[tuple[int, Cap | None]]:
         """The tips of limbs with caps of at most that ``share`` of the surface, up to the limbs in ``owner`` (V,).
 
-        Caps that overlap, but not each other's tips, grow together: these tips come with their caps.
-
-        Numbers their vertices in ``owner``, and sets ``most`` (V,) to the largest slenderness around the tips.
+        Caps that overlap, but not each other's tips, grow together: these tips come with their caps. It numbers
+        their vertices in ``owner``, and sets ``most`` (V,) to the largest slenderness around the tips.
         """
         others, found = (owner > 0).astype(np.int64), []
         for tip in tips.tolist():

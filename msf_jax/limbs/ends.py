@@ -189,10 +189,11 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
             break
         whole = len(rings) if len(beside) and len(rings) <= 4 * NEAR_END else whole
     # The last one is at the base, or beside a hole. It counts where all others are in a hole in the end.
-    is_inside = shape.clearance(found.centre[rings]) > TOUCHING * found.size[rings]
+    middles = _held_in(shape, found.centre[rings], found.size[rings], whole)
+    is_inside = shape.clearance(middles) > TOUCHING * found.size[rings]
     rings = rings[:-1] if len(rings) > 3 and is_inside[:-1].any() else rings
-    places = _to_end(shape, found.centre[rings], found.way[rings], found.size[rings], whole, step)
-    return LimbAxis(places, width)
+    middles = middles[: len(rings)]
+    return LimbAxis(_to_end(shape, middles, found.way[rings], found.size[rings], whole, step), width)
 
 
 def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
@@ -207,6 +208,25 @@ def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
             seen.add(here)
             piece += found.below[found.above == here].tolist()
     return -1
+
+
+def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int) -> np.ndarray:
+    """The ``middles`` (k, 3) of rings of that ``size`` (k,), from ``whole`` on, in the material of an angle or channel:
+    see `sections.held_in`. Those that are outside say how the limb runs. That of a bent ring can be in a flange."""
+    row = np.arange(min(whole, len(middles) - 1), len(middles))
+    out = row[~shape.contains(middles[row])]
+    if len(out) < 2:
+        return middles
+    near = np.searchsorted(out, row)
+    heading = unit(middles[out[np.minimum(near + 1, len(out) - 1)]] - middles[out[np.clip(near - 1, 0, len(out) - 2)]])
+    row, heading = row[heading.any(axis=1)], heading[heading.any(axis=1)]
+    corners = sections.corners(shape, middles[row], heading, size[row])
+    found = sections.measured(shape, middles[row], heading, corners)
+    held = sections.held_in(shape, heading, corners, found).centroid
+    is_own = np.linalg.norm(found.centroid - middles[row], axis=1) < found.size
+    middles = middles.copy()
+    middles[row] = np.where((is_own & (held != found.centroid).any(axis=1))[:, None], held, middles[row])
+    return middles
 
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:

@@ -30,8 +30,8 @@ def arc_length(points: np.ndarray) -> np.ndarray:
 
 
 def at(points: np.ndarray, along: np.ndarray, stops: np.ndarray) -> np.ndarray:
-    """The points (s, 3) of a polyline at arc lengths ``stops`` (s,)."""
-    return np.stack([np.interp(stops, along, points[:, axis]) for axis in range(3)], axis=-1)
+    """The points (s, d) of a polyline at arc lengths ``stops`` (s,)."""
+    return np.stack([np.interp(stops, along, values) for values in points.T], axis=-1)
 
 
 def largest_of_each(group: np.ndarray, value: np.ndarray) -> np.ndarray:

@@ -2,6 +2,13 @@
 
 A plane cuts a closed surface in closed walks. A curve should pass through the middle of the loop around it. The loop is
 followed from triangle to triangle (see `loops`), so the cost depends on the loop's length and not on the surface.
+
+The middle of a loop is the centroid of its area, unless that is outside the loop, as in an angle, a channel or half a
+pipe. There it is the middle of the shortest chord that halves the area (see `held_in`):
+
+    min |q - p|  with  A(p, q) = A / 2
+
+over points p and q of the loop, where A(p, q) is the area between the chord and the loop from p to q.
 """
 
 from typing import NamedTuple
@@ -10,12 +17,13 @@ import numpy as np
 
 from msf_jax.solid import walks
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import cross
+from msf_jax.solid.geometry import arc_length, at, cross, unit
 
 SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
 FIRST_REACH = 1.5  # radii: reach of the first search
 LONGEST_LOOP = 20_000  # triangles after which a loop is given up
 CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
+CHORDS, ROUNDS = 24, 3  # from points evenly along a loop; rounds, each around the point of the shortest one before
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
 
@@ -130,3 +138,64 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     centroid = np.where(is_found[:, None], sums[:, :3], 0.0)
     is_around = is_found & (angle > np.pi)
     return Sections(points + centroid, radius, size, is_found, is_around, slide, turn.reshape(-1, 3, 3))
+
+
+def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
+    """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with middles inside the loops.
+
+    A centroid outside its loop, and outside ``shape``, gives way to the middle of the shortest chord that halves the
+    area: the corner of an angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there
+    only. They run along the limb, so its derivatives are 0, and such a section counts as a round one: its size is its
+    radius."""
+    out = np.flatnonzero(found.is_found & ~shape.contains(found.centroid))
+    if not len(out):
+        return found
+    found = Sections(*(field.copy() for field in found))
+    first, stop = np.searchsorted(corners.loop, out), np.searchsorted(corners.loop, out + 1)
+    for each, row in zip(out.tolist(), map(slice, first, stop), strict=True):
+        own = corners._replace(tail=corners.tail[row], head=corners.head[row], part=corners.part[row])
+        side = unit(cross(normals[each], np.eye(3)[np.abs(normals[each]).argmin()]))
+        frame = np.stack([side, cross(normals[each], side)])
+        x = (own.places(shape) - found.centroid[each]) @ frame.T
+        x = np.concatenate([x, x[:1]])
+        if not _is_around(x, np.zeros(2)):
+            found.centroid[each] += _narrowest(x) @ frame
+            found.size[each] = found.radius[each]
+            found.slide[each], found.turn[each] = 0.0, 0.0
+    return found
+
+
+def _narrowest(x: np.ndarray) -> np.ndarray:
+    """(2,) the middle of the shortest chord that halves a closed polygon ``x`` (C + 1, 2), counterclockwise; 0 if none
+    is found."""
+    along = arc_length(x)
+    swept = np.append(0.0, np.cumsum(_cross(x[:-1], x[1:])))  # twice the area between the loop and its start
+    stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, np.zeros(2)
+    for _ in range(ROUNDS):
+        stops = stops % along[-1]
+        p, begun = at(x, along, stops)[:, None], np.interp(stops, along, swept)[:, None]
+        beyond = swept - begun + swept[-1] * (along <= stops[:, None]) + _cross(x, p) - swept[-1] / 2
+        low, high = beyond[:, :-1], beyond[:, 1:]
+        is_own = (along[:-1] <= stops[:, None]) & (stops[:, None] <= along[1:])
+        row, side = np.nonzero(((low > 0) != (high > 0)) & ~is_own)
+        part = (low[row, side] / (low[row, side] - high[row, side]))[:, None]
+        q, p = (1 - part) * x[side] + part * x[side + 1], p[row, 0]
+        length, middles = np.linalg.norm(q - p, axis=1), (p + q) / 2
+        best = next((k for k in length.argsort(kind="stable") if _is_around(x, middles[k])), None)
+        if best is None:
+            break
+        middle = middles[best]
+        stops, reach = stops[row[best]] + reach * np.linspace(-1.0, 1.0, CHORDS + 1), reach * 2 / CHORDS
+    return middle
+
+
+def _is_around(x: np.ndarray, point: np.ndarray) -> bool:
+    """Whether the closed polygon ``x`` (C + 1, 2) is around ``point`` (2,): a ray crosses it an odd number of times."""
+    a, b = x[:-1], x[1:]
+    is_up = b[:, 1] > a[:, 1]
+    is_crossed = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
+    return bool((is_crossed & ((_cross(b - a, point - a) > 0) == is_up)).sum() % 2)
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
