@@ -193,7 +193,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     is_inside = shape.clearance(middles) > TOUCHING * found.size[rings]
     rings = rings[:-1] if len(rings) > 3 and is_inside[:-1].any() else rings
     middles = middles[: len(rings)]
-    return LimbAxis(_to_end(shape, middles, found.way[rings], found.size[rings], whole, step), width)
+    return LimbAxis(_to_end(shape, middles, found.normal[rings], found.size[rings], whole, step), width)
 
 
 def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
@@ -240,9 +240,9 @@ def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np
 
 
 def _to_end(
-    shape: Enclosure, middles: np.ndarray, ways: np.ndarray, size: np.ndarray, whole: int, step: float
+    shape: Enclosure, middles: np.ndarray, normals: np.ndarray, size: np.ndarray, whole: int, step: float
 ) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings with normals ``ways`` (k, 3) and ``size`` (k,), ``step`` apart,
+    """The curve (m, 3) over ``middles`` (k, 3) of rings with ``normals`` (k, 3) and ``size`` (k,), ``step`` apart,
     that ends `GAP` before the surface.
 
     It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
@@ -257,7 +257,7 @@ def _to_end(
     # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
     # hole in the end is alone: there it is ahead across the ring.
     one, other = np.clip([min(first, last - 1), first + 1], 0, last)
-    heading, middles, pair = -ways[first], middles.copy(), [one, other]
+    heading, middles, pair = -normals[first], middles.copy(), [one, other]
     is_apart = np.linalg.norm(middles[one] - middles[other]) >= NEAR * step
     for _ in range(LINE_ROUNDS if is_apart and ball[one] else 0):
         middles[pair] = _centred(shape, middles[pair], unit(middles[one] - middles[other]), size[pair])

@@ -21,14 +21,14 @@ Measures = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 class Levels(NamedTuple):
     """Rings between pieces of the surface.
 
-    centre: (R, 3) centroid of the area inside a ring. way: (R, 3) its unit normal, to where the function grows if the
+    centre: (R, 3) centroid of the area inside a ring. normal: (R, 3) its unit normal, to where the function grows if the
     ring goes around the solid. perimeter: (R,) of a ring. size: (R,) twice its area over its perimeter, the radius of a
     disc. below, above: (R,) the pieces that meet there. piece: (V,) the piece of each vertex. num_pieces: of all
     pieces, also those without a vertex.
     """
 
     centre: np.ndarray
-    way: np.ndarray
+    normal: np.ndarray
     perimeter: np.ndarray
     size: np.ndarray
     below: np.ndarray
@@ -77,8 +77,8 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     num = int(ring.max(initial=-1)) + 1
     below, above = np.zeros((2, num), dtype=np.int64)
     below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
-    centre, way, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
-    return Levels(centre, way, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
+    centre, normal, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
+    return Levels(centre, normal, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
 
 
 def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> Measures:
