@@ -22,6 +22,7 @@ FORMS = ("coarse", "coarse-turned", "fine", "fine-turned")
 
 Manifold = manifold3d.Manifold
 Size = Callable[[float], float]
+Limb = tuple[Sequence[Sequence[float]], float, float]  # its line to its end face, its ball's radius there, half width
 X, Y, Z = np.diag([-1.0, 1, 1]), np.diag([1.0, -1, 1]), np.diag([1.0, 1, -1])  # mirrors
 QUARTER = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 
@@ -80,34 +81,34 @@ def turn_of(name: str, form: str, seed: int) -> np.ndarray:
     return Rotation.random(rng=_random(f"{name}/{form}", seed)).as_matrix()
 
 
-def make(name: str, seed: int) -> Solid:
-    """The solid of that name, of ``SOLIDS`` or ``DOUBTFUL``."""
+def size_of(name: str, seed: int) -> Size:
+    """By how much the sizes of the solid of that name change."""
     random = _random(name, seed)
-    return (SOLIDS | DOUBTFUL)[name](lambda value: value * random.uniform(0.95, 1.05))
+    return lambda value: value * random.uniform(0.95, 1.05)
 
 
 def _random(name: str, seed: int) -> np.random.Generator:
     return np.random.default_rng([seed, zlib.crc32(name.encode())])
 
 
-def _box(x: float, y: float, z: float) -> Manifold:
+def box(x: float, y: float, z: float) -> Manifold:
     return Manifold.cube((x, y, z), center=True)
 
 
-def _rod(length: float, low: float, high: float | None = None, sides: int = SIDES) -> Manifold:
+def rod(length: float, low: float, high: float | None = None, sides: int = SIDES) -> Manifold:
     """Around z, its middle at the origin."""
     return Manifold.cylinder(length, low, low if high is None else high, sides, center=True)
 
 
-def _at(body: Manifold, x: float, y: float, z: float) -> Manifold:
+def at(body: Manifold, x: float, y: float, z: float) -> Manifold:
     return body.translate((x, y, z))
 
 
-def _along_x(body: Manifold) -> Manifold:
+def along_x(body: Manifold) -> Manifold:
     return body.rotate((0.0, 90.0, 0.0))
 
 
-def _straight(
+def straight(
     body: Manifold,
     low: float,
     high: float,
@@ -138,7 +139,7 @@ def _straight(
 def _bar(x: float, y: float, z: float) -> Solid:
     """Along x, which is the longest."""
     radius, width = min(y, z) / 2, float(np.sqrt(y * z / np.pi))
-    return _straight(_box(x, y, z), -x / 2, x / 2, (radius, radius), (width, width), (X, Y, Z), along=0)
+    return straight(box(x, y, z), -x / 2, x / 2, (radius, radius), (width, width), (X, Y, Z), along=0)
 
 
 def _beam(length: float, side: float) -> Solid:
@@ -148,85 +149,92 @@ def _beam(length: float, side: float) -> Solid:
 
 def _cylinder(length: float, radius: float) -> Solid:
     size = (radius, radius)
-    return _straight(_rod(length, radius), -length / 2, length / 2, size, size, (X, Y, Z, QUARTER))
+    return straight(rod(length, radius), -length / 2, length / 2, size, size, (X, Y, Z, QUARTER))
 
 
 def _cone(length: float, low: float, high: float) -> Solid:
     """A frustum, or a cone where ``high`` is 0."""
-    body = _rod(length, low, high)
-    return _straight(body, -length / 2, length / 2, (low, high), (low, high), (X, Y, QUARTER))
+    body = rod(length, low, high)
+    return straight(body, -length / 2, length / 2, (low, high), (low, high), (X, Y, QUARTER))
+
+
+def limbs(
+    body: Manifold,
+    lines: Sequence[Limb],
+    symmetries: Sequence[np.ndarray],
+    loops: Sequence[np.ndarray] = (),
+) -> Solid:
+    """Limbs that meet. Loops have no end. The thinnest limb's half width counts for the whole, as a bolt's does."""
+    axis = [np.array(line, dtype=float) for line, _, _ in lines]
+    last = np.array([line[-1] - line[-2] for line in axis])
+    radii, widths = np.array([sizes for _, *sizes in lines]).T
+    return Solid(
+        body,
+        np.array([line[-1] for line in axis]),
+        last / np.linalg.norm(last, axis=1, keepdims=True),
+        radii,
+        widths,
+        sum(float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()) for line in [*axis, *loops]),
+        float(widths.min()),
+        SPACING * float(radii.min()),
+        cycles=len(loops),
+        axis=[*axis, *loops],
+        symmetries=symmetries,
+    )
 
 
 def _tee(body: Manifold, arm: float, stem: float, radius: float, width: float) -> Solid:
     """Along x from -``arm`` to ``arm``, and along -z to -``stem``."""
-    ends = np.array([[-arm, 0, 0], [arm, 0, 0], [0, 0, -stem]])
-    outwards = np.array([[-1.0, 0, 0], [1, 0, 0], [0, 0, -1]])
-    axis = [ends[:2], np.array([[0.0, 0, 0], [0, 0, -stem]])]
-    three = np.ones(3)
-    length, edge = 2 * arm + stem, SPACING * radius
-    return Solid(body, ends, outwards, radius * three, width * three, length, width, edge, axis=axis, symmetries=(X, Y))
+    tips = (-arm, 0.0, 0.0), (arm, 0.0, 0.0), (0.0, 0.0, -stem)
+    return limbs(body, [(((0.0, 0.0, 0.0), tip), radius, width) for tip in tips], (X, Y))
 
 
 def _pipe_tee(arm: float, stem: float, radius: float) -> Solid:
-    body = _along_x(_rod(2 * arm, radius)) + _at(_rod(stem, radius), 0, 0, -stem / 2)
+    body = along_x(rod(2 * arm, radius)) + at(rod(stem, radius), 0, 0, -stem / 2)
     return _tee(body, arm, stem, radius, radius)
 
 
 def _square_tee(arm: float, stem: float, side: float) -> Solid:
-    body = _box(2 * arm, side, side) + _at(_box(side, side, stem), 0, 0, -stem / 2)
+    body = box(2 * arm, side, side) + at(box(side, side, stem), 0, 0, -stem / 2)
     return _tee(body, arm, stem, side / 2, side / np.sqrt(np.pi))
 
 
-def _bolt(shank: float, radius: float, head: float, height: float) -> Solid:
-    """Its shank goes down from the origin, its head of six sides up."""
-    body = _at(_rod(shank, radius), 0, 0, -shank / 2) + _at(_rod(height, head, sides=6), 0, 0, height / 2)
-    wide = head * float(np.sqrt(3 * np.sqrt(3) / 2 / np.pi))
-    found = _straight(body, -shank, height, (radius, height / 2), (radius, wide), (X, Y))
+def _bolt(shank: float, radius: float, head: float, height: float, sides: int = 6) -> Solid:
+    """Its shank goes down from the origin, its head of six sides up; a nail has a round head."""
+    body = at(rod(shank, radius), 0, 0, -shank / 2) + at(rod(height, head, sides=sides), 0, 0, height / 2)
+    wide = head * float(np.sqrt(sides * np.sin(2 * np.pi / sides) / 2 / np.pi))
+    found = straight(body, -shank, height, (radius, height / 2), (radius, wide), (X, Y))
     return replace(found, width=radius)
 
 
 def _socket_bolt(shank: float, radius: float, head: float, height: float) -> Solid:
     """With six walls sunk into a round head by half of its height, where the curve then ends."""
-    body = _at(_rod(shank, radius), 0, 0, -shank / 2) + _at(_rod(height, head), 0, 0, height / 2)
-    body -= _at(_rod(height, 0.5 * head, sides=6), 0, 0, height)
-    found = _straight(body, -shank, height / 2, (radius, height / 4), (radius, head), (X, Y))
+    body = at(rod(shank, radius), 0, 0, -shank / 2) + at(rod(height, head), 0, 0, height / 2)
+    body -= at(rod(height, 0.5 * head, sides=6), 0, 0, height)
+    found = straight(body, -shank, height / 2, (radius, height / 4), (radius, head), (X, Y))
     return replace(found, width=radius)
 
 
 def _i_beam(length: float, flange: float, height: float, thick: float, web: float) -> Solid:
     """Along x, its web upright."""
-    body = _box(length, web, height)
+    body = box(length, web, height)
     for side in (-1, 1):
-        body += _at(_box(length, flange, thick), 0, 0, side * (height - thick) / 2)
+        body += at(box(length, flange, thick), 0, 0, side * (height - thick) / 2)
     width = float(np.sqrt((2 * flange * thick + (height - 2 * thick) * web) / np.pi))
-    return _straight(body, -length / 2, length / 2, (web / 2, web / 2), (width, width), (X, Y, Z), along=0)
+    return straight(body, -length / 2, length / 2, (web / 2, web / 2), (width, width), (X, Y, Z), along=0)
 
 
 def _table(x: float, y: float, top: float, leg: float, height: float) -> Solid:
     """Four square legs under a thin top, which the curve may cross as it likes."""
-    body, ends = _at(_box(x, y, top), 0, 0, top / 2), []
-    places = [(u, v) for u in (-1, 1) for v in (-1, 1)]
-    for u, v in places:
-        at = u * (x - leg) / 2, v * (y - leg) / 2
-        body += _at(_box(leg, leg, height), *at, -height / 2)
-        ends.append((*at, -height))
-    four, width = np.ones(4), float(leg / np.sqrt(np.pi))
-    length = 4 * (height + top) + 2 * float(np.hypot(x - leg, y - leg))
-    down = np.tile([0.0, 0, -1], (4, 1))
-    return Solid(
-        body,
-        np.array(ends),
-        down,
-        four * leg / 2,
-        four * width,
-        length,
-        width,
-        SPACING * leg / 2,
-        symmetries=(X, Y),
-    )
+    body, width = at(box(x, y, top), 0, 0, top / 2), float(leg / np.sqrt(np.pi))
+    lines: list[Limb] = []
+    for u, v in _four((x - leg) / 2, (y - leg) / 2):
+        body += at(box(leg, leg, height), u, v, -height / 2)
+        lines.append((((0, 0, top), (u, v, top), (u, v, -height)), leg / 2, width))
+    return replace(limbs(body, lines, (X, Y)), axis=[])
 
 
-def _loop(body: Manifold, radius: np.ndarray, thin: float, width: float, symmetries: Sequence[np.ndarray]) -> Solid:
+def ring(body: Manifold, radius: np.ndarray, thin: float, width: float, symmetries: Sequence[np.ndarray]) -> Solid:
     """A ring around z whose middle is ``radius`` (N,) from it, at N angles."""
     angle = np.linspace(0, 2 * np.pi, len(radius))
     axis = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle], axis=1)
@@ -250,24 +258,24 @@ def _loop(body: Manifold, radius: np.ndarray, thin: float, width: float, symmetr
 
 def _torus(radius: float, minor: float) -> Solid:
     section = manifold3d.CrossSection.circle(minor, 16).translate((radius, 0.0))
-    return _loop(section.revolve(SIDES), np.full(361, radius), minor, minor, (X, Y, Z, QUARTER))
+    return ring(section.revolve(SIDES), np.full(361, radius), minor, minor, (X, Y, Z, QUARTER))
 
 
 def _washer(inner: float, outer: float, height: float, sides: int = SIDES) -> Solid:
     """A round hole in a disc; in a nut of six sides for ``sides`` 6."""
-    body = _rod(height, outer, sides=sides) - _rod(2 * height, inner)
+    body = rod(height, outer, sides=sides) - rod(2 * height, inner)
     half = np.pi / sides  # the outer wall is nearest in the middle of a side
     angle = np.linspace(0, 2 * np.pi, 361) % (2 * half) - half
     wall = outer * np.cos(half) / np.cos(angle) - inner
     width = float(np.sqrt(wall.mean() * height / np.pi))
-    return _loop(body, inner + wall / 2, min(height, wall.min()) / 2, width, (X, Y, Z))
+    return ring(body, inner + wall / 2, min(height, wall.min()) / 2, width, (X, Y, Z))
 
 
 def _bored_ball(radius: float, bore: float) -> Solid:
     """The loop is where its inscribed balls are largest."""
-    body = Manifold.sphere(radius, SIDES) - _rod(3 * radius, bore)
+    body = Manifold.sphere(radius, SIDES) - rod(3 * radius, bore)
     middle, half = (radius + bore) / 2, (radius - bore) / 2
-    return _loop(body, np.full(361, middle), half, half, (X, Y, Z, QUARTER))
+    return ring(body, np.full(361, middle), half, half, (X, Y, Z, QUARTER))
 
 
 def _drilled(
@@ -281,7 +289,7 @@ def _drilled(
     """Blind holes down from the plane z = ``top``."""
     body = solid.body
     for x, y in holes:
-        body -= _at(_rod(2 * depth, radius, sides=24), x, y, top)
+        body -= at(rod(2 * depth, radius, sides=24), x, y, top)
     return _with_holes(solid, body, symmetries)
 
 
@@ -289,7 +297,7 @@ def _pocketed(
     solid: Solid, size: tuple[float, float], depth: float, top: float, symmetries: Sequence[np.ndarray]
 ) -> Solid:
     """A pocket with four walls, down from the plane z = ``top``, in the middle."""
-    return _with_holes(solid, solid.body - _at(_box(*size, 2 * depth), 0, 0, top), symmetries)
+    return _with_holes(solid, solid.body - at(box(*size, 2 * depth), 0, 0, top), symmetries)
 
 
 def _with_holes(solid: Solid, body: Manifold, symmetries: Sequence[np.ndarray]) -> Solid:
@@ -321,13 +329,13 @@ def _holed_beam(s: Size) -> Solid:
 
 
 def _holed_cylinder(s: Size) -> Solid:
-    found = _straight(_along_x(_rod(length := s(8), 1.0)), -length / 2, length / 2, (1.0, 1.0), (1.0, 1.0), along=0)
+    found = straight(along_x(rod(length := s(8), 1.0)), -length / 2, length / 2, (1.0, 1.0), (1.0, 1.0), along=0)
     return _drilled(found, [(s(1), 0.0)], 0.3, 0.7, 1.0, (Y,))
 
 
 def _holed_ball(s: Size) -> Solid:
     ball = _no_way(Manifold.sphere(2.0, SIDES), 4.0, 1.0)
-    return replace(ball, body=ball.body - _at(_rod(s(2), s(0.5)), 0, 0, 2.0))
+    return replace(ball, body=ball.body - at(rod(s(2), s(0.5)), 0, 0, 2.0))
 
 
 SOLIDS: dict[str, Callable[[Size], Solid]] = {
@@ -342,6 +350,7 @@ SOLIDS: dict[str, Callable[[Size], Solid]] = {
     "tee-square": lambda s: _square_tee(s(5), s(6), 1.6),
     "bolt": lambda s: _bolt(s(6), s(0.6), s(1.2), s(0.8)),
     "bolt-long": lambda s: _bolt(s(10), s(0.5), s(0.95), s(0.65)),
+    "nail": lambda s: _bolt(shank=s(6), radius=s(0.7), height=s(0.5), head=s(2.4), sides=SIDES),
     "i-beam": lambda s: _i_beam(s(9), s(3), s(3.6), s(0.6), s(0.5)),
     "table": lambda s: _table(s(9.4), s(5.4), s(0.6), s(0.7), s(4)),
     **{f"cylinder-{n}": lambda s, n=n: _cylinder(n * (radius := s(1)), radius) for n in (3, 4, 6, 8, 10, 12, 16)},
@@ -371,6 +380,6 @@ SOLIDS: dict[str, Callable[[Size], Solid]] = {
 DOUBTFUL: dict[str, Callable[[Size], Solid]] = {
     "ball": lambda s: _no_way(Manifold.sphere(radius := s(2), SIDES), 2 * radius, radius),
     "ball-hole": _holed_ball,
-    "cube": lambda s: _no_way(_box(side := s(3), side, side), side, side / 2),
-    "square-plate": lambda s: _no_way(_box(side := s(6), side, s(0.8)), side, 0.4),
+    "cube": lambda s: _no_way(box(side := s(3), side, side), side, side / 2),
+    "square-plate": lambda s: _no_way(box(side := s(6), side, s(0.8)), side, 0.4),
 }
