@@ -21,9 +21,9 @@ Measures = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 class Levels(NamedTuple):
     """Rings between pieces of the surface.
 
-    centre: (R, 3) centroid of the area inside a ring. normal: (R, 3) its unit normal, to where the function grows if the
-    ring goes around the solid. perimeter: (R,) of a ring. size: (R,) twice its area over its perimeter, the radius of a
-    disc. below, above: (R,) the pieces that meet there. piece: (V,) the piece of each vertex. num_pieces: of all
+    centre: (R, 3) centroid of the area inside a ring. normal: (R, 3) its unit normal, to where the function grows if
+    the ring goes around the solid. perimeter: (R,) of a ring. size: (R,) twice its area over its perimeter, the radius
+    of a disc. below, above: (R,) the pieces that meet there. piece: (V,) the piece of each vertex. num_pieces: of all
     pieces, also those without a vertex.
     """
 

@@ -26,7 +26,7 @@ def test_the_rings_of_a_cylinder_are_its_sections():
 
 @pytest.mark.parametrize(("inner", "sign"), [(False, 1), (True, -1)])
 def test_the_normal_of_a_ring_is_to_where_the_function_grows(inner, sign):
-    """The other side for a ring around a hole; the triangles of a surface of a hole are those of a solid turned round."""
+    """The other side for a ring around a hole; the triangles around a hole are those of a solid turned round."""
     mesh = trimesh.creation.cylinder(0.1, 2.0, sections=24)
     turn = trimesh.transformations.random_rotation_matrix(np.array([0.1, 0.5, 0.9]))[:3, :3]
     found = levels(mesh.vertices @ turn.T, mesh.faces[:, ::-1] if inner else mesh.faces, mesh.vertices[:, 2], 0.11)
