@@ -250,6 +250,9 @@ def _to_end(
     ball, last = shape.clearance(middles), len(middles) - 1
     ball = np.where(ball > TOUCHING * size, ball, 0.0)
     is_around = (ball > HALF * np.append(ball[1:], 0.0)) & (size >= WHOLE * np.append(size[1:], 0.0))
+    # On triangles that are longer than the limb is wide, many rings lie in one corner of the end: beside their middles.
+    part = ball / np.maximum(size, 1e-300)
+    is_around &= part >= WHOLE * min(float(np.median(part)), 1.0)
     is_around[: min(whole, last)] = False
     if not is_around.any():  # the middles of a channel are outside
         return middles

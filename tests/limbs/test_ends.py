@@ -324,6 +324,14 @@ def test_a_bolt_with_a_socket_ends_on_its_axis():
     assert sorted(found[:, 2]) == pytest.approx([-6.3 + 0.3 * 0.63, 0.3], abs=0.15)
 
 
+def test_a_bar_of_triangles_as_long_as_a_quarter_of_it_ends_on_its_axis():
+    """They are five hundred times as long as wide, and the first rings lie in a corner of the end."""
+    mesh = trimesh.creation.box((1, 0.002, 0.002)).subdivide().subdivide()
+    found = ends_of(Enclosure(np.array(mesh.vertices), np.array(mesh.faces)))
+    assert found.shape == (2, 3) and np.abs(found[:, 1:]).max() < 1e-4
+    np.testing.assert_allclose(np.abs(found[:, 0]), 0.5 - 0.3e-3, atol=1e-4)
+
+
 def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
     """The section along a rod and through its block is many times as large as the rod's ring."""
     rod = manifold3d.Manifold.cylinder(1.5, 0.2, 0.2, 32).translate((0, 0, 0.5))
