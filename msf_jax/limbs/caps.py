@@ -45,7 +45,7 @@ DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has l
 # Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
 # plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
 CORNER = (0.0, 0.083, 0.105, 0.13), (0.6, 0.5, 0.39, 0.6)
-TRIANGLES = 32  # fewest of a limb that only stands out: with 48, ears of a horse came and went with the triangles
+TRIANGLES = 32  # fewest of a limb that only stands out, 16 vertices: 48 are as many as the ears of a horse have
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first

@@ -15,6 +15,7 @@ middle of two faces.
 """
 
 import itertools
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -111,10 +112,7 @@ def _before_base(vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, regi
     near, own, away = _around_end(vertices, faces, time, region)
     low, high = np.array(LOW_RINGS) * away.max()
     found = levels(vertices[near], own, away + -low % (high - low), high - low)
-    piece, rings = int(found.piece[away.argmin()]), []
-    while len(above := np.flatnonzero(found.below == piece)):
-        rings.append(int(above[found.perimeter[above].argmax()]))
-        piece = int(found.above[rings[-1]])
+    rings = [*_rings_from(found, int(found.piece[away.argmin()]))]
     if len(rings) < 2:
         return region
     along = vertices[near] @ (found.centre[rings[-2]] - found.centre[rings[-1]])
@@ -176,11 +174,10 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     found = levels(vertices[near], local, away + step / 2, step)
     # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
     # as the flanges of a beam, are left out.
-    piece, rings, whole = int(found.piece[end]), [], NEAR_END
-    while len(above := np.flatnonzero(found.below == piece)):
-        rings.append(int(above[found.perimeter[above].argmax()]))
-        piece = int(found.above[rings[-1]])
-        beside = np.setdiff1d(np.flatnonzero(found.above == piece), rings)
+    rings, whole = [], NEAR_END
+    for ring in _rings_from(found, int(found.piece[end])):
+        rings.append(ring)
+        beside = np.setdiff1d(np.flatnonzero(found.above == found.above[ring]), rings)
         beside = beside[found.perimeter[beside] > HALF * found.perimeter[rings[-1]]]
         # A limb ends where it splits into two that meet again: beside a hole through it.
         before = _before_split(found, rings, beside)
@@ -194,6 +191,14 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     rings = rings[:-1] if len(rings) > 3 and is_inside[:-1].any() else rings
     middles = middles[: len(rings)]
     return LimbAxis(_to_end(shape, middles, found.normal[rings], found.size[rings], whole, step), width)
+
+
+def _rings_from(found: Levels, piece: int) -> Iterator[int]:
+    """The longest ring at which another piece begins upon ``piece``, and so on, from piece to piece."""
+    while len(above := np.flatnonzero(found.below == piece)):
+        ring = int(above[found.perimeter[above].argmax()])
+        yield ring
+        piece = int(found.above[ring])
 
 
 def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
