@@ -257,9 +257,7 @@ class Caps:
             if not len(rows):
                 continue
             value, after = rows[:, 0], np.minimum.accumulate(rows[::-1, 0])[::-1]
-            # It ends at another tip, or around a handle.
-            is_last = rows[-1, 2] < LARGEST_CAP * self._total[tip] / RATIO**2
-            is_counted = np.append(after[1:], -np.inf if is_last else np.inf) <= DROP * value
+            is_counted = np.append(after[1:], np.inf) <= DROP * value
             best = int(np.where(is_counted, value, -1.0).argmax())
             need = least * float(np.interp(rows[best, 6] / rows[best, 2] ** 1.5, *CORNER))
             score = min(height / RAISED, value[best] / need)

@@ -30,7 +30,8 @@ from msf_jax.solid.geometry import triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
-END_RINGS = 3  # rings: so far from the end at most its ball is looked for
+RINGS = 6  # of a limb at least; those of a short one are nearer to each other
+DEEP = 1.5  # widths of a limb: so far from its end at most the ball there is looked for
 TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
@@ -167,10 +168,10 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     ``shape``. ``time`` (V,) is the mean exit time."""
     near, local, away = _around_end(vertices, faces, time, region)
     own, end = near[local], int(away.argmin())
-    # The radius of a tube of that area and length; a limb that is shorter than three rings has narrower ones.
+    # The radius of a tube of that area and length.
     longest = max(float(away.max()), 1e-300)
     width = float(triangle_areas(vertices[own]).sum()) / (2 * np.pi * longest)
-    step = min(RING_SPACING * width, longest / 3)
+    step = min(RING_SPACING * width, longest / RINGS)
     found = levels(vertices[near], local, away + step / 2, step)
     # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
     # as the flanges of a beam, are left out.
@@ -188,9 +189,14 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     # The last one is at the base, or beside a hole. It counts where all others are in a hole in the end.
     middles = _held_in(shape, found.centre[rings], found.size[rings], whole)
     is_inside = shape.clearance(middles) > TOUCHING * found.size[rings]
-    rings = rings[:-1] if len(rings) > 3 and is_inside[:-1].any() else rings
+    if len(rings) > 3 and is_inside[:-1].any():
+        # A hole across a limb can be narrower than rings are apart. Then the middle of one of them is in it.
+        is_across = ~is_inside & (np.cumsum(is_inside & (np.arange(len(rings)) >= whole)) > 0)
+        rings = rings[: int(is_across[:-1].argmax()) if is_across[:-1].any() else -1]
     middles = middles[: len(rings)]
-    return LimbAxis(_to_end(shape, middles, found.normal[rings], found.size[rings], whole, step), width)
+    return LimbAxis(
+        _to_end(shape, middles, found.normal[rings], found.size[rings], whole, step, min(DEEP * width, longest)), width
+    )
 
 
 def _rings_from(found: Levels, piece: int) -> Iterator[int]:
@@ -245,7 +251,7 @@ def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np
 
 
 def _to_end(
-    shape: Enclosure, middles: np.ndarray, normals: np.ndarray, size: np.ndarray, whole: int, step: float
+    shape: Enclosure, middles: np.ndarray, normals: np.ndarray, size: np.ndarray, whole: int, step: float, deep: float
 ) -> np.ndarray:
     """The curve (m, 3) over ``middles`` (k, 3) of rings with ``normals`` (k, 3) and ``size`` (k,), ``step`` apart,
     that ends `GAP` before the surface.
@@ -264,12 +270,11 @@ def _to_end(
     first = int(is_around.argmax())
     # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
     # hole in the end is alone: there it is ahead across the ring.
-    one, other = np.clip([min(first, last - 1), first + 1], 0, last)
-    heading, middles, pair = -normals[first], middles.copy(), [one, other]
-    is_apart = np.linalg.norm(middles[one] - middles[other]) >= NEAR * step
-    for _ in range(LINE_ROUNDS if is_apart and ball[one] else 0):
-        middles[pair] = _centred(shape, middles[pair], unit(middles[one] - middles[other]), size[pair])
-        heading = unit(middles[one] - middles[other])
+    heading, middles, pair = -normals[first], middles.copy(), [first, min(first + 1, last)]
+    is_apart = np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * step
+    for _ in range(LINE_ROUNDS if is_apart else 0):
+        middles[pair] = _centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
+        heading = unit(np.subtract(*middles[pair]))
     # From the outermost ring on that has its middle inside: a blind hole may lie across the line behind it.
     along = (middles[: first + 1] - middles[first]) @ heading
     ball = shape.clearance(middles[first] + along[:, None] * heading)
@@ -277,7 +282,7 @@ def _to_end(
     reach = np.array([(2 * first + 3) * step])
     ahead = start + float(shape.ray_lengths(middles[[first]] + start * heading, heading[None], reach)[0])
     # Denser near the end: in a sheet, its ball is small.
-    depth = END_RINGS * step * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    depth = deep * np.linspace(0.0, 1.0, SAMPLES) ** 2
     ball = shape.clearance(middles[first] + (ahead - depth)[:, None] * heading)
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
     along = ahead - depth[(ball >= GAP * radius).argmax()]

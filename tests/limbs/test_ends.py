@@ -303,7 +303,7 @@ def test_no_ball_fills_the_point_of_a_cone():
     shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
     down = np.tile([0.0, 0.0, -1.0], (len(middles), 1))
-    found = ends._to_end(shape, middles, down, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3)
+    found = ends._to_end(shape, middles, down, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3, 0.9)
     assert np.abs(found[:, :2]).max() < 1e-9 and (np.diff(found[:, 2]) < 0).all()
     assert -found[0, 2] == pytest.approx(0.075 * 0.9, rel=0.25)
 
