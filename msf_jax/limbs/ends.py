@@ -35,9 +35,8 @@ DEEP = 1.5  # widths of a limb: so far from its end at most the ball there is lo
 TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
-WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
-HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump; of
-# the next ring's distance from the surface: a ring that is nearer lies on the end
+WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
+HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
@@ -194,9 +193,8 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         is_across = ~is_inside & (np.cumsum(is_inside & (np.arange(len(rings)) >= whole)) > 0)
         rings = rings[: int(is_across[:-1].argmax()) if is_across[:-1].any() else -1]
     middles = middles[: len(rings)]
-    return LimbAxis(
-        _to_end(shape, middles, found.normal[rings], found.size[rings], whole, step, min(DEEP * width, longest)), width
-    )
+    own = found.normal[rings], found.perimeter[rings], found.size[rings]
+    return LimbAxis(_to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width)
 
 
 def _rings_from(found: Levels, piece: int) -> Iterator[int]:
@@ -251,16 +249,22 @@ def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np
 
 
 def _to_end(
-    shape: Enclosure, middles: np.ndarray, normals: np.ndarray, size: np.ndarray, whole: int, step: float, deep: float
+    shape: Enclosure,
+    middles: np.ndarray,
+    normals: np.ndarray,
+    perimeter: np.ndarray,
+    size: np.ndarray,
+    whole: int,
+    step: float,
+    deep: float,
 ) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings with ``normals`` (k, 3) and ``size`` (k,), ``step`` apart,
-    that ends `GAP` before the surface.
+    """The curve (m, 3) over ``middles`` (k, 3) of rings with ``normals`` (k, 3), a ``perimeter`` (k,) and a ``size``
+    (k,), ``step`` apart, that ends `GAP` before the surface. No ball deeper than ``deep`` is at its end.
 
     It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
-    it, is smaller than the next one, or much nearer to the surface, and one in a hole in the end is not inside."""
+    it, is shorter than the next one, and one in a hole in the end is not inside."""
     ball, last = shape.clearance(middles), len(middles) - 1
-    ball = np.where(ball > TOUCHING * size, ball, 0.0)
-    is_around = (ball > HALF * np.append(ball[1:], 0.0)) & (size >= WHOLE * np.append(size[1:], 0.0))
+    is_around = (ball > TOUCHING * size) & (perimeter >= WHOLE * np.append(perimeter[1:], 0.0))
     # On triangles that are longer than the limb is wide, many rings lie in one corner of the end: beside their middles.
     part = ball / np.maximum(size, 1e-300)
     is_around &= part >= WHOLE * min(float(np.median(part)), 1.0)
