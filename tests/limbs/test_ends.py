@@ -313,7 +313,7 @@ def test_a_ring_in_a_corner_of_a_plates_end_does_not_begin_its_curve():
     shape = as_shape(box(8, 4, 0.6), 0.3)
     middles = np.array([[3.5, 0.8, 0], [3.0, 0, 0], [2.5, 0, 0], [2.0, 0, 0]])
     inward, perimeter = np.tile([-1.0, 0.0, 0.0], (len(middles), 1)), np.array([6.6, 9.2, 9.2, 9.2])
-    found = ends._to_end(shape, middles, inward, perimeter, np.full(len(middles), 0.5), 1, 0.5, 1.5)
+    found = ends._to_end(shape, middles, inward, perimeter, np.full(len(middles), 0.5), 0, 0.5, 1.5)
     assert np.abs(found[:, 1:]).max() < 0.01 and found[0, 0] == pytest.approx(4 - 0.09, abs=0.02)
 
 
