@@ -333,20 +333,20 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     if not (job.prune or extend):
         return draft
     caps = job.caps()
-    choice = one_branch.choose(caps, draft.vertices, draft.edges, draft.is_held, job.prune)
+    choice = one_branch.choose(caps, job.coarse, draft.vertices, draft.edges, draft.is_held, job.prune)
     job.budget.was_hit |= choice.was_hit
     num_leaves, worth, leaf, missing = int(draft.is_leaf().sum()), choice.worth, np.array(choice.leaf, np.int64), 0
     if job.prune:
         if extend:
             missing = choice.leaf.count(-1)
-            draft = _moved(draft, *one_branch.grown(caps, job.coarse, draft.vertices, draft.edges, choice, job.prune))
+            draft = _moved(draft, *one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
             worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
         stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
-        draft = contain(_moved(draft, *one_branch.laid(caps, job.coarse, *curve, leaf.tolist(), job.prune)), job)
+        draft = contain(_moved(draft, *one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
     finer = tuple((each.detail, caps.surface.points[each.cap.tip]) for each in caps.limbs(job.prune).finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 

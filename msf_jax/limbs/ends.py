@@ -50,10 +50,11 @@ MOST_LINES = 200  # that are tried of a solid without a direction
 
 class LimbAxis(NamedTuple):
     """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
-    of the limb's area and length."""
+    of the limb's area and length. reach: so far from its end, by d, is a hole across the limb, infinite without one."""
 
     places: np.ndarray
     width: float
+    reach: float
 
 
 def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array, np.ndarray]:
@@ -174,7 +175,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     found = levels(vertices[near], local, away + step / 2, step)
     # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
     # as the flanges of a beam, are left out.
-    rings, whole = [], NEAR_END
+    rings, whole, is_split = [], NEAR_END, False
     for ring in _rings_from(found, int(found.piece[end])):
         rings.append(ring)
         beside = np.setdiff1d(np.flatnonzero(found.above == found.above[ring]), rings)
@@ -182,7 +183,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         # A limb ends where it splits into two that meet again: beside a hole through it.
         before = _before_split(found, rings, beside)
         if before > NEAR_END + 1:
-            rings = rings[: before + 1]  # with one that is left out
+            rings, is_split = rings[: before + 1], True  # with one that is left out
             break
         whole = len(rings) if len(beside) and len(rings) <= 4 * NEAR_END else whole
     # The last one is at the base, or beside a hole. It counts where all others are in a hole in the end.
@@ -191,10 +192,12 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     if len(rings) > 3 and is_inside[:-1].any():
         # A hole across a limb can be narrower than rings are apart. Then the middle of one of them is in it.
         is_across = ~is_inside & (np.cumsum(is_inside & (np.arange(len(rings)) >= whole)) > 0)
+        is_split |= bool(is_across[:-1].any())
         rings = rings[: int(is_across[:-1].argmax()) if is_across[:-1].any() else -1]
     middles = middles[: len(rings)]
     own = found.normal[rings], found.perimeter[rings], found.size[rings]
-    return LimbAxis(_to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width)
+    reach = (len(rings) + 0.5) * step if is_split else np.inf
+    return LimbAxis(_to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width, reach)
 
 
 def _rings_from(found: Levels, piece: int) -> Iterator[int]:

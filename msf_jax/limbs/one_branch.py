@@ -26,20 +26,26 @@ TRIED = 64  # nodes, those with the nearest balls first, that a new branch may b
 
 class Choice(NamedTuple):
     """worth: (N,) of each leaf: infinite for one that stays, else the slenderness of its cap, 0 in a limb that has a
-    better leaf. leaf: of each limb, the leaf that stays, or -1. was_hit: whether the search ended early."""
+    better leaf. leaf: of each limb, the leaf that stays, or -1. axes: of the limbs. was_hit: whether the search ended
+    early."""
 
     worth: np.ndarray
     leaf: list[int]
+    axes: list[LimbAxis]
     was_hit: bool
 
 
-def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float) -> Choice:
-    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
+def choose(
+    caps: Caps, shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float
+) -> Choice:
+    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a solid.
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
-    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead.
+    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A leaf behind a
+    hole across the limb is not at its end.
     """
     leaves, limbs = leaves_of(edges), caps.limbs(least)
+    axes = [caps.axis(shape, limbs, number) for number in range(len(limbs.caps))]
     foot = feet(caps.shape, vertices[leaves])
     own = limbs.owner[foot]
     worth, leaf = np.zeros(len(vertices)), []
@@ -51,10 +57,11 @@ def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndar
             for value in (limbs.time[cap.region].max(), limbs.time[cap.region].max() - limbs.time[foot[mine]])
         )
         is_end = is_held[leaves[mine]] & (away <= cap.area / (2 * np.pi * longest))
-        first = mine[np.lexsort((away, ~is_end))[:1]]
+        order = np.lexsort((away, ~is_end))
+        first = mine[order[away[order] < axes[number - 1].reach][:1]]
         worth[leaves[first]] = np.inf
         leaf.append(int(leaves[first[0]]) if len(first) else -1)
-    return Choice(worth, leaf, caps.was_hit)
+    return Choice(worth, leaf, axes, caps.was_hit)
 
 
 def slenderness(caps: Caps, vertices: np.ndarray, edges: np.ndarray, enough: float = np.inf) -> np.ndarray:
@@ -111,20 +118,16 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     return found
 
 
-def grown(
-    caps: Caps, shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Choice, least: float
-) -> tuple[np.ndarray, np.ndarray]:
+def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Choice) -> tuple[np.ndarray, np.ndarray]:
     """The curve in the solid ``shape`` with a branch in each limb without a leaf: nodes, new ones last, and edges.
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
     finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
     """
-    limbs, x = caps.limbs(least), vertices
-    radius = shape.approximate_clearance(vertices)[0]
+    x, radius = vertices, shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
-    for number, leaf in enumerate(choice.leaf):
+    for leaf, axis in zip(choice.leaf, choice.axes, strict=True):
         if leaf < 0:
-            axis = caps.axis(shape, limbs, number)
             first = beginning(shape, vertices, radius, axis.places[-1])
             places = np.concatenate([axis.places, vertices[[first]]])
             x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
@@ -132,22 +135,16 @@ def grown(
 
 
 def laid(
-    caps: Caps,
-    shape: Enclosure,
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    is_held: np.ndarray,
-    leaf: list[int],
-    least: float,
+    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, leaf: list[int], axes: list[LimbAxis]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve in the solid ``shape`` with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
+    """The curve with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
 
-    ``leaf`` is the leaf of each limb, or -1. The last stretch of its branch, `LAST` widths of the limb, is replaced,
-    but no held node. A branch with two ends that has no other stretch is replaced as a whole.
+    ``leaf`` is the leaf of each limb, or -1, and ``axes`` are those of the limbs. The last stretch of its branch,
+    `LAST` widths of the limb, is replaced, but no held node. A branch with two ends that has no other stretch is
+    replaced as a whole.
     """
-    limbs, x = caps.limbs(least), vertices.copy()
-    number_of = {node: number for number, node in enumerate(leaf) if node >= 0 and not is_held[node]}
-    axis_of = {node: caps.axis(shape, limbs, number) for node, number in number_of.items()}
+    x = vertices.copy()
+    axis_of = {node: axis for node, axis in zip(leaf, axes, strict=True) if node >= 0 and not is_held[node]}
     for nodes in trace(len(vertices), edges):
         path = np.array(nodes)
         sides = [

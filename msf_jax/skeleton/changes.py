@@ -83,9 +83,9 @@ def pruned(skeleton: "Skeleton", slenderness: float, detail: float | None, is_he
     if skeleton.source is not None and not report.wavefronts and least:
         solid = skeleton.source.solid
         caps = Caps(solid.outside, *([] if detail is None else [float(detail)]))
-        choice = one_branch.choose(caps, solid.enter(x), edges, is_held, least)
+        choice = one_branch.choose(caps, solid.shape, solid.enter(x), edges, is_held, least)
         if detail is not None and (grown := choice.leaf.count(-1)):
-            new, edges = one_branch.grown(caps, solid.shape, solid.enter(x), edges, choice, least)
+            new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
             new, edges = containment.contain(solid.shape, new, edges, np.pad(is_held, (0, len(new) - len(x))))
             x = np.concatenate([x, solid.leave(new[len(x) :])])
         added = 0, len(x) - len(is_held)

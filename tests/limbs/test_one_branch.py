@@ -41,14 +41,26 @@ def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
     at = [[-1.2, 0, 0.7], [-1.15, 0, 0.5], [1.2, 1, -1.0]]
     x, edges = np.array([[0, 0, -1.0], *at]), as_edges([(0, 1), (0, 2), (0, 3)])
     number = [int(np.argmin([abs(caps.shape.vertices[cap.tip, 0] - x) for cap in limbs.caps])) for x in (-1.2, 1.2)]
-    found = one_branch.choose(caps, x, edges, none_held(x), 1.2)
+    found = one_branch.choose(caps, caps.shape, x, edges, none_held(x), 1.2)
     assert found.leaf[number[0]] == 1 and found.leaf[number[1]] == -1 and sorted(found.leaf) == [-1, -1, -1, 1]
     assert found.worth[1] == np.inf and found.worth[2] == 0 and found.worth[3] < np.inf
     # The limb's width is its radius, and the finger ends at 1.0.
     for height, stays in ((0.9, 2), (0.5, 1)):
         x[2, 2] = height
         x[1, 2] = 0.95
-        assert one_branch.choose(caps, x, edges, np.arange(4) == 2, 1.2).leaf[number[0]] == stays
+        assert one_branch.choose(caps, caps.shape, x, edges, np.arange(4) == 2, 1.2).leaf[number[0]] == stays
+
+
+def test_a_leaf_behind_a_hole_across_a_limb_is_not_at_its_end():
+    """`LimbAxis.reach`: the hole is narrower than rings are apart, and the middle of one is in it, or wider."""
+    for radius in (0.3, 0.8):
+        bore = manifold3d.Manifold.cylinder(4, radius, radius, 24, True)
+        bar = manifold3d.Manifold.cube((12, 2.6, 2.6), True) - bore.translate((3, 0, 0)) - bore.translate((-3, 0, 0))
+        caps = Caps(solid(bar, 0.4))
+        for low, high, num in ((-1.0, 1.0, 0), (-5.0, 1.0, 1), (-5.0, 5.0, 2)):
+            x = np.array([[low, 0, 0], [0, 0, 0], [high, 0, 0]])
+            leaf = one_branch.choose(caps, caps.shape, x, as_edges([(0, 1), (1, 2)]), none_held(x), 1.2).leaf
+            assert len(leaf) == 2 and sum(node >= 0 for node in leaf) == num
 
 
 @pytest.mark.parametrize("back", [0.5, 1.5])
@@ -191,11 +203,11 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     shape = solid(block() + LIMB["long cylinder"][0], 0.1)
     x, edges = trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
     caps, held = Caps(shape), none_held(trunk[0])
-    choice = one_branch.choose(caps, x, edges, held, 1.2)
+    choice = one_branch.choose(caps, caps.shape, x, edges, held, 1.2)
     tops = [shape.vertices[cap.tip, 2] > 1 for cap in caps.limbs(1.2).caps]
     (number,) = np.flatnonzero(tops)
     assert choice.leaf[number] == -1
-    x, edges = one_branch.grown(caps, shape, *trunk, choice, 1.2)
+    x, edges = one_branch.grown(shape, *trunk, choice)
     assert cycle_count(len(x), edges) == (1, 0)
     np.testing.assert_array_equal(x[: len(held)], trunk[0])
     new = x[len(held) :]
