@@ -10,7 +10,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
-NEAR = 1.0  # radii, the larger of the two: junctions are merged that are joined by a shorter path
+NEAR = 1.2  # radii, the larger of the two: junctions are merged that are joined by a shorter path
 STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb
 TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
 

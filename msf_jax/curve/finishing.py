@@ -284,7 +284,7 @@ def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
     if not stays.all():
         draft = centre_nodes(reduced(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
-    return intersect_axes(draft, job)
+    return merge_junctions(intersect_axes(draft, job), job)
 
 
 def intersect_axes(draft: Draft, job: Job) -> Draft:
