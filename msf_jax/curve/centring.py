@@ -52,7 +52,7 @@ HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
 BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
-CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
+FINEST = 0.004  # clearances: step length at which the search ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
 
 
@@ -188,10 +188,7 @@ def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     clearance = shape.approximate_closest(points)[0]
     x, best, step = points.copy(), clearance.copy(), NEARBY / 2 * clearance
     away, is_near = np.zeros(len(x)), np.ones(len(x), dtype=bool)
-    for _ in range(CLIMBS):
-        live = np.flatnonzero(is_near & (step > FINEST * clearance))
-        if not len(live):
-            break
+    while len(live := np.flatnonzero(is_near & (step > FINEST * clearance))):
         tried = x[live, None] + step[live, None, None] * DIRECTIONS
         found = shape.approximate_closest(tried.reshape(-1, 3))[0].reshape(len(live), -1)
         most = found.argmax(axis=1)
@@ -201,7 +198,7 @@ def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
         step[live[~is_better]] /= 2
         away = np.linalg.norm(x - points, axis=1)
         is_near = away < DETOUR * NEARBY * clearance
-    return np.where(((away < NEARBY * clearance) & (step <= FINEST * clearance))[:, None], x, points)
+    return np.where((away < NEARBY * clearance)[:, None], x, points)
 
 
 class _Known:

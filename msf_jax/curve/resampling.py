@@ -12,8 +12,7 @@ from msf_jax.solid.geometry import arc_length, at, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
-STRAIGHTENINGS = 20  # rounds of `straighten`
-ROUNDINGS = 4  # rounds, each over all corners that are left
+MOST_ROUNDS = 20  # each over all corners that are left
 CORNER_REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
 
 
@@ -128,7 +127,7 @@ def straighten(
     """
     at = moves.places_of(shape, vertices)
     inner, before, after = containment.between(len(vertices), edges)
-    for _ in range(STRAIGHTENINGS):
+    for _ in range(MOST_ROUNDS):
         turn = np.where(is_held, 0.0, turns(at.x, edges))[inner]
         # Of two neighbours, the sharper one moves: both would swap the corner.
         beside = np.zeros(len(vertices))
@@ -153,7 +152,7 @@ def round_corners(
     and new ones as needed. Ends of branches and nodes of ``is_held`` (N,) stay.
     """
     x = vertices
-    for _ in range(ROUNDINGS):
+    for _ in range(MOST_ROUNDS):
         is_fixed = np.pad(is_held, (0, len(x) - len(is_held)))
         turn = np.where(is_fixed, 0.0, turns(x, edges))
         sharp = np.flatnonzero(turn > most)
