@@ -11,7 +11,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
-STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb
+STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb, and begin at one place
 
 
 def nearest_on_branch(

@@ -29,13 +29,12 @@ OFF = 0.2  # radii: largest distance of the meeting point from an axis
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
 THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
-# of its usual radius: with less, a branch is beside its axis; triangles as long as the radius make 0.85 of it
+# of its usual radius: with less, a branch is not on its axis; triangles as long as the radius make 0.85 of it
 KEPT = 0.75
 AXIS_REACH = 4.0  # of the trunk's radius: from it, at most, to where a side branch is on its axis, 15 degrees from it
 # Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
-USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where it has as much, its axis begins
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
 # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
@@ -224,7 +223,7 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             continue
         begins, lines = [], []
         for path, size in zip(paths, usual, strict=True):
-            along, is_own = arc_length(x[path]), radii[path] >= USUAL * size
+            along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
             margin, is_link = BEGIN * size, len(at_node[path[-1]]) > 2
             start = along[is_own.argmax()] + margin
             length = min(AXIS * size, along[-1] - is_link * margin - start)
