@@ -20,6 +20,7 @@ from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
 
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
+MOST_SAMPLES = 20_000  # of a surface, between its vertices, at which balls start
 MOST_QUERIES = 60  # queries for each ball, at most
 
 

@@ -22,7 +22,6 @@ from msf_jax.topology import graphs
 from msf_jax.topology.graphs import along_forest, down_forest, shortest_forest
 
 TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
-MOST_SEEDS = 20_000  # points of the surface at which balls start
 CORRECTIONS = 4  # corrections of a ball's radius by the triangles between samples
 NEIGHBOURS = 12  # nearest balls of any size that a ball has edges to
 LARGER = 3  # nearest balls of each larger size that a ball has edges to
@@ -307,7 +306,7 @@ def inner_balls(
 
     With ``places`` (P, 3) they touch the surface within ``reach`` (P,) of one of them.
     """
-    points, normals = shape.surface_points(MOST_SEEDS)
+    points, normals = shape.surface_points(balls.MOST_SAMPLES)
     if places is not None:
         near = spatial.KDTree(points).query_ball_point(places, reach)
         asked = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))

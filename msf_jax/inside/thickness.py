@@ -9,7 +9,7 @@ import numpy as np
 from scipy import spatial
 from scipy.sparse import csgraph
 
-from msf_jax.inside.balls import shrinking_balls
+from msf_jax.inside.balls import MOST_SAMPLES, shrinking_balls
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit, vertex_normals
 from msf_jax.topology import graphs
@@ -19,7 +19,6 @@ SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose ba
 LEAST_THICKNESS = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
 LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
 NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thickness at a point
-MOST_SAMPLES = 20_000  # samples of the surface
 FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
 
 
