@@ -8,8 +8,9 @@ least 1, and tried on one of `SHAPES` after the other, until one misses it: the 
 if a limb, a junction, a cycle or a doubt more or less is in it, if it is no longer sound, or by `MUCH`: its length, the
 place of an end over the radius of its branch, or the mean distance between both curves over the median radius.
 
-At the end are the constants that nobody misses, and the budgets, which are not tried: they bound time or memory. The
-flow is run once for each shape where the constant acts after it.
+At the end are the constants that nobody misses, and those that are not tried: budgets, which bound time or memory, and
+numbers in kernels, which `tests.translate` has compiled. The flow is run once for each shape where the constant acts
+after it.
 """
 
 import argparse
@@ -105,13 +106,14 @@ class Constant(NamedTuple):
     module: str
     name: str
     value: float
+    is_compiled: bool = False
 
     def by(self, factor: float) -> float:
         return max(1, round(self.value * factor)) if isinstance(self.value, int) else self.value * factor
 
     @property
-    def is_budget(self) -> bool:
-        return any(part in self.name for part in BUDGETS)
+    def is_left_out(self) -> bool:
+        return self.is_compiled or any(part in self.name for part in BUDGETS)
 
     def __str__(self) -> str:
         return f"{self.module.removeprefix('msf_jax.')}.{self.name}"
@@ -124,13 +126,21 @@ def constants(folders: list[str], names: list[str] | None) -> list[Constant]:
         place, _, only = folder.partition(".")
         for path in sorted((curves.ROOT / "msf_jax" / place).glob(f"{only or '*'}.py")):
             module = importlib.import_module(f"msf_jax.{place}.{path.stem}")
-            for node in ast.parse(path.read_text()).body:
+            tree = ast.parse(path.read_text())
+            compiled = names_in_kernels(tree)
+            for node in tree.body:
                 targets = node.targets if isinstance(node, ast.Assign) else []
                 for target in (name for each in targets for name in ast.walk(each) if isinstance(name, ast.Name)):
                     value = getattr(module, target.id)
                     if type(value) in (int, float) and (not names or target.id in names):
-                        found.append(Constant(module.__name__, target.id, value))
+                        found.append(Constant(module.__name__, target.id, value, target.id in compiled))
     return found
+
+
+def names_in_kernels(tree: ast.Module) -> set[str]:
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    kernels = [each for each in functions if {ast.unparse(name) for name in each.decorator_list} & {"kernel", "part"}]
+    return {node.id for each in kernels for node in ast.walk(each) if isinstance(node, ast.Name)}
 
 
 def places(constant: Constant) -> Iterator[tuple[ModuleType, FunctionType | None, int]]:
@@ -269,7 +279,7 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
     import msf_jax  # noqa: F401  # all modules are to be there
 
     numbers = constants(wanted.modules, wanted.names)
-    tried = [each for each in numbers if not each.is_budget or wanted.names]
+    tried = [each for each in numbers if not each.is_left_out or wanted.names]
     runs = {name: Run(SHAPES[name]()) for name in wanted.shapes}
     yield f"# Constants\n\n{len(numbers)} numbers of {', '.join(wanted.modules)}, on {', '.join(runs)}.\n\n"
     yield curves.line(["constant", "value", "by", "missed by", "changes"])
@@ -286,7 +296,7 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
         if not missed:
             unmissed.append(str(constant))
     yield f"\nNobody misses {len(unmissed)} of {len(tried)}: {', '.join(unmissed)}.\n"
-    yield f"\nBudgets: {', '.join(str(each) for each in numbers if each not in tried)}.\n"
+    yield f"\nNot tried: {', '.join(str(each) for each in numbers if each not in tried)}.\n"
 
 
 def words(text: str) -> list[str]:
