@@ -59,10 +59,13 @@ def shared(name: str) -> Solid:
 
 
 def plant() -> Solid:
-    """A piece of a stem of overlapping tubes, with side branches that are thinner."""
-    vertices, faces = shared("cases/plant-stem.obj")
-    height = vertices[faces, 1]
-    return vertices, faces[(height.min(axis=1) > 48.9) & (height.max(axis=1) < 55.0)]
+    """A stem with side branches of a third of its radius, each from its middle on."""
+    stem = solids.rod(16.0, 0.6, sides=12)
+    for height, turn in ((-4.0, 0.0), (0.0, 140.0), (4.0, 250.0)):
+        side = solids.at(solids.rod(5.0, 0.2, sides=12), 0, 0, 2.5).rotate((0.0, 50.0, turn))
+        stem += solids.at(side, 0, 0, height)
+    mesh = stem.refine_to_length(0.6).to_mesh64()
+    return mesh.vert_properties[:, :3], mesh.tri_verts.astype(np.int64)
 
 
 def arrays(mesh: trimesh.Trimesh) -> Solid:
