@@ -12,7 +12,6 @@ from msf_jax.solid.geometry import arc_length, at, repeated
 from msf_jax.topology import graphs
 
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
-BEYOND = 7.0  # limb sizes along the branch: farther nodes have only the weight `FLOOR` in a mean
 CHUNK = 500  # nodes of a loop at a time that are held against all of its edges
 UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
 STIFFEST = 1e5  # limit on the stiffness
@@ -116,8 +115,9 @@ def sizes(
         if own.sum() > 1e-3:
             along = arc_length(x[nodes])
             usual = np.average(size[nodes], weights=own)
-            first = np.searchsorted(along, along - BEYOND * usual)
-            count = np.searchsorted(along, along + BEYOND * usual, side="right") - first
+            farthest = usual * np.sqrt(-2 * np.log(FLOOR * np.finfo(float).eps))  # beyond, rounding hides the bell
+            first = np.searchsorted(along, along - farthest)
+            count = np.searchsorted(along, along + farthest, side="right") - first
             start = np.cumsum(count) - count
             here, place = repeated(count)
             there = first[here] + place

@@ -6,13 +6,13 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.solid.frame import RESOLUTION
 from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
 NEAR = 1.2  # radii, the larger of the two: junctions are merged that are joined by a shorter path
-STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb
-TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
+STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb, and begin at one place
 
 
 def nearest_on_branch(
@@ -188,7 +188,7 @@ class _Places(NamedTuple):
 def _places(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> _Places:
     """Which nodes coincide, those of ``is_held`` (N,) before others, and which nodes are on edges."""
     num, tree = len(vertices), spatial.KDTree(vertices)
-    pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
+    pairs = tree.query_pairs(RESOLUTION, output_type="ndarray")
     place = graphs.labels(num, *pairs.T)
     held_first = np.lexsort((np.arange(num), ~is_held))
     target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
@@ -213,14 +213,14 @@ def _nodes_on(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Edges (k,), nodes (k,) that lie on them between their ends, and the fraction (k,) of the edge before the node."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    near = tree.query_ball_point((a + b) / 2, np.linalg.norm(b - a, axis=1) / 2 + TOGETHER)
+    near = tree.query_ball_point((a + b) / 2, np.linalg.norm(b - a, axis=1) / 2 + RESOLUTION)
     edge = np.repeat(np.arange(len(edges)), np.fromiter(map(len, near), np.int64, len(near)))
     node = np.concatenate([*near, np.empty(0)]).astype(np.int64)
     along, offset = (b - a)[edge], vertices[node] - a[edge]
     length2 = np.maximum(np.einsum("ij,ij->i", along, along), 1e-300)
     part = np.einsum("ij,ij->i", along, offset) / length2
-    is_on = np.linalg.norm(offset - part[:, None] * along, axis=1) < TOGETHER
-    is_on &= np.minimum(part, 1 - part) * np.sqrt(length2) > TOGETHER
+    is_on = np.linalg.norm(offset - part[:, None] * along, axis=1) < RESOLUTION
+    is_on &= np.minimum(part, 1 - part) * np.sqrt(length2) > RESOLUTION
     return edge[is_on], node[is_on], part[is_on]
 
 

@@ -48,12 +48,11 @@ FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no o
 DAMPING = 0.05  # damping of a step, as a weight of its square
 DAMPING_ALONG = 0.3  # more damping of its component along the branch
 LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
-LARGEST_DERIVATIVE = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
 BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
-CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
+FINEST = 0.004  # clearances: step length at which the search ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
 
 
@@ -189,10 +188,7 @@ def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     clearance = shape.approximate_closest(points)[0]
     x, best, step = points.copy(), clearance.copy(), NEARBY / 2 * clearance
     away, is_near = np.zeros(len(x)), np.ones(len(x), dtype=bool)
-    for _ in range(CLIMBS):
-        live = np.flatnonzero(is_near & (step > FINEST * clearance))
-        if not len(live):
-            break
+    while len(live := np.flatnonzero(is_near & (step > FINEST * clearance))):
         tried = x[live, None] + step[live, None, None] * DIRECTIONS
         found = shape.approximate_closest(tried.reshape(-1, 3))[0].reshape(len(live), -1)
         most = found.argmax(axis=1)
@@ -202,7 +198,7 @@ def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
         step[live[~is_better]] /= 2
         away = np.linalg.norm(x - points, axis=1)
         is_near = away < DETOUR * NEARBY * clearance
-    return np.where(((away < NEARBY * clearance) & (step <= FINEST * clearance))[:, None], x, points)
+    return np.where((away < NEARBY * clearance)[:, None], x, points)
 
 
 class _Known:
@@ -264,11 +260,9 @@ class _System:
         flat = np.eye(3) - t[:, :, None] * t[:, None, :]
         self.off = np.einsum("nij,nj->ni", flat, x[limb] - found.centroid)
         slide = np.einsum("nij,nj->ni", flat, found.slide)
-        slide *= _bound(slide)[:, None]
         own = flat - slide[:, :, None] * t[:, None, :]
         length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
         turn = -flat @ found.turn @ flat / length[:, None, None]
-        turn *= _bound(turn.reshape(-1, 9))[:, None, None]
         reach = chord[limb].tocoo()
         row = np.concatenate([np.arange(len(limb)), reach.row])
         column = np.concatenate([limb, reach.col])
@@ -298,8 +292,3 @@ class _System:
     def moved(self, step: np.ndarray) -> np.ndarray:
         """(L, 3) the change of `off` in a step."""
         return (self.rows @ step.ravel())[: self.off.size].reshape(-1, 3)
-
-
-def _bound(derivative: np.ndarray) -> np.ndarray:
-    """(L,) factors that limit the rows of ``derivative`` (L, k), as a section through a sliver can have a huge one."""
-    return np.minimum(1.0, LARGEST_DERIVATIVE / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))

@@ -20,13 +20,13 @@ from msf_jax.inside.roadmap import Roadmap
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION
 from msf_jax.solid.geometry import signed_volume
+from msf_jax.solid.handles import SEED
 from msf_jax.solid.solid import bodies
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
 PRIME = 2**24 - 3  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
 BLOCK = 64  # vectors that are reduced together
-SEED = 1409  # of the random linear forms
 FACTORS = (2, 3)  # moduli with a smaller rank if loops go around handles several times
 # Linking numbers, of edges of a curve with loops of the surface, that are computed for one curve (1 GB), and those of
 # all paths that are tried for one curve. One of 13,000 edges in a solid of genus 1,409 has 4e7, its search takes 8e7.

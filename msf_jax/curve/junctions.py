@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.curve import branch_paths
+from msf_jax.curve.branches import STRAND
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, unit
@@ -28,16 +29,13 @@ OFF = 0.2  # radii: largest distance of the meeting point from an axis
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
 THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
-# of its usual radius: with less, a branch is beside its axis; triangles as long as the radius make 0.85 of it
+# of its usual radius: with less, a branch is not on its axis; triangles as long as the radius make 0.85 of it
 KEPT = 0.75
-SHARED = 0.5  # radii of a side branch: it begins at a junction of the trunk that is nearer than that
 AXIS_REACH = 4.0  # of the trunk's radius: from it, at most, to where a side branch is on its axis, 15 degrees from it
 # Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
-USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where it has as much, its axis begins
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
-MIDDLE = 0.4  # of a branch between two junctions: there at the latest
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
 # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
 SPREAD = 0.05
@@ -178,7 +176,7 @@ def attached(
         # Branches that begin at one place share its node.
         nodes = np.intersect1d(edges[is_trunk], np.flatnonzero(np.bincount(edges.ravel()) > 2))
         away = np.linalg.norm(x[nodes] - found.place, axis=1)
-        is_shared, new, meet = bool((away < SHARED * side.size).any()), len(x), found.place
+        is_shared, new, meet = bool((away < STRAND * side.size).any()), len(x), found.place
         if is_shared:
             new = int(nodes[away.argmin()])
             meet = x[new]
@@ -225,14 +223,12 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             continue
         begins, lines = [], []
         for path, size in zip(paths, usual, strict=True):
-            along, is_own = arc_length(x[path]), radii[path] >= USUAL * size
+            along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
             margin, is_link = BEGIN * size, len(at_node[path[-1]]) > 2
-            if is_link:
-                margin = min(margin, MIDDLE * along[-1])
             start = along[is_own.argmax()] + margin
             length = min(AXIS * size, along[-1] - is_link * margin - start)
             begin = int(np.searchsorted(along, start))
-            if margin < size or length <= 0 or is_held[path[: begin + 1]].any():
+            if length <= 0 or is_held[path[: begin + 1]].any():
                 break
             # Through three points of the branch's own stretch, or two if it is straight.
             place = start + length * np.array([0.0, 0.5, 1.0])

@@ -20,7 +20,6 @@ from msf_jax.solid.handles import Handles
 
 LEAST_CLEARANCE = 0.25  # share of its first clearance that a move leaves to a node: the coarse surface is not exact
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
-SLIGHT = 0.05  # clearances: a shorter step is taken without a test
 CLOSE = 0.005  # diagonals: clearances below are measured exactly
 
 
@@ -49,11 +48,7 @@ def taken(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, 
     is_free = step.any(axis=1) & (clearance > 0)
     part = is_free.astype(float)
     goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
-    length = np.linalg.norm(step, axis=1)
-    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # needs no test
-    goal[is_slight] += step[is_slight]
-    new_clearance[is_slight] -= length[is_slight]
-    changed = np.flatnonzero(is_free & ~is_slight)
+    changed = np.flatnonzero(is_free)
     edges = edges[np.isin(edges, changed).any(axis=1)]
     edges = edges[_is_open(shape, x, x, clearance, clearance, edges)]
     class_of = handles.classes(x[edges[:, 0]], x[edges[:, 1]]) if handles.genus else np.zeros(len(edges), np.int64)

@@ -2,7 +2,6 @@
 the curve inside its solid."""
 
 import itertools
-from math import comb
 
 import numpy as np
 
@@ -13,15 +12,8 @@ from msf_jax.solid.geometry import arc_length, at, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
-STRAIGHTENINGS = 20  # rounds of `straighten`
-ROUNDINGS = 4  # rounds, each over all corners that are left
+MOST_ROUNDS = 20  # each over all corners that are left
 CORNER_REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
-LEGS = 3  # control points of the Bezier curve on each side of the corner, with the corner itself
-FINE = 65  # points at which the Bezier curve is evaluated, to place its nodes
-EVEN = 0.3  # share of arc length in the spacing of its nodes; the rest is by turning
-SPARE = 0.75  # mean turn at these nodes, over the sharpest allowed turn
-ENDS = 0.2  # fraction of the distance to the corner: a node so near to either end of the replaced part becomes its end
-CLOSEST = 0.01  # clearances between two nodes: a corner that would need a smaller distance stays
 
 
 def resample(
@@ -135,7 +127,7 @@ def straighten(
     """
     at = moves.places_of(shape, vertices)
     inner, before, after = containment.between(len(vertices), edges)
-    for _ in range(STRAIGHTENINGS):
+    for _ in range(MOST_ROUNDS):
         turn = np.where(is_held, 0.0, turns(at.x, edges))[inner]
         # Of two neighbours, the sharper one moves: both would swap the corner.
         beside = np.zeros(len(vertices))
@@ -155,12 +147,12 @@ def round_corners(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with corners that turn by more than ``most`` degrees rounded: its nodes, new ones last, and its edges.
 
-    The ball around a corner is convex and inside, so any curve within it is inside. There the curve is replaced by the
-    Bezier curve with the old polyline as its control polygon. Its total turn is no larger, and it has no corner. It
-    uses the old nodes there, and new ones as needed. Ends of branches and nodes of ``is_held`` (N,) stay.
+    The ball around a corner is convex and inside, so any curve within it is inside. There the curve is replaced by a
+    parabola that ends where it left the ball, and points to the corner there. It has no corner. It uses the old nodes,
+    and new ones as needed. Ends of branches and nodes of ``is_held`` (N,) stay.
     """
     x = vertices
-    for _ in range(ROUNDINGS):
+    for _ in range(MOST_ROUNDS):
         is_fixed = np.pad(is_held, (0, len(x) - len(is_held)))
         turn = np.where(is_fixed, 0.0, turns(x, edges))
         sharp = np.flatnonzero(turn > most)
@@ -214,40 +206,30 @@ def _round_corner(
     low, high = ends[ends < here].max(), ends[ends > here].min()
     reach = CORNER_REACH * clearance
     first, last = max(along[low], along[here] - reach), min(along[high], along[here] + reach)
-    begin = max(low, np.searchsorted(along, first))  # first of the nodes between; some may coincide with an end
-    end = min(high + 1, np.searchsorted(along, last, side="right"))
-    has_first = along[begin] <= first + ENDS * (along[here] - first)
-    has_last = along[end - 1] >= last - ENDS * (last - along[here])
-    first, last = along[begin] if has_first else first, along[end - 1] if has_last else last
-    old = nodes[begin + has_first : end - has_last]
-    stops = np.r_[np.linspace(first, along[here], LEGS), np.linspace(along[here], last, LEGS)[1:]]
-    curve = _bezier(at(x[nodes], along, stops))
-    step = np.diff(curve, axis=0)
-    length, turn = np.linalg.norm(step, axis=1), np.r_[0.0, _angles(step[:-1], step[1:]), 0.0]
-    num = max(len(old), int(np.ceil(turn.sum() / (SPARE * most))))
-    share = EVEN * length / length.sum() + (1 - EVEN) * (turn[:-1] + turn[1:]) / 2 / turn.sum()
-    part = np.r_[0.0, np.cumsum(share)]
-    chosen = at(curve, part, np.linspace(0.0, part[-1], num + 2))
+    if first == along[here] or last == along[here]:  # another node is in the place of the corner
+        return x, nodes
+    begin, end = np.searchsorted(along, first, side="right"), np.searchsorted(along, last)
+    old, sharp = nodes[begin:end], _angles(*np.diff(x[nodes[here - 1 : here + 2]], axis=0)[:, None])[0]
+    three = at(x[nodes], along, np.array([first, along[here], last]))
+    num = max(len(old), int(np.ceil(2 * sharp / most)))
+    chosen = _parabola(three, num + 2)
+    at_first, at_last = along[begin - 1] == first, along[end] == last
     chain = np.full(num + 2, -1)
-    chain[0], chain[-1] = nodes[begin] if has_first else -1, nodes[end - 1] if has_last else -1
-    chain[1 + ((np.arange(len(old)) + 0.5) * num / max(len(old), 1)).astype(np.int64)] = old
+    chain[0], chain[-1] = nodes[begin - 1] if at_first else -1, nodes[end] if at_last else -1
+    chain[1 + ((np.arange(len(old)) + 0.5) * num / len(old)).astype(np.int64)] = old
     is_new = chain < 0
     chain[is_new] = len(x) + np.arange(np.count_nonzero(is_new))
     y = np.concatenate([x, chosen[is_new]])
     y[old] = chosen[np.isin(chain, old)]
-    path = np.r_[nodes[:begin], chain, nodes[end:]]
-    around = np.diff(y[path[max(begin - 1, 0) : begin + len(chain) + 1]], axis=0)
-    before, after = np.diff(x[nodes[here - 1 : here + 2]], axis=0)
-    is_less = _angles(around[:-1], around[1:]).max() < _angles(before[None], after[None])[0]
-    is_apart = np.linalg.norm(np.diff(y[chain], axis=0), axis=1).min() > CLOSEST * clearance
-    if not (is_less and is_apart):
+    path = np.r_[nodes[: begin - at_first], chain, nodes[end + at_last :]]
+    around = np.diff(y[path[max(begin - at_first - 1, 0) : begin - at_first + len(chain) + 1]], axis=0)
+    if _angles(around[:-1], around[1:]).max() >= sharp:
         return x, nodes
     is_fixed[old] = True
     return y, path
 
 
-def _bezier(points: np.ndarray) -> np.ndarray:
-    """(FINE, 3) points of the Bezier curve whose control polygon is ``points`` (k, 3)."""
-    t, degree = np.linspace(0, 1, FINE)[:, None], len(points) - 1
-    number = np.arange(degree + 1)
-    return np.array([comb(degree, k) for k in number]) * t**number * (1 - t) ** (degree - number) @ points
+def _parabola(three: np.ndarray, num: int) -> np.ndarray:
+    """(num, 3) points of the Bezier curve with the control points ``three`` (3, 3)."""
+    t = np.linspace(0, 1, num)[:, None]
+    return (1 - t) ** 2 * three[0] + 2 * t * (1 - t) * three[1] + t**2 * three[2]

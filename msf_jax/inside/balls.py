@@ -16,13 +16,12 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.inside.voronoi import Poles
-from msf_jax.solid.geometry import unit, vertex_normals
+from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
 
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
-LARGEST_RADIUS = 1.0  # largest radius, likewise
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
+MOST_SAMPLES = 20_000  # of a surface, between its vertices, at which balls start
 MOST_QUERIES = 60  # queries for each ball, at most
-EMPTY = 1 - 1e-9  # a point counts as inside if it is nearer to the centre than this share of the radius
 
 
 class Balls(NamedTuple):
@@ -62,7 +61,7 @@ def shrinking_balls(
         away, found = np.asarray(away), np.asarray(found)
         is_own = found[:, 0] == own[active]
         away, found = np.where(is_own, away[:, 1], away[:, 0]), np.where(is_own, found[:, 1], found[:, 0])
-        is_hit = away < EMPTY * r
+        is_hit = away < (1 - ROUNDING) * r
         to_q = tree.data[np.where(is_hit, found, 0)] - v
         length2 = np.einsum("ij,ij->i", to_q, to_q)
         depth = -np.einsum("ij,ij->i", n, to_q)
@@ -87,7 +86,7 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
     normals = unit(vertex_normals(sites, faces))
     extent = float(np.ptp(sites, axis=0).max())
     every = np.arange(len(sites))
-    found = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, LARGEST_RADIUS * extent, every)
+    found = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, extent, every)
     centre = sites - found.radius[:, None] * normals
     box = sites if box is None else box
     is_found = (found.touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)

@@ -1,8 +1,8 @@
 """Keep the curve inside the solid: nodes off the surface, and edges that do not cross it.
 
 A node outside is moved into the solid behind its nearest triangle, to the middle of the limb there. An edge that leaves
-the solid is replaced by a path inside: over the centroid of its own cross-section, if that is enough, or else along
-the edges of a roadmap (see `roadmap`), which prefers short paths and large balls.
+the solid is replaced by a path inside along the edges of a roadmap (see `roadmap`), which prefers short paths and large
+balls.
 """
 
 import itertools
@@ -11,12 +11,10 @@ import numpy as np
 
 from msf_jax.inside import balls
 from msf_jax.inside.roadmap import TOUCHING, Roadmap
-from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, barycentric, unit
+from msf_jax.solid.geometry import ROUNDING, arc_length, barycentric
 from msf_jax.topology import graphs
 
-HALVINGS = 2  # times that an edge outside is bisected, before the roadmap is searched
 SHALLOWER = 10  # candidates for the ball behind the surface, each with half the radius of the one before
 
 
@@ -43,18 +41,7 @@ def contain(
         is_out = (radii < TOUCHING) & ~is_held
         x[is_out], radii[is_out] = roadmap.nearest(x[is_out], radii[is_out])
 
-    def outside() -> np.ndarray:
-        return ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
-
-    is_bad = outside()
-    for _ in range(HALVINGS):
-        if not is_bad.any():
-            break
-        middle, is_near = _middles(shape, x[edges[is_bad, 0]], x[edges[is_bad, 1]])
-        is_bad[is_bad] = is_near
-        x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
-        radii = np.concatenate([radii, shape.clearance(x[len(radii) :])])
-        is_bad = outside()
+    is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
     return _replaced(x, edges, is_bad, roadmap.paths(x, edges[is_bad]))
 
 
@@ -86,7 +73,7 @@ def cut_off(
 
 
 def is_inside(
-    shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None, sliver: float = 1e-9
+    shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None, sliver: float = ROUNDING
 ) -> np.ndarray:
     """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid, up to stretches shorter than
     ``sliver`` between its ends.
@@ -144,23 +131,6 @@ def _replaced(
     return np.concatenate([x, *chains]), np.concatenate([edges[~is_gone], new])
 
 
-def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """A point inside near the middle of each edge, and whether it is near enough to lead the edge over it."""
-    middle = (a + b) / 2
-    inner = middle.copy()
-    is_out = shape.clearance(middle) < TOUCHING
-    inner[is_out] = _inward(shape, middle[is_out])
-    clearance, near = shape.approximate_clearance(inner)
-    found = sections.cut(shape, inner, unit(b - a), clearance, near)
-    clearance_there = shape.clearance(found.centroid)
-    is_better = found.is_around & (clearance_there > np.maximum(clearance, TOUCHING))
-    inner, clearance = (
-        np.where(is_better[:, None], found.centroid, inner),
-        np.where(is_better, clearance_there, clearance),
-    )
-    return inner, (clearance > TOUCHING) & (np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1))
-
-
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     """For points outside or on the surface: the centre of the ball that touches the nearest triangle from inside.
 
@@ -169,7 +139,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     _, triangle = shape.nearest(points)
     corner, normal = shape.triangles[triangle], shape.normals[triangle]
     entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
-    depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, balls.LARGEST_RADIUS).radius
+    depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, 1.0).radius
     shallower = 0.5 ** np.arange(SHALLOWER)
     choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
     clearance = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))

@@ -22,17 +22,14 @@ from msf_jax.topology import graphs
 from msf_jax.topology.graphs import along_forest, down_forest, shortest_forest
 
 TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
-MOST_SEEDS = 20_000  # points of the surface at which balls start
 CORRECTIONS = 4  # corrections of a ball's radius by the triangles between samples
 NEIGHBOURS = 12  # nearest balls of any size that a ball has edges to
 LARGER = 3  # nearest balls of each larger size that a ball has edges to
 LONGEST_EDGE = 3.0  # sums of the two radii: balls farther apart have no edge
-JOINING = 2  # edges of each part that the first round of joining tests; each next round tests twice as many
 MOST_TESTS = 15_000  # tests of edges in joining, for one curve
 MOST_TESTS_FOR_LOOPS = 60_000  # tests of edges in the search for missing loops
 REACHES = (2.0, 6.0)  # lengths of the edge to replace: longest detour over a ball, in the first and the second search
 TRIES = 8  # searches that may use untested edges; afterwards only tested edges are used
-UNTESTED = 3.0  # factor on the cost of untested edges
 VISITS = 5_000_000  # visits of balls by all searches for one curve
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
@@ -218,10 +215,11 @@ class _Graph:
 
     def join(self, pairs: np.ndarray, most_tests: int) -> bool:
         """Test edges until the two balls of each of ``pairs`` (W, 2) are in one part, if they can be. Returns False if
-        a bound stopped it. It tests edges of the smaller of two parts, which may be an enclosed pocket.
+        a bound stopped it. It tests edges of the smaller of two parts, which may be an enclosed pocket: in the first
+        round one of each part, and in each next round twice as many.
         """
         tail, head, gap, _, is_tested, is_open = self.links
-        most = JOINING
+        most = 1
         while True:
             self.part = graphs.labels(len(self.centre), tail[is_open], head[is_open])
             both = self.part[pairs[self.part[pairs[:, 0]] != self.part[pairs[:, 1]]]]
@@ -279,7 +277,7 @@ class _Graph:
         self.num_visits += len(near)
         number = self.number if len(near) == len(self.centre) else self.number[near][:, near]
         edge = number.data - 1
-        price = np.where(is_tested[edge], 1.0, UNTESTED) * cost[edge]
+        price = cost[edge]
         price[~is_open[edge] & (is_tested[edge] | (not may_be_untested))] = np.inf
         matrix = sparse.csr_matrix((price, number.indices, number.indptr), number.shape)
         first, last = np.searchsorted(near, [start, end]).tolist()
@@ -308,13 +306,13 @@ def inner_balls(
 
     With ``places`` (P, 3) they touch the surface within ``reach`` (P,) of one of them.
     """
-    points, normals = shape.surface_points(MOST_SEEDS)
+    points, normals = shape.surface_points(balls.MOST_SAMPLES)
     if places is not None:
         near = spatial.KDTree(points).query_ball_point(places, reach)
         asked = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))
         points, normals = points[asked], normals[asked]
     tree = shape.sample_tree()
-    radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST_RADIUS).radius
+    radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, 1.0).radius
     left = np.arange(len(points))
     for _ in range(CORRECTIONS):  # large triangles can be nearer than any sample
         foot = shape.feet(points[left] - radius[left, None] * normals[left])

@@ -9,7 +9,7 @@ import numpy as np
 from scipy import spatial
 from scipy.sparse import csgraph
 
-from msf_jax.inside.balls import shrinking_balls
+from msf_jax.inside.balls import MOST_SAMPLES, shrinking_balls
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit, vertex_normals
 from msf_jax.topology import graphs
@@ -17,10 +17,8 @@ from msf_jax.topology import graphs
 THIN = 0.005  # diagonals: a limb of a smaller radius is thin
 SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
 LEAST_THICKNESS = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
-SAMPLED, MANY = 8, 30_000  # with more than MANY vertices, first only one of SAMPLED vertices is tested
 LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
 NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thickness at a point
-MOST_SAMPLES = 20_000  # samples of the surface
 FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
 
 
@@ -32,16 +30,13 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
         faces: (F, 3), closed and oriented.
     """
     normals, tree = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices)
-    radius = np.empty(0)
-    # With many vertices, the balls at some of them can show that the solid is not thin, because they bound radii below.
-    for step in (SAMPLED, 1) if len(vertices) > MANY else (1,):
-        some = np.arange(0, len(vertices), step)
-        radius = shrinking_balls(vertices[some], normals[some], tree, 2 * THIN, 2 * THIN, some).radius
-        if step > 1 or (radius < THIN).mean() > FEW:
-            pairs = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
-            radius = limb_radii(vertices, pairs, some, radius, 2 * THIN)
-        if (radius < THIN).mean() <= FEW:
-            return None
+    every = np.arange(len(vertices))
+    radius = shrinking_balls(vertices, normals, tree, 2 * THIN, 2 * THIN, every).radius
+    if (radius < THIN).mean() > FEW:
+        pairs = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+        radius = limb_radii(vertices, pairs, every, radius, 2 * THIN)
+    if (radius < THIN).mean() <= FEW:
+        return None
     return np.clip(radius / THIN, LEAST_THICKNESS, 1.0)
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.solid.geometry import cross, repeated, unit
+from msf_jax.solid.geometry import ROUNDING, cross, repeated, unit
 from msf_jax.topology import graphs
 
 MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
@@ -100,7 +100,7 @@ def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> Meas
     vector = cross(a - from_there, b - from_there)
     area = np.linalg.norm(vector, axis=1)
     centre, total = mean((a + b + from_there) / 3, area)
-    is_flat = total <= 1e-9 * perimeter**2
+    is_flat = total <= ROUNDING * perimeter**2
     # A ring without a length is a point: all of its segments start and end there.
     point = np.zeros((num, 3))
     point[ring] = a

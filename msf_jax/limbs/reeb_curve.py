@@ -21,7 +21,6 @@ from msf_jax.topology import graphs
 
 COARSE = 1.0  # radii: median edge length of a limb with six sides; longer edges mean fewer sides
 ROUND = 3.0  # largest median perimeter of the rings, over that of a circle; a plate has far longer rings
-CANDIDATES = 100  # vertices tried for the thickest point: a ball between few vertices can be too large
 MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
 OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
 AT_TIP = 0.5  # radii: vertices that are nearer than the farthest by no more than this belong to the tip, too
@@ -44,16 +43,15 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     # Whether the solid is thin is decided by balls of limited size, which are found fast.
     if np.median(balls.shrinking_balls(*asked, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
         return None
-    radius = balls.shrinking_balls(*asked, balls.LARGEST_RADIUS, np.arange(len(x))).radius
+    radius = balls.shrinking_balls(*asked, 1.0, np.arange(len(x))).radius
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)
     if np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
         return None
     graph = graphs.weighted(len(x), tail, head, np.maximum(length, 1e-12))
-    thickest = np.argsort(-radius, kind="stable")[:CANDIDATES]
-    clearance = shape.approximate_clearance(x[thickest] - radius[thickest, None] * normals[thickest])[0]
-    seed = int(thickest[clearance.argmax()])
+    # A ball between few vertices can be too large, so the clearances of all middles are asked for.
+    seed = int(shape.approximate_clearance(x - radius[:, None] * normals)[0].argmax())
     away = csgraph.dijkstra(graph, indices=seed)
     found = levels(x, faces, away, step)
     if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:

@@ -708,7 +708,7 @@ define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed
   %126 = fadd double %124, %125
   %127 = fmul double %123, %123
   %128 = fadd double %126, %127
-  %129 = fmul double %78, 0x3FF0000000001198
+  %129 = fmul double %78, 0x3FF000000044B830
   %130 = fcmp ugt double %128, %129
   br i1 %130, label %139, label %131
 131:
@@ -3111,7 +3111,7 @@ define i64 @msf_jax.solid.walks.loops(ptr readonly %0) local_unnamed_addr {
   %297 = phi i64 [ %783, %794 ], [ %38, %284 ]
   %298 = phi i64 [ %795, %794 ], [ 1, %284 ]
   %299 = fmul double %295, %295
-  %300 = fmul double %299, 0x3FF0000000001198
+  %300 = fmul double %299, 0x3FF000000044B830
   br label %301
 301:
   %302 = phi i64 [ %775, %774 ], [ %298, %288 ]

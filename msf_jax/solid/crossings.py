@@ -13,7 +13,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.enclosure import MOST_CROSSED, Enclosure
 from msf_jax.solid.geometry import cross, repeated
 from msf_jax.solid.triangles import boxes, middles
 from msf_jax.topology import graphs
@@ -25,7 +25,6 @@ CELL = 2.0  # mean sizes of a face's box: width of a grid cell, which grows unti
 MOST_CELLS = 16  # mean number of cells that the box of a face overlaps
 LONGEST = 100_000  # cells along the longest axis of the grid
 PAIRS_AT_ONCE = 500_000  # pairs of faces in a batch: bounds memory
-MOST_FOUND = 10_000  # pairs after which the search stops: the mesh is a tangle in any case
 
 
 class Crossings:
@@ -55,7 +54,7 @@ class Crossings:
     def found(self, vertices: np.ndarray) -> np.ndarray:
         """(P, 2) the pairs of faces that are apart and cross, for the moved ``vertices`` (V, 3).
 
-        The search stops after ``MOST_FOUND`` pairs.
+        The search stops after ``MOST_CROSSED`` pairs: the mesh is a tangle in any case.
         """
         corners = vertices[self.faces]
         low, high = boxes(corners)
@@ -71,7 +70,7 @@ class Crossings:
             one, other = one[apart], other[apart]
             is_crossed = _cross(corners[one], corners[other])
             pairs.append(np.stack([one[is_crossed], other[is_crossed]], axis=1))
-            if sum(map(len, pairs)) > MOST_FOUND:
+            if sum(map(len, pairs)) > MOST_CROSSED:
                 break
         return np.concatenate(pairs)
 

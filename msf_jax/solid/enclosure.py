@@ -12,18 +12,15 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid import kernels
-from msf_jax.solid.geometry import barycentric, cross, unit
+from msf_jax.solid.geometry import ROUNDING, barycentric, cross, unit
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import Mesh
 from msf_jax.solid.triangles import Samples, boxes, middles, reaches, sampled, tree_of
 
 SURE = 0.5  # share of an approximate clearance that counts as certain
 HITS_AT_FIRST = 8  # hits a ray for which memory is allocated first; few rays have more
-HITS_OF_SEGMENT = 1_000  # hits of one segment for which memory is allocated first
 MOST_CROSSED = 10_000  # pairs of triangles that cross that are listed; the rest is counted
 MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a crossing; limbs of a fan have many more
-APART = 1e-9  # extents: triangles that pass through each other by less only touch
-ROUNDING = 1e-9  # extents by which the box around a ray is enlarged, against rounding
 
 
 class Crossed(NamedTuple):
@@ -74,6 +71,7 @@ class Enclosure:
 
     @cached_property
     def _slack(self) -> float:
+        """By how much the box around a ray is enlarged."""
         return ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
 
     @cached_property
@@ -95,7 +93,7 @@ class Enclosure:
         """Where the surface crosses itself: pairs of triangles that have no corner in common."""
         corners = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()[self.faces.ravel()]
         pairs, tested = np.empty((2, MOST_CROSSED), dtype=np.int64), np.zeros(1, dtype=np.int64)
-        most, least = MOST_TESTED * len(self.faces), APART * self.extent
+        most, least = MOST_TESTED * len(self.faces), ROUNDING * self.extent  # by less, they only touch
         num = kernels.crossed(corners, self.mesh, least, most, tested, pairs[0], pairs[1])
         return Crossed(pairs[:, :num].T, num, bool(tested[0] >= most))
 
@@ -196,7 +194,7 @@ class Enclosure:
     def holds(self, a: np.ndarray, b: np.ndarray, sliver: float) -> np.ndarray:
         """(E,) whether the segments from a (E, 3) to b (E, 3) are inside, up to stretches shorter than ``sliver``
         between hits of the surface."""
-        is_in, capacity = np.empty(len(a), dtype=bool), HITS_OF_SEGMENT
+        is_in, capacity = np.empty(len(a), dtype=bool), HITS_AT_FIRST
         while capacity:
             scratch = np.empty((1, 3, 3)), np.empty((3, 3)), np.empty(capacity, dtype=np.int64), np.empty(capacity)
             capacity = kernels.within(a, b, sliver, self._slack, self.mesh, *scratch, is_in)

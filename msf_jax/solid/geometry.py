@@ -2,6 +2,8 @@
 
 import numpy as np
 
+ROUNDING = 1e-9  # of the size of what is measured, such as a solid's extent: less may be an error of rounding
+
 
 def unit(vectors: np.ndarray) -> np.ndarray:
     """``vectors`` (..., 3) scaled to length 1; a zero vector stays zero."""

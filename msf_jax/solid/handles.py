@@ -19,15 +19,14 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
-from msf_jax.solid.geometry import repeated, unit, vertex_normals
+from msf_jax.solid.geometry import ROUNDING, repeated, unit, vertex_normals
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import along_forest, forest, loop_along, shortest_forest
 from msf_jax.topology.half_edges import HalfEdges, half_edges
 
-SEED = 2003  # seed of the random weights that combine all linking numbers into one number
+SEED = 2003  # of all random numbers: weights that combine linking numbers into one, and linear forms
 CELLS = 96  # cells along each axis of the grid that finds pairs of segments
 CROSSINGS_AT_FIRST = 8  # crossings a segment for which memory is allocated first; few segments have more
-PUSH = 1e-9  # extents that the loops lie outside the surface, as a pinned node lies on it
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
 TURN *= np.linalg.det(TURN)  # a rotation in general position: two axes across the curtains, then the curtains' own
 
@@ -182,8 +181,8 @@ class Handles:
         self._low = vertices.min(axis=0)
         self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
         placed = (vertices - self._low) / self._extent
-        if len(ends):  # the normals of all vertices cost most of the time
-            placed += PUSH * unit(vertex_normals(placed, faces))
+        if len(ends):  # loops lie outside the surface, as a pinned node lies on it; normals cost most of the time
+            placed += ROUNDING * unit(vertex_normals(placed, faces))
         self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
     @cached_property

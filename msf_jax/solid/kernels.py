@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.numerics.compiled import Flags, Ints, Points, Reals, Triangles, kernel, part
+from msf_jax.solid.geometry import ROUNDING
 
 FLAT = 1e-14  # squared sizes of a triangle: a smaller area, seen along a ray, is a rounding error
-SLACK = 1 + 1e-12  # factor on a squared distance: by rounding a box may seem farther than its triangle
 
 
 class Mesh(NamedTuple):
@@ -71,7 +71,7 @@ def is_within(x: float, y: float, z: float, boxes: Points, node: int, distance2:
     dx = max(boxes[node, 0] - x, x - boxes[node, 3], 0.0)
     dy = max(boxes[node, 1] - y, y - boxes[node, 4], 0.0)
     dz = max(boxes[node, 2] - z, z - boxes[node, 5], 0.0)
-    return dx * dx + dy * dy + dz * dz <= distance2 * SLACK
+    return dx * dx + dy * dy + dz * dz <= distance2 * (1 + ROUNDING)
 
 
 @part

@@ -11,12 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import signed_volume, triangle_areas
+from msf_jax.solid.geometry import ROUNDING, signed_volume, triangle_areas
 from msf_jax.solid.openings import lids_of
 from msf_jax.topology import graphs
 from msf_jax.topology.half_edges import by_label
-
-ON_LID = 1e-9  # diagonals from a flat lid within which a point is on it and counts as inside
 
 
 class Nesting(NamedTuple):
@@ -149,7 +147,7 @@ class Solid:
             distance, face = self.shape.nearest(entered)
             slack = np.zeros(len(self.shape.faces))
             for lid in self.openings:
-                slack[lid.faces] = lid.uneven + ON_LID
+                slack[lid.faces] = lid.uneven + ROUNDING
             is_in = (clearance > 0) | (distance < slack[face])
             clearance[is_in] = self._wall.distances(entered[is_in])
         return self.diagonal * clearance

@@ -164,7 +164,7 @@ def test_the_search_in_a_tangled_mesh_stops_early(monkeypatch):
     shape = tracker.holding.solid.shape
     shuffled = np.random.default_rng(0).permutation(shape.vertices)
     monkeypatch.setattr(crossings, "PAIRS_AT_ONCE", 10_000)
-    monkeypatch.setattr(crossings, "MOST_FOUND", 1000)
+    monkeypatch.setattr(crossings, "MOST_CROSSED", 1000)
     found = tracker.holding.crossings.found(shuffled)
     assert 1000 < len(found) <= 1000 + 10_000 + len(shape.faces)
     assert tracker.frame(0, np.random.default_rng(0).permutation(vertices)).wants_run
