@@ -11,7 +11,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
-NEAR = 1.2  # radii, the larger of the two: junctions are merged that are joined by a shorter path
+NEAR = 1.0  # radii, the larger of the two: junctions are merged that are joined by a shorter path
 STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb, and begin at one place
 
 
