@@ -221,21 +221,20 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
         usual = np.array([float(np.median(radii[path[1:]])) for path in paths if len(path) > 1])
         if len(paths) < 3 or is_held[node] or radii[node] > TUBES * usual.max(initial=0.0):
             continue
-        begins, lines = [], []
+        begins, lines = [], []  # along each branch: its nodes, the begin and the end of its own stretch; and its line
         for path, size in zip(paths, usual, strict=True):
             along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
             margin, is_link = BEGIN * size, len(at_node[path[-1]]) > 2
-            start = along[is_own.argmax()] + margin
-            length = min(AXIS * size, along[-1] - is_link * margin - start)
-            begin = int(np.searchsorted(along, start))
-            if length <= 0 or is_held[path[: begin + 1]].any():
+            start, last = along[is_own.argmax()] + margin, along[-1] - is_link * margin
+            length = min(AXIS * size, last - start)
+            if length <= 0:
                 break
             # Through three points of the branch's own stretch, or two if it is straight.
             place = start + length * np.array([0.0, 0.5, 1.0])
             three = at(x[path], along, place)
             is_bent = np.linalg.norm(three[1] - (three[0] + three[2]) / 2) > BENT * size
             step = slice(None, None, 1 if is_bent else 2)
-            begins.append(begin)
+            begins.append((along, start, last))
             lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
         if len(begins) < len(paths):
             continue
@@ -246,10 +245,16 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             continue
         meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
         off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
-        begun = x[[path[begin] for path, begin in zip(paths, begins, strict=True)]]
-        if (off > OFF * usual).any() or not is_inside(shape, np.repeat(meet[None], len(p), axis=0), begun).all():
+        # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
+        begin = np.maximum([start for _, start, _ in begins], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)
+        if (off > OFF * usual).any() or (begin > [last for _, _, last in begins]).any():
             continue
-        for path, begin, (square, slope, start) in zip(paths, begins, lines, strict=True):
-            along = arc_length(x[path[: begin + 1]])[:, None]
-            x[path[: begin + 1]] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
+        count = [int(np.searchsorted(along, own)) + 1 for own, (along, _, _) in zip(begin, begins, strict=True)]
+        laid = [path[:num] for path, num in zip(paths, count, strict=True)]
+        is_open = is_inside(shape, np.repeat(meet[None], len(p), axis=0), x[[path[-1] for path in laid]])
+        if is_held[np.concatenate(laid)].any() or not is_open.all():
+            continue
+        for path, (along, _, _), (square, slope, start) in zip(laid, begins, lines, strict=True):
+            along = along[: len(path), None]
+            x[path] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
     return x

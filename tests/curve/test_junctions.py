@@ -56,6 +56,40 @@ def test_the_junction_of_a_narrow_fork_is_where_its_axes_meet():
         assert off.max() < 0.3
 
 
+@pytest.mark.parametrize(("degrees", "first"), [(20, 4.5), (30, 2.9)])
+def test_branches_of_a_fork_do_not_run_back_along_themselves(degrees, first):
+    """Each lies on its line by its own arc length, from before the junction moved."""
+    shape, x, edges, chains = fork(degrees, first)
+    found = moved(shape, x, edges)
+    assert np.linalg.norm(found[0] - x[0]) > 1.0
+    for chain in chains:
+        step = np.diff(found[chain], axis=0)
+        assert np.einsum("ki,ki->k", step[1:], step[:-1]).min() > 0
+
+
+def test_a_junction_does_not_move_beyond_the_axis_of_a_branch():
+    """Two rods cross at 30 degrees, and the curve has two junctions with a short branch between: the axes of the others
+    meet behind its other end."""
+    line, way = np.linspace(0, 1, 40)[1:, None], [[0.966, s * 0.259, 0] for s in (1, -1)]
+    ends = [9 * u * np.array(each) for u in (1, -1) for each in way]
+    edges = np.array([[0, 1], [0, 2], [0, 3], [0, 4]])
+    mesh = shapes.solid_around(np.array([[0, 0, 0], *ends]), edges, np.ones(5), 0.3)
+    middle = np.array([[4.5, 0, 0], [-4.5, 0, 0]])
+    link = middle[0] + line[:-1] * (middle[1] - middle[0])
+    bend = 9 * line / 5.5  # from there on, an arm is on its axis
+    arms = [
+        np.where(bend < 1, middle[k // 2] + bend * (5.5 / 9 * end - middle[k // 2]), line * end)
+        for k, end in enumerate(ends)
+    ]
+    x = np.concatenate([middle, link, *arms])
+    num = len(link)
+    chains = [np.r_[0, 2 + np.arange(num), 1]]
+    chains += [np.r_[k // 2, 2 + num + k * len(line) + np.arange(len(line))] for k in range(4)]
+    edges = np.concatenate([np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains])
+    found = moved(Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), x, edges)
+    assert found[0, 0] > found[1, 0] and (np.diff(found[chains[0], 0]) < 0).all()
+
+
 @pytest.mark.parametrize("degrees", [60, 120, 180])
 @pytest.mark.parametrize("off", [0.2, 0.3])
 def test_the_junction_of_a_wide_fork_is_where_its_axes_meet(degrees, off):
