@@ -37,6 +37,7 @@ AXIS_REACH = 4.0  # of the trunk's radius: from it, at most, to where a side bra
 BULGE = 2.0
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
+LATER = 4.0  # radii: so much later at most that stretch begins; a branch of 35 degrees is bent over three
 # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
 SPREAD = 0.05
 
@@ -229,10 +230,16 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             length = min(AXIS * size, last - start)
             if length <= 0:
                 break
-            # Through three points of the branch's own stretch, or two if it is straight.
-            place = start + length * np.array([0.0, 0.5, 1.0])
-            three = at(x[path], along, place)
-            is_bent = np.linalg.norm(three[1] - (three[0] + three[2]) / 2) > BENT * size
+            # Through two points of its first straight stretch, as an oblique branch bends until it is on its axis. If
+            # none is straight, through three of the first.
+            room = np.arange(0.0, min(LATER * size, last - start - length) + 1e-12, BEGIN * size / 2)
+            place = start + room[:, None] + length * np.array([0.0, 0.5, 1.0])
+            three = at(x[path], along, place.ravel()).reshape(-1, 3, 3)
+            bent = np.linalg.norm(three[:, 1] - (three[:, 0] + three[:, 2]) / 2, axis=1)
+            is_straight = bent <= BENT * size
+            first = int(is_straight.argmax())
+            is_bent, place, three = not is_straight[first], place[first], three[first]
+            start += room[first]
             step = slice(None, None, 1 if is_bent else 2)
             begins.append((along, start, last))
             lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
+import msf_jax
 from msf_jax import shapes
 from msf_jax.curve import junctions
 from msf_jax.solid.enclosure import Enclosure
@@ -65,6 +66,18 @@ def test_branches_of_a_fork_do_not_run_back_along_themselves(degrees, first):
     for chain in chains:
         step = np.diff(found[chain], axis=0)
         assert np.einsum("ki,ki->k", step[1:], step[:-1]).min() > 0
+
+
+@pytest.mark.parametrize("degrees", [35, 50, 65])
+def test_an_oblique_branch_begins_where_its_axis_meets_its_trunk(degrees):
+    """`LATER`: its curve bends from the junction, where the rods part, and is on its axis only farther on."""
+    turn = np.radians(degrees)
+    way = np.array([np.cos(turn), np.sin(turn), 0])
+    edges, radii = np.array([[0, 1], [0, 2], [0, 3]]), np.array([1.0, 1.0, 1.0, 0.7])
+    mesh = shapes.solid_around(np.array([[0, 0, 0], [12, 0, 0], [-9, 0, 0], 12 * way]), edges, radii, 0.3)
+    found = msf_jax.skeletonize(mesh)
+    (junction,) = found.vertices[np.bincount(found.edges.ravel()) > 2]
+    assert np.linalg.norm(junction) < 0.3
 
 
 def test_a_junction_does_not_move_beyond_the_axis_of_a_branch():
