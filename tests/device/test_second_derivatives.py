@@ -40,13 +40,11 @@ ROUTES = {
     ),
     "vmap of a scan of a checkpoint": lambda a: jax.vmap(partial(scanned, checkpointed(solved)))(a[None])[0],
 }
-# They tell where one of those fails.
-PARTS = {"plain": solved, "checkpoint of a loose one": checkpointed(loose), "scan": partial(scanned, solved)}
 
 
-@pytest.mark.parametrize("route", [*ROUTES, *(pytest.param(name, marks=pytest.mark.slow) for name in PARTS)])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_scalar_solve_has_its_second_derivative_in_every_mode(route):
-    function = (ROUTES | PARTS)[route]
+    function = ROUTES[route]
     both = quick_jit(lambda a: [outer(inner(function))(a) for outer, inner in MODES.values()])
     np.testing.assert_allclose(both(jnp.asarray(AT)), 0.5, rtol=1e-6)
 

@@ -288,6 +288,7 @@ def test_a_lower_threshold_never_prunes_more(with_fingers):
     assert leaves == [4, 4, 4, 4, 4, 2]
 
 
+@pytest.mark.slow  # of a budget that is spent, a quick test is below
 def test_many_components_have_a_budget_each():
     """`MOST_TIPS`, `MOST_AREA` are those of a component."""
     one = solid(block() + LIMB["long cylinder"][0], 0.4)
