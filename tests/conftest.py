@@ -8,7 +8,6 @@ import sys
 import tempfile
 from importlib.metadata import version
 from pathlib import Path
-from types import SimpleNamespace
 
 # Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, two
 # thirds of the rest with its older emitters, and a fifth of what is left where no program is divided among threads.
@@ -34,9 +33,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from msf_jax import Config
 from msf_jax.base import layout
-from msf_jax.flow import programs
 from msf_jax.gradients import compiler
 
 hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
@@ -48,25 +45,6 @@ gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the sea
 # A surface of a few hundred vertices is in 1024 rows, not in 2048: programs that are not optimised take time for each,
 # a third of a short run. The curves of six meshes were the same to the last bit in both.
 OWN_SMALLEST_CAPACITY, layout.SMALLEST_CAPACITY = layout.SMALLEST_CAPACITY, 1024
-
-OWN_MOVE = programs.jitted_move
-
-
-def lower(buffers, weights, settings, layout):
-    """Two steps, of usual settings and sizes, run a thousand times: LLVM's first level halves that.
-
-    Their files are not for the processes that tests start, whose steps have no such level: they might compare bits.
-    """
-    lowered = OWN_MOVE.lower(buffers, weights, settings, layout)
-    is_usual = settings == Config().on_device and layout.capacity in (1024, 2048) and weights.w_L.shape == ()
-    if not is_usual or buffers.positions.dtype != np.float64:
-        return lowered
-    level = {"xla_backend_optimization_level": 1}
-    return SimpleNamespace(compile=lambda compiler_options=None: lowered.compile((compiler_options or {}) | level))
-
-
-programs.jitted_move = SimpleNamespace(lower=lower)
-programs.KEPT = "steps-of-tests"
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
 CACHE = "MSF_JAX_TEST_CACHE"
