@@ -1,5 +1,6 @@
 """Surfaces in buffers for the tests of `device`, and what they are compared with: NumPy over half-edges."""
 
+from contextlib import contextmanager
 from functools import partial
 from typing import NamedTuple
 
@@ -223,10 +224,13 @@ def slot_rows(layout: Layout) -> np.ndarray:
 # The package's functions on weights that are scalars or (n,), plain and compiled once for each layout
 
 quick_jit = partial(jax.jit, compiler_options={"xla_backend_optimization_level": 0})  # compiles in half the time
-STRICT = {  # modes of JAX that a user may have set for all programs
-    "dtypes": partial(jax.numpy_dtype_promotion, "strict"),
-    "ranks": partial(jax.numpy_rank_promotion, "raise"),
-}
+
+
+@contextmanager
+def strict():
+    """Both modes of JAX that a user may have set for all programs; an error names its own."""
+    with jax.numpy_dtype_promotion("strict"), jax.numpy_rank_promotion("raise"):
+        yield
 
 
 def plain_rows(kind: str, positions, rings, degree, layout) -> laplacian.LaplacianRows:

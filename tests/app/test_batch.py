@@ -5,6 +5,7 @@ import json
 import multiprocessing
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -111,30 +112,39 @@ def test_two_batches_at_once_have_all_rows_in_one_table(folder, here, tmp_path, 
     assert len(changed.rows) == 1
 
 
+@pytest.fixture(scope="module")
+def in_processes(folder, tmp_path_factory):
+    """All of the folder, by two processes: what was done, and where."""
+    out = tmp_path_factory.mktemp("out")
+    return batch.run(paths_in(folder), out, jobs=2), out
+
+
 @pytest.mark.system
-def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path, request):
-    done = batch.run(paths_in(folder), tmp_path, jobs=2)
+def test_errors_stay_alone_and_a_second_run_does_nothing(folder, in_processes, tmp_path, request):
+    done, out = in_processes
     assert (len(done.rows), done.num_done, done.num_failed) == (NUM + BROKEN, NUM + BROKEN, BROKEN)
     rows = {Path(row["path"]).name: row for row in table(done.manifest)}
     assert "the mesh is open" in rows["open.ply"]["error"] and "cannot read" in rows["broken.off"]["error"]
     assert rows["3.off"]["cycles"] == "0" and rows["3.off"]["converged"] == "True"
-    assert (tmp_path / "more" / "3.off.swc").read_text().startswith("# curve skeleton")
-    before = (tmp_path / "0.off.swc").stat().st_mtime_ns
-    again = batch.run(paths_in(folder), tmp_path, jobs=2)
+    assert (out / "more" / "3.off.swc").read_text().startswith("# curve skeleton")
+    before = (out / "0.off.swc").stat().st_mtime_ns
+    again = batch.run(paths_in(folder), out, jobs=2)
     assert again.num_done == 0 and table(again.manifest) == table(done.manifest)
-    assert (tmp_path / "0.off.swc").stat().st_mtime_ns == before
+    assert (out / "0.off.swc").stat().st_mtime_ns == before
     request.getfixturevalue("here")  # what is left and what failed is chosen before a process is started
-    (tmp_path / "0.off.swc").unlink()
-    assert batch.run(paths_in(folder), tmp_path, jobs=1).num_done == 1
-    assert batch.run(paths_in(folder), tmp_path, jobs=1, retry=True).num_done == BROKEN
+    copied = tmp_path / "copied"
+    shutil.copytree(out, copied)
+    (copied / "0.off.swc").unlink()
+    assert batch.run(paths_in(folder), copied, jobs=1).num_done == 1
+    assert batch.run(paths_in(folder), copied, jobs=1, retry=True).num_done == BROKEN
     repaired = batch.run([folder / "more" / "open.ply"], tmp_path / "other", jobs=1, repair=True, suffix=".json")
     assert repaired.num_failed == 0 and "filled 1 hole" in table(repaired.manifest)[0]["repairs"]
 
 
 @pytest.mark.system
-def test_a_cluster_gives_the_same_table(folder, tmp_path):
+def test_a_cluster_gives_the_same_table(folder, in_processes, tmp_path):
     distributed = pytest.importorskip("distributed")
-    here = batch.run(paths_in(folder), tmp_path / "here", jobs=2)
+    here, out = in_processes
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its own, on closing
         with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
@@ -143,7 +153,7 @@ def test_a_cluster_gives_the_same_table(folder, tmp_path):
     assert table(there.manifest) == table(here.manifest)
     for row in here.rows:
         if row["output"]:
-            other = tmp_path / "there" / Path(row["output"]).relative_to(tmp_path / "here")
+            other = tmp_path / "there" / Path(row["output"]).relative_to(out)
             assert other.read_bytes() == Path(row["output"]).read_bytes()
 
 
@@ -173,7 +183,7 @@ def test_a_scheduler_that_dies_is_named(folder, tmp_path):
 
 
 @pytest.mark.system
-def test_killed_half_way_it_does_the_rest(folder, tmp_path):
+def test_killed_half_way_it_does_the_rest(folder, here, tmp_path):
     """kill -9 of all its processes, once some rows are there."""
     command = [sys.executable, "-m", "msf_jax", "batch", str(folder), str(tmp_path), "--jobs", "1", "-q"]
     process = subprocess.Popen(
@@ -366,7 +376,7 @@ def test_names_that_the_system_refuses_fail_alone(tmp_path):
     names = ["n" * 250 + ".off", os.fsdecode(b"\xff.off"), "a.off", "a.off.swc/b.off"]
     for name in names:
         (meshes / name).parent.mkdir(parents=True, exist_ok=True)
-        trimesh.creation.icosphere(2).export(meshes / name, file_type="off")
+        trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12]).export(meshes / name, file_type="off")
     done = batch.run([meshes / name for name in names], tmp_path / "out", jobs=1)
     errors = {row["path"].removeprefix(f"{meshes}/"): row["error"] for row in done.rows}
     assert "too long" in errors[names[0]] and not errors[names[1]]

@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+from functools import partial
 
 import jax
 import jax.numpy as jnp
@@ -15,7 +16,7 @@ from conftest import blob
 from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
-from msf_jax import ConfigError
+from msf_jax import ConfigError, shapes
 from msf_jax.app import shaping
 from msf_jax.app.cli import _parser, main
 from msf_jax.app.parser import parsed
@@ -60,7 +61,7 @@ def own_cache(tmp_path_factory, monkeypatch):
 @pytest.fixture
 def ball(tmp_path):
     path = tmp_path / "ball.off"
-    blob(4).export(path)
+    blob(4, 2).export(path)
     return path
 
 
@@ -75,7 +76,7 @@ def test_a_mesh_in_a_curve_and_a_picture_out(ball, tmp_path, capsys):
 
 
 def test_a_rig_has_as_many_bones_as_asked_for_or_says_why_not(tmp_path, capsys):
-    trimesh.creation.capsule(height=4.0, radius=0.4, count=[12, 24]).subdivide().export(tmp_path / "a.off")
+    trimesh.creation.capsule(height=4.0, radius=0.4, count=[12, 24]).export(tmp_path / "a.off")
     for num, said in ((3, ""), (500, "bones for 500: ")):
         code = main(["skeletonize", str(tmp_path / "a.off"), "-o", str(tmp_path / "a.glb"), "--bones", str(num), "-q"])
         assert code == 0 and said in capsys.readouterr().err
@@ -86,7 +87,9 @@ def test_a_rig_has_as_many_bones_as_asked_for_or_says_why_not(tmp_path, capsys):
     assert "--bones is for a rig, and 'a.swc' holds none: expected" in capsys.readouterr().err
 
 
-def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys):
+def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys, monkeypatch):
+    """With a coarser hand than a reader has."""
+    monkeypatch.setattr("msf_jax.shapes.hand", partial(shapes.hand, 0.1))
     assert main(["demo", "-o", str(tmp_path)]) == 0
     assert "1 cycle for genus 1" in capsys.readouterr().out
     assert (tmp_path / "hand.png").read_bytes().startswith(b"\x89PNG")
@@ -331,7 +334,7 @@ def test_ctrl_c_writes_nothing_and_exits_130(ball, tmp_path, capsys, monkeypatch
 
 def test_a_checkpoint_is_none_of_the_other_files_and_goes_in_the_end(tmp_path, capsys):
     mesh, out = tmp_path / "mesh.off", tmp_path / "out.swc"
-    trimesh.creation.icosphere(2).export(mesh)
+    trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12]).export(mesh)
     for other in (mesh, out):
         assert main(["skeletonize", str(mesh), "-o", str(out), "-q", "--checkpoint", str(other)]) == 2
         assert "is given for two files" in capsys.readouterr().err

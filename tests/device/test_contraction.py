@@ -8,7 +8,6 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from device_cases import (
-    STRICT,
     TIGHT,
     Case,
     Diagonal,
@@ -18,11 +17,13 @@ from device_cases import (
     central_difference,
     dense_contract,
     jitted_contract,
+    jitted_rows,
     one_level,
     pebble,
     plain_contract,
     quick_jit,
     reference_laplacian,
+    strict,
 )
 
 from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver, SolverOptions, StepSettings, Weights
@@ -32,6 +33,7 @@ from msf_jax.device.contraction import contracting, normal_equations, relaxed, s
 from msf_jax.device.laplacian import LaplacianRows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
+solve = quick_jit(cg.solve, static_argnames="solver")  # operation by operation, XLA compiles a hundred programs
 
 
 @pytest.fixture(scope="module")
@@ -152,7 +154,8 @@ def test_chain_with_a_fixed_end_by_hand():
     """
     buffers, rows = chain()
     one = jnp.ones(3)
-    new, _ = relaxed(buffers, rows, contracting(one, one, 0 * one), one_level(3, 2), Solver(TIGHT, 100))
+    step = quick_jit(relaxed, static_argnums=(3, 4))
+    new, _ = step(buffers, rows, contracting(one, one, 0 * one), one_level(3, 2), Solver(TIGHT, 100))
     np.testing.assert_allclose(new, [[0, 0, 0], [1, 0, 0], [5 / 3, 0, 0]], atol=1e-14)
     assert float(new[0, 0]) == 0.0
 
@@ -238,10 +241,10 @@ def test_no_solve_of_what_is_not_positive_definite_is_solved(entries, smallest):
     b = jnp.asarray([[0.0], [0.0], [1.0]]) if entries[2] < 0 else jnp.asarray([[0.0], [1.0], [0.0]])
     solver = Solver(1e-9, 50)
     outside = cg.solve_outside(operator, b, solver, lambda r: r, smallest)
-    for x, report in (cg.solve(operator, b, solver, smallest), outside):
+    for x, report in (solve(operator, b, solver, smallest), outside):
         assert not bool(report.is_solved) and float(report.residual) > 0.9 and int(report.steps) < 50
         np.testing.assert_array_equal(x, 0.0)
-    assert bool(cg.solve(operator, 0.0 * b, solver, smallest)[1].is_solved)  # nothing solves that
+    assert bool(solve(operator, 0.0 * b, solver, smallest)[1].is_solved)  # nothing solves that
 
 
 @pytest.mark.parametrize("size", [0.0, 0.5, 0.9])
@@ -252,7 +255,7 @@ def test_what_is_left_and_reported_is_relative_to_the_given_right_hand_side(size
     b = random.normal(size=(60, 3))
     left = size * b / np.linalg.norm(b)
     for tolerance in (0.5 * (1 - size), 1e-3, 1e-12):
-        x, report = cg.solve(operator, jnp.asarray(b), Solver(tolerance, 500), 0.0, jnp.asarray(left))
+        x, report = solve(operator, jnp.asarray(b), Solver(tolerance, 500), 0.0, jnp.asarray(left))
         found = b - np.linalg.norm(b) * left - np.asarray(operator(x))
         assert bool(report.is_solved) and float(report.residual) <= tolerance
         np.testing.assert_allclose(report.left, found / np.linalg.norm(b), atol=1e-14)
@@ -264,7 +267,7 @@ def test_a_loose_solve_is_right_for_right_hand_sides_beyond_float32(size):
     random = np.random.default_rng(6)
     operator = Diagonal(jnp.asarray(random.uniform(1, 4, 40)))
     b = size * jnp.asarray(random.normal(size=(40, 3)))
-    x, report = cg.solve(operator, b, Solver(3e-3, 50))
+    x, report = solve(operator, b, Solver(3e-3, 50))
     assert bool(report.is_solved) and 0 < float(report.residual) <= 3e-3
     np.testing.assert_allclose(operator(x) / size, b / size, atol=0.05)
 
@@ -274,7 +277,7 @@ def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
     random = np.random.default_rng(7)
     basis = np.linalg.qr(random.normal(size=(60, 60)))[0]
     operator = Dense(jnp.asarray(basis @ np.diag(np.logspace(-10, 0, 60)) @ basis.T))
-    _, report = cg.solve(operator, jnp.asarray(random.normal(size=(60, 1))), Solver(3e-3, 20_000))
+    _, report = solve(operator, jnp.asarray(random.normal(size=(60, 1))), Solver(3e-3, 20_000))
     assert float(report.residual) > 6e-3 and not bool(report.is_solved)
 
 
@@ -323,7 +326,7 @@ def test_an_error_where_the_operator_is_small_is_within_the_bound(solver):
 
     A = bend.T @ bend + np.diag(held)
     b = np.random.default_rng(0).normal(size=(60, 3))
-    x, report = cg.solve(Beam(jnp.asarray(A)), jnp.asarray(b), solver, 0.0, None, 1.0)
+    x, report = solve(Beam(jnp.asarray(A)), jnp.asarray(b), solver, 0.0, None, 1.0)
     error = np.linalg.norm(x - np.linalg.solve(A, b))
     assert error <= float(report.bound) and bool(report.is_solved) == (float(report.bound) <= 1)
     assert float(report.error) <= float(report.bound)
@@ -374,12 +377,14 @@ def test_what_the_equations_say_to_be_below_them_is(case, smoothed):
     one = jnp.ones_like(case.buffers.free)
     w_H, w_M = (jnp.asarray(10.0 ** random.uniform(-3, 0, len(one))) for _ in range(2))
     energy = smoothing(0.05 * one) if smoothed else contracting(0.01 * one, w_H, w_M * case.buffers.pull)
-    rows = laplacian.assemble(
-        "mean_value", case.buffers.positions, case.buffers.rings, case.buffers.degree, case.layout
-    )
-    operator, _ = normal_equations(case.buffers, rows, energy, case.layout)
-    below = np.asarray(operator.least()[0])
-    matrix = np.asarray(operator(jnp.eye(len(one))))
+
+    @quick_jit
+    def said(buffers, energy):
+        rows = laplacian.assemble("mean_value", buffers.positions, buffers.rings, buffers.degree, case.layout)
+        operator, _ = normal_equations(buffers, rows, energy, case.layout)
+        return operator.least()[0], operator(jnp.eye(len(one)))
+
+    below, matrix = map(np.asarray, said(case.buffers, energy))
     free = np.asarray(case.buffers.free) > 0
     assert np.linalg.eigvalsh(matrix - np.diag(below)).min() > -1e-12
     least = np.linalg.eigvalsh(matrix[free][:, free])[0]
@@ -391,9 +396,7 @@ def test_no_contraction_is_said_to_be_solved_that_is_not():
     """A long limb, whose ends know of each other late. Steps are short, and residuals small, long before that."""
     vertices, faces = pebble(2, 200)
     case = build(vertices * [1, 0.1, 0.1], faces, poles=vertices * [0.9, 0, 0])
-    rows = laplacian.assemble(
-        "mean_value", case.buffers.positions, case.buffers.rings, case.buffers.degree, case.layout
-    )
+    rows = jitted_rows("mean_value", case.buffers.positions, case.buffers.rings, case.buffers.degree, case.layout)
     pulled = jnp.asarray(case.to_rows(np.arange(len(vertices)) % 3 == 0))
     half = jnp.asarray(case.to_rows(np.where(vertices[:, 0] > 0, 1e-2, 1.0)))
     free = np.asarray(case.buffers.free) > 0
@@ -423,7 +426,7 @@ def test_no_contraction_is_said_to_be_solved_that_is_not():
 def test_derivatives_of_a_loose_solve_are_in_the_precision_of_its_input():
     entries = jnp.tile(jnp.asarray([1.0, 4.0]), 10)  # CG is exact after two steps, and far off after one
     b = jnp.asarray(np.random.default_rng(8).normal(size=(20, 1)))
-    found = jax.grad(lambda b: cg.solve(Diagonal(entries), b, Solver(3e-3, 50))[0].sum())(b)
+    found = quick_jit(jax.grad(lambda b: cg.solve(Diagonal(entries), b, Solver(3e-3, 50))[0].sum()))(b)
     np.testing.assert_allclose(found[:, 0], 1 / entries, rtol=1e-12)
 
 
@@ -600,9 +603,10 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     case = build(*pebble(1))
     weights = jax.tree_util.tree_map(np.asarray, Weights())
     config = Config(solver=SolverOptions(tolerance=1e-9))
-    exact = iteration.move(case.buffers, weights, config.on_device, case.layout)
+    move = quick_jit(iteration.move, static_argnums=(2, 3))
+    exact = move(case.buffers, weights, config.on_device, case.layout)
     t_c = 0.01
-    found = iteration.move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config.on_device, case.layout)
+    found = move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config.on_device, case.layout)
     assert int(found.contraction.steps) < int(exact.contraction.steps)
     assert float(found.contraction.residual) > config.solver.tolerance
     assert bool(found.contraction.has_ended)
@@ -610,13 +614,12 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     assert np.abs(found.positions - exact.positions).max() > 1e-7
 
 
-@pytest.mark.parametrize("mode", STRICT)
 @pytest.mark.parametrize("kind", LAPLACIANS)
-def test_an_iteration_works_in_the_strict_modes_of_jax(small, kind, mode):
+def test_an_iteration_works_in_the_strict_modes_of_jax(small, kind):
     """Also with a loose solve, in float32, and with w_H that follows areas."""
     for tolerance, follows in ((1e-8, False), (3e-3, True)):
         settings = StepSettings(kind, Solver(tolerance, 10), 0.0, follows)
-        with STRICT[mode]():
+        with strict():
             slope = jax.grad(
                 lambda w_H, s=settings: iteration.move(small.buffers, Weights(1.0, w_H), s, small.layout)[0].sum()
             )

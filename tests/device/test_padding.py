@@ -15,8 +15,6 @@ from device_cases import (
     case_with_everything,
     one_level,
     pebble,
-    plain_contract,
-    plain_smooth,
     quick_jit,
 )
 
@@ -33,29 +31,16 @@ OWN = staircase(256, 11)
 OTHERS = {"twice the capacity": staircase(512, 11), "rectangle": rectangle(256, 11)}
 
 
-def contract(buffers, weights: Weights, layout: Layout):
-    return plain_contract(buffers, weights.w_L, weights.w_H, weights.w_M, layout)[0]
+@partial(quick_jit, static_argnames="layout")
+def step_with_gradients(buffers, weights, factors, layout: Layout):
+    """New positions in rows, and the gradients of their product with ``factors`` in weights and in floating buffers.
 
-
-def smooth(buffers, weights: Weights, layout: Layout):
-    return plain_smooth(buffers, weights.smoothing, layout)[0]
-
-
-def move(buffers, weights: Weights, layout: Layout):
-    return iteration.move(buffers, weights, CONFIG.on_device, layout).positions
-
-
-STEPS = {"contract": contract, "smooth": smooth, "move": move}
-SLOW = pytest.mark.slow  # the two solves alone: `move` has both
-NAMES = [pytest.param("contract", marks=SLOW), pytest.param("smooth", marks=SLOW), "move"]
-
-
-@partial(quick_jit, static_argnames=("name", "layout"))
-def step_with_gradients(name, buffers, weights, factors, layout):
-    """New positions in rows, and the gradients of their product with ``factors`` in weights and in floating buffers."""
+    Of a whole iteration, which has both solves.
+    """
 
     def scalar(weights, positions, poles, area):
-        new = STEPS[name](buffers._replace(positions=positions, poles=poles, area=area), weights, layout)
+        moved = buffers._replace(positions=positions, poles=poles, area=area)
+        new = iteration.move(moved, weights, CONFIG.on_device, layout).positions
         return (factors * new).sum(), new
 
     floats = (buffers.positions, buffers.poles, buffers.area)
@@ -63,11 +48,11 @@ def step_with_gradients(name, buffers, weights, factors, layout):
     return new, *gradients
 
 
-def outcome(case, name):
+def outcome(case):
     """Values and gradients in rows, for factors that are those of the vertices, and zero in padded rows."""
     factors = case.to_rows(np.random.default_rng(17).normal(size=case.vertices.shape))
     weights = jax.tree_util.tree_map(jnp.asarray, WEIGHTS)
-    return step_with_gradients(name, case.buffers, weights, jnp.asarray(factors), case.layout)
+    return step_with_gradients(case.buffers, weights, jnp.asarray(factors), case.layout)
 
 
 def assert_same(case, found, reference_case, reference):
@@ -89,43 +74,29 @@ def assert_same(case, found, reference_case, reference):
 
 @pytest.fixture(scope="module")
 def own():
-    """The surface in its own layout, and a function for what each step makes of it."""
-    case, outcomes = case_with_everything(layout=OWN), {}
-
-    def of(name):
-        if name not in outcomes:
-            outcomes[name] = outcome(case, name)
-        return outcomes[name]
-
-    return case, of
+    """The surface in its own layout, and what the step makes of it."""
+    case = case_with_everything(layout=OWN)
+    return case, outcome(case)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_gradients_reach_what_they_should(own, name):
-    """What the other tests compare is not zero: each step moves, and has slopes in its own weights and positions."""
-    case, of = own
-    new, weights, positions, poles, area = of(name)
+def test_gradients_reach_what_they_should(own):
+    """What the other tests compare is not zero: the step moves, and has slopes in all weights, positions and poles."""
+    case, (new, weights, positions, poles, area) = own
     assert np.abs(case.to_vertices(new) - case.vertices)[~case.is_fixed].max() > 1e-2
     assert np.abs(positions).max() > 0.1
-    slopes = {"contract": ["w_L", "w_H", "w_M"], "smooth": ["smoothing"], "move": ["w_L", "w_H", "w_M", "smoothing"]}
-    for weight in ("w_L", "w_H", "w_M", "smoothing"):
-        assert (float(getattr(weights, weight)) != 0) == (weight in slopes[name])
-    assert np.asarray(poles).any() == (name != "smooth")
-    assert np.asarray(area).any() == (name == "move")
+    assert all(float(slope) != 0 for slope in jax.tree_util.tree_leaves(weights))
+    assert np.asarray(poles).any() and np.asarray(area).any()
 
 
 @pytest.mark.slow  # junk in the rows of padding, which is more, is below
 @pytest.mark.parametrize("other", OTHERS)
-@pytest.mark.parametrize("name", NAMES)
-def test_layout_does_not_show(own, name, other):
-    case, of = own
+def test_layout_does_not_show(own, other):
     elsewhere = case_with_everything(layout=OTHERS[other])
-    assert_same(elsewhere, outcome(elsewhere, name), case, of(name))
+    assert_same(elsewhere, outcome(elsewhere), *own)
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_values_in_padded_rows_do_not_show(own, name):
-    case, of = own
+def test_values_in_padded_rows_do_not_show(own):
+    case, expected = own
     random, count = np.random.default_rng(8), len(case.order)
 
     def scrambled(array, low, high):
@@ -138,19 +109,18 @@ def test_values_in_padded_rows_do_not_show(own, name):
         area=scrambled(case.buffers.area, 1e-3, 1e3),
     )
     strewn = case._replace(buffers=buffers)
-    found = outcome(strewn, name)
-    assert_same(strewn, found, case, of(name))
+    found = outcome(strewn)
+    assert_same(strewn, found, case, expected)
     np.testing.assert_array_equal(found[0][count:], buffers.positions[count:])
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_order_of_the_vertices_does_not_show(own, name):
-    case, of = own
+def test_order_of_the_vertices_does_not_show(own):
+    case, expected = own
     order = np.random.default_rng(6).permutation(len(case.vertices))
     renumbered = case_with_everything(layout=OWN, order=order)
     assert (renumbered.vertices != case.vertices).any()
-    found = renumbered.to_vertices(outcome(renumbered, name)[0])
-    np.testing.assert_allclose(found, case.to_vertices(of(name)[0])[order], atol=1e-9)
+    found = renumbered.to_vertices(outcome(renumbered)[0])
+    np.testing.assert_allclose(found, case.to_vertices(expected[0])[order], atol=1e-9)
 
 
 def cache_size():

@@ -20,12 +20,8 @@ AT = 4.0 ** (1 / 3)  # 1 / x has there the second derivative 0.5
 
 
 def solved(a, tolerance=1e-12):
-    return cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(tolerance, 10))[0][0, 0]
-
-
-def checked(a):
     """As in a replay. The report must not become a batch where the value is none."""
-    x, report = cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(1e-12, 10))
+    x, report = cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(tolerance, 10))
     return jnp.where(report.is_solved, x[0, 0], jnp.nan)
 
 
@@ -33,24 +29,20 @@ def scanned(function, a):
     return jax.lax.scan(lambda total, _: (total + function(a), None), 0 * a, length=2)[0] / 2
 
 
-checkpointed = jax.checkpoint(solved, policy=cg.keeps_solutions)
+def checkpointed(function):
+    return jax.checkpoint(function, policy=cg.keeps_solutions)
+
+
+loose = partial(solved, tolerance=3e-3)
 ROUTES = {
-    "plain": solved,
-    "loose": partial(solved, tolerance=3e-3),
-    "checkpoint": checkpointed,
-    "cond": lambda a: jax.lax.cond(a > 0, solved, lambda a: a, a),
-    "scan": partial(scanned, solved),
-    "scan of a loose one": partial(scanned, partial(solved, tolerance=3e-3)),
-    "scan of a checked one": partial(scanned, checked),
-    "scan of checkpoint": partial(scanned, checkpointed),
-    "vmap of scan": lambda a: jax.vmap(partial(scanned, solved))(a[None])[0],
+    "cond of a scan of a checkpoint of a loose one": lambda a: jax.lax.cond(
+        a > 0, partial(scanned, checkpointed(loose)), lambda a: a, a
+    ),
+    "vmap of a scan of a checkpoint": lambda a: jax.vmap(partial(scanned, checkpointed(solved)))(a[None])[0],
 }
 
 
-PARTS = {"plain", "loose", "checkpoint", "scan"}  # of other routes: they tell where one of those fails
-
-
-@pytest.mark.parametrize("route", [pytest.param(name, marks=[pytest.mark.slow] * (name in PARTS)) for name in ROUTES])
+@pytest.mark.parametrize("route", ROUTES)
 def test_a_scalar_solve_has_its_second_derivative_in_every_mode(route):
     function = ROUTES[route]
     both = quick_jit(lambda a: [outer(inner(function))(a) for outer, inner in MODES.values()])
@@ -60,7 +52,7 @@ def test_a_scalar_solve_has_its_second_derivative_in_every_mode(route):
 @pytest.mark.parametrize("tolerance", [1e-12, 3e-3])
 @pytest.mark.parametrize("direction", FIRST)
 def test_a_derivative_whose_solve_fails_is_nan(direction, tolerance):
-    """In eager and in compiled code alike. Three eigenvalues need three steps."""
+    """In compiled code, and a loose one's backwards in eager code alike. Three eigenvalues need three steps."""
     entries, b = jnp.asarray([1.0, 2.0, 3.0]), jnp.ones((3, 1))
 
     def total(a, steps):
@@ -68,11 +60,11 @@ def test_a_derivative_whose_solve_fails_is_nan(direction, tolerance):
         return x.sum(), report.has_ended
 
     slope = FIRST[direction](lambda a, steps: total(a, steps)[0])
-    compiled = jax.jit(slope)
+    slopes = [quick_jit(slope), *([slope] if direction == "reverse" and tolerance > 1e-3 else [])]
     for steps, is_nan in ((1, True), (50, False)):
         # The value ends by the length of its first step; the derivative does not.
-        assert bool(total(1.0, steps)[1])
-        assert np.isnan(slope(1.0, steps)) == np.isnan(compiled(1.0, steps)) == is_nan
+        assert bool(quick_jit(total)(1.0, steps)[1])
+        assert all(np.isnan(found(1.0, steps)) == is_nan for found in slopes)
 
 
 def loops_of(jaxpr):
@@ -91,7 +83,7 @@ def loops_of(jaxpr):
 
 def test_the_backward_pass_does_not_repeat_the_solve():
     """One solve forward and one backward, and one more without the policy."""
-    for function, expected in ((checkpointed, 2), (jax.checkpoint(solved), 3)):
+    for function, expected in ((checkpointed(solved), 2), (jax.checkpoint(solved), 3)):
         program = jax.make_jaxpr(jax.grad(partial(scanned, lambda a, f=function: f(a) ** 2)))(AT)
         assert loops_of(program.jaxpr) == expected
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import msf_jax
-from msf_jax import shapes
+from msf_jax import ground_truth
 from msf_jax.base.clock import Clock
 
 PROCESSES, KILLS = int(os.environ.get("MSF_JAX_PROCESSES", "2")), int(os.environ.get("MSF_JAX_KILLS", "2"))
@@ -60,7 +60,7 @@ class AtOnce:
 
 def test_limbs_from_another_thread_are_the_same(monkeypatch):
     """They are looked for while poles and the flow are computed; without pruning and ends nobody looks for them."""
-    mesh = shapes.hand(0.1)
+    mesh = ground_truth.make("y_coarse").mesh
     found = [msf_jax.skeletonize(mesh)]
     pool = AtOnce()
     monkeypatch.setattr(Clock, "begin", lambda _, *asked: pool.submit(*asked))

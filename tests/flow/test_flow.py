@@ -18,13 +18,7 @@ from msf_jax.flow.state import Iteration
 from msf_jax.meshes import checking
 
 SLOW = pytest.mark.slow  # more of the same
-CLOSED = [
-    "three-holes",
-    *(
-        pytest.param(name, marks=SLOW)
-        for name in ("bunny", "indorelax", "homer", "elephant", "cheburashka", "sindorelax")
-    ),
-]
+CLOSED = ["three-holes", "bunny", "indorelax", "homer", "elephant", "cheburashka", "sindorelax"]
 
 
 def diagonal(vertices):
@@ -33,7 +27,7 @@ def diagonal(vertices):
 
 def tubes():
     """A torus and a Y of tubes, as (mesh, genus)."""
-    return [(torus(minor=0.2, around=60, across=16), 1), (three_arms(0.06), 0)]
+    return [(torus(minor=0.2, around=60, across=16), 1), (three_arms(0.1), 0)]
 
 
 def three_arms(spacing):
@@ -51,7 +45,8 @@ def check_map(run):
 
 @pytest.fixture(scope="module")
 def y_flow():
-    return loop.contract(tubes()[1][0], config=Config(check=True))
+    """Its long edges are not split before the flow, so that its history begins with the vertices of the mesh."""
+    return loop.contract(tubes()[1][0], config=Config(check=True, preprocessing=PreprocessingOptions(refine=0.0)))
 
 
 @pytest.mark.parametrize("which", [0, 1])
@@ -193,8 +188,10 @@ def test_float32_gives_a_sound_curve_too():
 
 @pytest.mark.parametrize("system", ["tagliasacchi2012", "au2008"])
 def test_the_other_systems_end_in_a_curve(system):
-    mesh = three_arms(0.1)
-    skeleton = msf_jax.skeletonize(mesh, config=Config.named(system, check=True))
+    mesh, options = three_arms(0.1), {"check": True}
+    if system == "tagliasacchi2012":  # its own spacing makes 4,000 vertices
+        options["preprocessing"] = {"resample": 0.04}
+    skeleton = msf_jax.skeletonize(mesh, config=Config.named(system, **options))
     assert skeleton.report.components == 1
     assert skeleton.report.cycles == 0
     assert len(skeleton.vertices) >= 4
@@ -286,9 +283,9 @@ def length_of(skeleton):
 @pytest.mark.parametrize("name", ["rod", pytest.param("bar", marks=SLOW)])
 def test_a_solid_thinner_than_the_shortest_edge_keeps_its_length(name):
     """Coarsening would collapse its cross-section, and with it the solid: it is left out."""
-    mesh = trimesh.creation.cylinder(radius=0.002, height=1, sections=32)
+    mesh = trimesh.creation.cylinder(radius=0.002, height=1, sections=8)
     if name == "bar":
-        mesh = trimesh.creation.box((1, 0.002, 0.002)).subdivide().subdivide()
+        mesh = trimesh.creation.box((1, 0.002, 0.002)).subdivide()
     skeleton = msf_jax.skeletonize(mesh)
     assert skeleton.report.coarsened == 0
     assert skeleton.report.converged
@@ -347,7 +344,7 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     monkeypatch.setattr(layout, "SMALLEST_CAPACITY", 256)  # small ones are compiled in less time
     config = Config(solver=SolverOptions(tolerance=0.00123))  # one that no other test compiles for
     states = []
-    for number, mesh in enumerate((blob(11), torus())):
+    for number, mesh in enumerate((blob(11, 2), torus())):
         states.append(loop.init(checking.prepare(mesh).components[0], number, config, Clock()))
     capacities = set()
     for state in states:
@@ -363,7 +360,7 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
         check=True,
         flow={"threshold_min": 0.008, "threshold_step": 0.001},
     )
-    loop.contract(blob(11), Weights(w_M=0.3), changed)
+    loop.contract(blob(11, 2), Weights(w_M=0.3), changed)
     assert len(compilations) == len(capacities)
 
 
@@ -382,6 +379,7 @@ def test_an_iteration_sends_the_surface_once_and_fetches_positions_and_residuals
     assert size[0] < 400 * rows and size[1] < (3 * 24 + 1) * rows
 
 
+@pytest.mark.slow  # so do made ones, in the first test
 @pytest.mark.parametrize("name", CLOSED)
 def test_research_meshes_come_out_sound(name, research_mesh):
     vertices, faces = research_mesh(name)

@@ -79,6 +79,7 @@ def meshes(draw: st.DrawFn) -> tuple[np.ndarray, np.ndarray, int]:
     return vertices[order], faces, seed
 
 
+@pytest.mark.slow  # each of these has a quick test of one mesh in test_flow
 @settings(max_examples=EXAMPLES, deadline=None, suppress_health_check=list(HealthCheck))
 @given(meshes())
 def test_every_closed_mesh_becomes_a_whole_curve(drawn):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
+from device_cases import strict
 from scipy.spatial.transform import Rotation
 
 import msf_jax
@@ -408,16 +409,12 @@ def test_a_capacity_over_the_limit_does_not_make_every_program_again(monkeypatch
     assert made[0] == num and np.mean(made[1:]) < num / 3
 
 
-@pytest.mark.parametrize("mode", ["dtypes", "ranks", "transfers"])
+@pytest.mark.parametrize("mode", ["dtypes and ranks", "transfers"])
 def test_it_works_in_the_strict_modes_of_jax(limbs, mode):
     """With the type of the vertices, float32, and without implicit copies to the device."""
     vertices, _, skeleton = limbs
     array = jax.device_put(vertices.astype(np.float32))
-    modes = {
-        "dtypes": jax.numpy_dtype_promotion("strict"),
-        "ranks": jax.numpy_rank_promotion("raise"),
-        "transfers": jax.transfer_guard("disallow"),
-    }
+    modes = {"dtypes and ranks": strict(), "transfers": jax.transfer_guard("disallow")}
     slope = jax.jit(jax.grad(lambda array: msf_jax.follow(skeleton, array).nodes.sum()))
     with modes[mode]:
         for given in (array, vertices.astype(np.float32)):

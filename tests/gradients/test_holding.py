@@ -132,6 +132,7 @@ def test_a_limb_that_has_been_drawn_in_is_seen():
         assert frame.wants_run == is_wrong and (len(frame.strained) > 0) == is_wrong
 
 
+@pytest.mark.slow  # that a bend is none is quick
 def test_noise_of_a_thousandth_is_no_fault():
     """Also if balls do not cover much of a body, and if the mesh of the run crosses itself."""
     for mesh in (ground_truth.make("octopus_low").mesh, capsules(0.5)):

@@ -122,21 +122,22 @@ def test_files_that_cannot_be(flow, tmp_path):
 
 def test_decisions_are_counted():
     """None for the same run; the more, the farther the weights are; the names of vertices do not depend on rows."""
-    first = msf_jax.contract(mesh()).tape
-    same, near, far = (msf_jax.contract(mesh(), Weights(w_L=w_L)).tape for w_L in (1.0, 1.001, 3.0))
+    config = Config(max_iterations=8)
+    first = msf_jax.contract(mesh(), config=config).tape
+    same, near, far = (msf_jax.contract(mesh(), Weights(w_L=w_L), config).tape for w_L in (1.0, 1.001, 3.0))
     assert first.compare(same) == (0, len(first.decisions))
     shares = [first.compare(tape).different / len(tape.decisions) for tape in (near, far)]
     assert 0 < shares[0] < shares[1] <= 1
     assert first.compare(far).different - far.compare(first).different == len(far.decisions) - len(first.decisions)
     twice = mesh()
     twice.apply_scale(2.0)
-    assert first.compare(msf_jax.contract(twice).tape) == (0, len(first.decisions))
+    assert first.compare(msf_jax.contract(twice, config=config).tape) == (0, len(first.decisions))
     bumpy = mesh()
     bumpy.vertices *= 1 + 0.02 * np.sin(40 * bumpy.vertices[:, :1])
-    moved = first.compare(msf_jax.contract(bumpy).tape)
+    moved = first.compare(msf_jax.contract(bumpy, config=config).tape)
     assert 0 < moved.different <= moved.total
     with pytest.raises(MeshError, match="meshes with different faces"):
-        first.compare(msf_jax.contract(blob(5, 1)).tape)
+        first.compare(msf_jax.contract(blob(5, 1), config=config).tape)
 
 
 def test_every_edit_is_a_decision():

@@ -204,8 +204,8 @@ def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends():
     ]
     ball = manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(0.8, 48), *bumps], manifold3d.OpType.Add)
     drill = manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
-    whole = solid(ball, 0.12)
-    for shape, leaves in ((whole, 6), (solid(ball - drill, 0.12), 0)):
+    whole = solid(ball, 0.18)
+    for shape, leaves in ((whole, 6), (solid(ball - drill, 0.18), 0)):
         assert len(limbs(shape, 1.0)) == leaves and len(limbs(shape, caps.BLUNT)) == 6
         skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
         assert skeleton.num_leaves == leaves and skeleton.report.loops == (leaves == 0)
@@ -221,7 +221,7 @@ def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
     head = manifold3d.Manifold.cylinder(1.6, 0.5, 0.5, 48) + manifold3d.Manifold.sphere(0.5, 48).translate((0, 0, 1.6))
     ear = manifold3d.Manifold.cylinder(0.9, 0.12, 0.12, 24)
     ears = [ear.rotate((0, angle, 0)).translate((0, 0, 1.2)) for angle in (90, -90)]
-    shape = solid(manifold3d.Manifold.batch_boolean([block(), head, *ears], manifold3d.OpType.Add), 0.1)
+    shape = solid(manifold3d.Manifold.batch_boolean([block(), head, *ears], manifold3d.OpType.Add), 0.15)
     top = nearest(shape, (0, 0, 2.1))
     found = Caps(shape)
     others = none(shape)
@@ -288,6 +288,7 @@ def test_a_lower_threshold_never_prunes_more(with_fingers):
     assert leaves == [4, 4, 4, 4, 4, 2]
 
 
+@pytest.mark.slow  # of a budget that is spent, a quick test is below
 def test_many_components_have_a_budget_each():
     """`MOST_TIPS`, `MOST_AREA` are those of a component."""
     one = solid(block() + LIMB["long cylinder"][0], 0.4)
@@ -302,8 +303,8 @@ def test_many_components_have_a_budget_each():
 def test_a_skeleton_is_pruned_by_several_threads_and_pickled(with_fingers):
     skeleton = replace(with_fingers)  # none of its properties is computed yet
     with ThreadPoolExecutor(4) as threads:
-        found = [*threads.map(lambda least: skeleton.prune(least).num_leaves, (1.0, 3.0, 100.0) * 2)]
-    assert found == [4, 4, 2] * 2
+        found = [*threads.map(lambda least: skeleton.prune(least).num_leaves, (1.0, 100.0) * 2)]
+    assert found == [4, 2] * 2
     bare = replace(skeleton, source=None)
     for each in (skeleton, bare):
         again = pickle.loads(pickle.dumps((each.branches, each)[1]))

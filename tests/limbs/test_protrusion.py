@@ -71,7 +71,7 @@ def test_finer_details_only_add_limbs():
 
 
 @pytest.mark.parametrize("solid", [box(3, 3, 3), box(6, 6, 0.4), i_beam(9), round_bar(3), Solid.sphere(1, 48)])
-@pytest.mark.parametrize("edge", [0.4, 0.15])
+@pytest.mark.parametrize("edge", [0.4, 0.2])
 def test_corners_and_rims_are_no_limbs_at_the_default(solid, edge):
     """`CORNER`: of a cube 1 / 6, of a thin plate 1 / 2; rims are within a width of a limb's end."""
     plain, fine = limbs_of(solid, edge, 0.0), limbs_of(solid, edge, 0.5)

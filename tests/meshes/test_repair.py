@@ -135,14 +135,8 @@ def test_a_mesh_that_was_broken_in_every_way_has_its_genus_again(make, seed):
     assert volumes(found)[0] == pytest.approx(mesh.volume, rel=0.01)
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "beetle-open",
-        "camel-pinched",
-        *(pytest.param(name, marks=pytest.mark.slow) for name in ("lilium-open", "cow-pinched")),
-    ],
-)
+@pytest.mark.slow  # made ones are in the other tests
+@pytest.mark.parametrize("name", ["beetle-open", "camel-pinched", "lilium-open", "cow-pinched"])
 def test_research_meshes_become_curves(research_mesh, name):
     mesh = research_mesh(name)
     found = checking.prepare(mesh, True)

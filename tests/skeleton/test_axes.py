@@ -191,6 +191,7 @@ def frustum(low: np.ndarray, high: np.ndarray, radii: tuple[float, float], sides
     return body.transform(turn[:3])
 
 
+@pytest.mark.slow  # a smaller plant in a mesh is quick
 def test_a_plant_of_cones_that_were_joined():
     """Sections of the stem where an axis leaves it have a bulge: its curve was off by a third of its radius, with a
     ball of 0.7 of it, and angles of axes by up to 6 degrees."""

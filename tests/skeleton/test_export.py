@@ -156,6 +156,7 @@ def saved(hand, tmp_path):
     return save
 
 
+@pytest.mark.slow  # this project's own reader is quick
 def test_navis_reads_swc(hand, saved):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # navis announces what it has not

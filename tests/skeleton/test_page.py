@@ -155,9 +155,8 @@ def test_the_pointer_tells_the_radius_on_the_surface_too(hand, drawn):
 def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
     (tmp_path / "a.swc").write_text("1 0 0 0 0 1 -1\n2 0 1 0 0 1 1\n")
     assert len(msf_jax.read_curve(tmp_path / "a.swc").view().data) == 1
-    ball = trimesh.creation.icosphere(2)
-    skeleton = msf_jax.skeletonize(ball)
-    assert len(skeleton.view(ball).data) > 3
+    limb = ground_truth.make("straight_coarse").mesh
+    assert len(msf_jax.skeletonize(limb).view(limb).data) > 3
     alone = curve_of(np.zeros((1, 3)), np.empty((0, 2), int), np.ones(1)).view(None, tmp_path / "alone.html")
     assert "nan" not in unpacked((tmp_path / "alone.html").read_text(), "data")[:2000].decode(errors="replace").lower()
     assert np.isfinite(list(alone.layout.scene.camera.eye.to_plotly_json().values())).all()
@@ -216,11 +215,11 @@ def test_plot_is_the_matplotlib_figure(hand):
 
 
 def test_view_and_completion_on_the_command_line(tmp_path, capsys):
-    mesh = tmp_path / "ball.off"
-    trimesh.creation.icosphere(2).export(mesh)
+    mesh = tmp_path / "limb.off"
+    ground_truth.make("straight_coarse").mesh.export(mesh)
     assert main(["view", str(mesh), "-q"]) == 0
-    assert (tmp_path / "ball.html").stat().st_size > 1e6
-    assert main(["view", str(mesh), "-o", str(tmp_path / "ball.pdf")]) == 2
+    assert (tmp_path / "limb.html").stat().st_size > 1e6
+    assert main(["view", str(mesh), "-o", str(tmp_path / "limb.pdf")]) == 2
     assert "ends in .html" in capsys.readouterr().err
     assert main(["completion", "bash"]) == 0
     assert "msf" in capsys.readouterr().out

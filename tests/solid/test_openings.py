@@ -62,14 +62,12 @@ slope = R * np.cos(2 * np.pi * np.arange(AROUND) / AROUND)
     ("mesh", "length", "flat"),
     [
         (tube(15.0), 15.0, 1.0),
-        (tube(15.0, low=slope), 15.0, 1.0),  # cut off at 45 degrees
-        (tube(15.0, low=np.tan(np.radians(70)) * slope), 15.0, 1.0),
-        (tube(15.0, flat=3.0), 15.0, 3.0),
+        (tube(15.0, low=np.tan(np.radians(70)) * slope), 15.0, 1.0),  # cut off at 70 degrees
         (tube(15.0, low=slope, flat=5.0), 15.0, 5.0),
         (tube(15.0, low=JAGGED), 15.0, 1.0),
         (tube(2.2, rows=12), 2.2, 1.0),  # shorter than wide: its curve would lie across
     ],
-    ids=["round", "oblique45", "oblique70", "flattened3", "flattened5_oblique45", "jagged", "short"],
+    ids=["round", "oblique70", "flattened5_oblique45", "jagged", "short"],
 )
 def test_a_tube_that_was_cut_off_is_whole_up_to_its_openings(mesh, length, flat):
     skeleton = msf_jax.skeletonize(mesh, repair=True)
