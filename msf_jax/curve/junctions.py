@@ -212,56 +212,79 @@ def _nearest_on(
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """The nodes (N, 3) with junctions of tubes where the axes of their branches meet, and the nodes on the line to each
-    branch's own stretch on its line."""
-    x = x.copy()
+    branch's own stretch on its line. Where rods cross, the flow has two junctions: if the axes of all branches of both
+    meet, these are at one place, with the stretch between."""
+    x, degree = x.copy(), np.bincount(edges.ravel(), minlength=len(x))
     at_node: dict[int, list[np.ndarray]] = {}
+    links: dict[tuple[int, int], list[np.ndarray]] = {}
     for each in graphs.trace(len(x), edges):
         for path in (each, each[::-1]):
             at_node.setdefault(path[0], []).append(np.array(path))
-    for node, paths in at_node.items():
-        usual = np.array([float(np.median(radii[path[1:]])) for path in paths if len(path) > 1])
-        if len(paths) < 3 or is_held[node] or radii[node] > TUBES * usual.max(initial=0.0):
-            continue
-        begins, lines = [], []  # along each branch: its nodes, the begin and the end of its own stretch; and its line
-        for path, size in zip(paths, usual, strict=True):
-            along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
-            margin, is_link = BEGIN * size, len(at_node[path[-1]]) > 2
-            start, last = along[is_own.argmax()] + margin, along[-1] - is_link * margin
-            length = min(AXIS * size, last - start)
-            if length <= 0:
-                break
-            # Through two points of its first straight stretch, as an oblique branch bends until it is on its axis. If
-            # none is straight, through three of the first.
-            room = np.arange(0.0, min(LATER * size, last - start - length) + 1e-12, BEGIN * size / 2)
-            place = start + room[:, None] + length * np.array([0.0, 0.5, 1.0])
-            three = at(x[path], along, place.ravel()).reshape(-1, 3, 3)
-            bent = np.linalg.norm(three[:, 1] - (three[:, 0] + three[:, 2]) / 2, axis=1)
-            is_straight = bent <= BENT * size
-            first = int(is_straight.argmax())
-            is_bent, place, three = not is_straight[first], place[first], three[first]
-            start += room[first]
-            step = slice(None, None, 1 if is_bent else 2)
-            begins.append((along, start, last))
-            lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
-        if len(begins) < len(paths):
-            continue
-        p, d = np.array([line[2] for line in lines]), unit(np.array([line[1] for line in lines]))
-        flat = np.eye(3) - d[:, :, None] * d[:, None, :]
-        total = flat.sum(axis=0)
-        if np.linalg.eigvalsh(total)[0] < SPREAD:
-            continue
-        meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
-        off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
-        # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
-        begin = np.maximum([start for _, start, _ in begins], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)
-        if (off > OFF * usual).any() or (begin > [last for _, _, last in begins]).any():
-            continue
-        count = [int(np.searchsorted(along, own)) + 1 for own, (along, _, _) in zip(begin, begins, strict=True)]
-        laid = [path[:num] for path, num in zip(paths, count, strict=True)]
-        is_open = is_inside(shape, np.repeat(meet[None], len(p), axis=0), x[[path[-1] for path in laid]])
-        if is_held[np.concatenate(laid)].any() or not is_open.all():
-            continue
-        for path, (along, _, _), (square, slope, start) in zip(laid, begins, lines, strict=True):
-            along = along[: len(path), None]
-            x[path] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
+        if min(degree[each[0]], degree[each[-1]]) > 2 and each[0] != each[-1]:
+            links.setdefault((min(each[0], each[-1]), max(each[0], each[-1])), []).append(np.array(each))
+    is_done = np.zeros(len(x), dtype=bool)
+    middles = [(ends, between[0]) for ends, between in links.items() if len(between) == 1]
+    middles += [((node, node), np.array([node])) for node in at_node if degree[node] > 2]
+    for ends, middle in middles:
+        paths = [path for node in dict.fromkeys(ends) for path in at_node[node] if {*path[[0, -1]].tolist()} != {*ends}]
+        if not is_done[list(ends)].any() and len(paths) == sum(degree[list({*ends})]) - 2 * (len(middle) > 1):
+            is_done[middle] = _laid(shape, x, middle, paths, degree, is_held, radii)
     return x
+
+
+def _laid(
+    shape: Enclosure,
+    x: np.ndarray,
+    middle: np.ndarray,
+    paths: list[np.ndarray],
+    degree: np.ndarray,
+    is_held: np.ndarray,
+    radii: np.ndarray,
+) -> bool:
+    """Put the nodes ``middle`` (m,), a junction, or two and the stretch between, where the axes of the ``paths`` from
+    there meet, and those on lines to there. ``x`` (N, 3) changes only if True is returned."""
+    usual = np.array([float(np.median(radii[path[1:]])) for path in paths])
+    if radii[middle].max() > TUBES * usual.max():
+        return False
+    begins, lines = [], []  # along each branch: its nodes, the begin and the end of its own stretch; and its line
+    for path, size in zip(paths, usual, strict=True):
+        along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
+        margin, is_link = BEGIN * size, bool(degree[path[-1]] > 2)
+        start, last = along[is_own.argmax()] + margin, along[-1] - is_link * margin
+        length = min(AXIS * size, last - start)
+        if length <= 0:
+            return False
+        # Through two points of its first straight stretch, as an oblique branch bends until it is on its axis. If
+        # none is straight, through three of the first.
+        room = np.arange(0.0, min(LATER * size, last - start - length) + 1e-12, BEGIN * size / 2)
+        place = start + room[:, None] + length * np.array([0.0, 0.5, 1.0])
+        three = at(x[path], along, place.ravel()).reshape(-1, 3, 3)
+        bent = np.linalg.norm(three[:, 1] - (three[:, 0] + three[:, 2]) / 2, axis=1)
+        is_straight = bent <= BENT * size
+        first = int(is_straight.argmax())
+        is_bent, place, three = not is_straight[first], place[first], three[first]
+        start += room[first]
+        step = slice(None, None, 1 if is_bent else 2)
+        begins.append((along, start, last))
+        lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
+    p, d = np.array([line[2] for line in lines]), unit(np.array([line[1] for line in lines]))
+    flat = np.eye(3) - d[:, :, None] * d[:, None, :]
+    total = flat.sum(axis=0)
+    if np.linalg.eigvalsh(total)[0] < SPREAD:
+        return False
+    meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
+    off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
+    # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
+    begin = np.maximum([start for _, start, _ in begins], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)
+    if (off > OFF * usual).any() or (begin > [last for _, _, last in begins]).any():
+        return False
+    count = [int(np.searchsorted(along, own)) + 1 for own, (along, _, _) in zip(begin, begins, strict=True)]
+    laid = [path[:num] for path, num in zip(paths, count, strict=True)]
+    is_open = is_inside(shape, np.repeat(meet[None], len(p), axis=0), x[[path[-1] for path in laid]])
+    if is_held[np.concatenate([middle, *laid])].any() or not is_open.all():
+        return False
+    for path, (along, _, _), (square, slope, start) in zip(laid, begins, lines, strict=True):
+        along = along[: len(path), None]
+        x[path] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
+    x[middle] = meet
+    return True
