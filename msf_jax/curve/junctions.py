@@ -256,14 +256,14 @@ def _laid(
             return False
         # Through two points of its first straight stretch, as an oblique branch bends until it is on its axis. If
         # none is straight, through three of the first.
-        room = np.arange(0.0, min(LATER * size, last - start - length) + 1e-12, BEGIN * size / 2)
-        place = start + room[:, None] + length * np.array([0.0, 0.5, 1.0])
+        shift = np.arange(0.0, min(LATER * size, last - start - length) + 1e-12, BEGIN * size / 2)
+        place = start + shift[:, None] + length * np.array([0.0, 0.5, 1.0])
         three = at(x[path], along, place.ravel()).reshape(-1, 3, 3)
         bent = np.linalg.norm(three[:, 1] - (three[:, 0] + three[:, 2]) / 2, axis=1)
         is_straight = bent <= BENT * size
         first = int(is_straight.argmax())
         is_bent, place, three = not is_straight[first], place[first], three[first]
-        start += room[first]
+        start += shift[first]
         step = slice(None, None, 1 if is_bent else 2)
         begins.append((along, start, last))
         lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
