@@ -30,7 +30,7 @@ from msf_jax.solid.geometry import triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
-RINGS = 8  # of a limb at least; those of a short one are nearer to each other
+RINGS = 6  # of a limb at least; those of a short one are nearer to each other
 DEEP = 1.5  # widths of a limb: so far from its end at most the ball there is looked for
 TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
