@@ -287,7 +287,9 @@ class _System:
         back = self.rows.T.tocsr()
         back.data *= scale[back.indices]
         matrix = (back @ self.rows).tocsc() + self.held
-        return linalg.splu(matrix).solve(self.pull - back @ self.value).reshape(-1, 3)
+        # The matrix is symmetric and positive definite: no pivots are sought.
+        factors = linalg.splu(matrix, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        return factors.solve(self.pull - back @ self.value).reshape(-1, 3)
 
     def moved(self, step: np.ndarray) -> np.ndarray:
         """(L, 3) the change of `off` in a step."""

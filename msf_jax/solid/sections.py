@@ -17,7 +17,7 @@ import numpy as np
 
 from msf_jax.solid import walks
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, cross, unit
+from msf_jax.solid.geometry import arc_length, at, cross, repeated, unit
 
 SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
 FIRST_REACH = 1.5  # radii: reach of the first search
@@ -151,17 +151,24 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     if not len(out):
         return found
     found = Sections(*(field.copy() for field in found))
+    normal, centroid = normals[out], found.centroid[out]
+    side = unit(cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)]))
+    frames = np.stack([side, cross(normal, side)], axis=1)
     first, stop = np.searchsorted(corners.loop, out), np.searchsorted(corners.loop, out + 1)
-    for each, row in zip(out.tolist(), map(slice, first, stop), strict=True):
-        own = corners._replace(tail=corners.tail[row], head=corners.head[row], part=corners.part[row])
-        side = unit(cross(normals[each], np.eye(3)[np.abs(normals[each]).argmin()]))
-        frame = np.stack([side, cross(normals[each], side)])
-        x = (own.places(shape) - found.centroid[each]) @ frame.T
-        x = np.concatenate([x, x[:1]])
-        if not _is_around(x, np.zeros(2)):
-            found.centroid[each] += _narrowest(x) @ frame
-            found.size[each] = found.radius[each]
-            found.slide[each], found.turn[each] = 0.0, 0.0
+    row, place = repeated(stop - first)
+    each = first[row] + place
+    own = corners._replace(tail=corners.tail[each], head=corners.head[each], part=corners.part[each])
+    x = np.einsum("cij,cj->ci", frames[row], own.places(shape) - centroid[row])
+    end = np.cumsum(stop - first)
+    onward = np.roll(x, -1, axis=0)
+    onward[end - 1] = x[end - (stop - first)]
+    is_outside = np.bincount(row, weights=_is_crossed(x, onward), minlength=len(out)) % 2 == 0
+    for k in np.flatnonzero(is_outside).tolist():
+        loop = x[end[k] - stop[k] + first[k] : end[k]]
+        found.centroid[out[k]] += _narrowest(np.concatenate([loop, loop[:1]])) @ frames[k]
+    out = out[is_outside]
+    found.size[out] = found.radius[out]
+    found.slide[out], found.turn[out] = 0.0, 0.0
     return found
 
 
@@ -191,10 +198,13 @@ def _narrowest(x: np.ndarray) -> np.ndarray:
 
 def _is_around(x: np.ndarray, point: np.ndarray) -> bool:
     """Whether the closed polygon ``x`` (C + 1, 2) is around ``point`` (2,): a ray crosses it an odd number of times."""
-    a, b = x[:-1], x[1:]
+    return bool(_is_crossed(x[:-1] - point, x[1:] - point).sum() % 2)
+
+
+def _is_crossed(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """(C,) whether the segments from ``a`` to ``b`` (C, 2) cross the ray from the origin to the right."""
     is_up = b[:, 1] > a[:, 1]
-    is_crossed = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
-    return bool((is_crossed & ((_cross(b - a, point - a) > 0) == is_up)).sum() % 2)
+    return ((a[:, 1] > 0) != (b[:, 1] > 0)) & ((_cross(b - a, -a) > 0) == is_up)
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -13,7 +13,7 @@ from msf_jax.topology import graphs
 
 LONGEST_FACE = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
 MOST_PARTS = 64  # parts along a side of a face, at most
-MOST_FACES = 300_000  # faces after splitting, about; bounds memory
+MOST_FACES = 50_000  # faces after splitting, about; bounds time and memory
 
 
 class Profiles(NamedTuple):
