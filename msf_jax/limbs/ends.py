@@ -33,7 +33,7 @@ NEAR_END = 1  # rings: so many can lie on the end itself
 RINGS = 6  # of a limb at least; those of a short one are nearer to each other
 DEEP = 1.5  # widths of a limb: so far from its end at most the ball there is looked for
 TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
-NEAR = 0.25  # steps: middles of rings that are nearer are one, and no line leads through them
+NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads through one that is nearer to it
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
@@ -274,7 +274,15 @@ def _to_end(
     is_around[: min(whole, last)] = False
     if not is_around.any():  # the middles of a channel are outside
         return middles
-    first = int(is_around.argmax())
+    first = outer = int(is_around.argmax())
+    # So does one on the line ahead: the rings of a cone are shorter and shorter, and those of a corner are beside it.
+    heading = -normals[first] if first < last else middles[first - 1] - middles[first]
+    while outer > whole and part[outer - 1] >= WHOLE * min(float(part[first]), 1.0):
+        ahead, heading = middles[outer - 1] - middles[first], unit(heading)
+        if np.linalg.norm(ahead - (ahead @ heading) * heading) > NEAR * step:
+            break
+        outer, heading = outer - 1, ahead
+    first = outer
     # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
     # hole in the end is alone: there it is ahead across the ring.
     heading, middles, pair = -normals[first], middles.copy(), [first, min(first + 1, last)]

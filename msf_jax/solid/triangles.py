@@ -59,7 +59,10 @@ def sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Sam
         owners.append(np.repeat(large, len(weights)))
     fan = np.concatenate([np.argsort(corner, kind="stable") // 3, *owners])
     first = np.concatenate([[0], np.cumsum(count[count > 0]), len(corner) + 1 + np.arange(len(fan) - len(corner))])
-    return Samples(spatial.KDTree(np.concatenate(points), leafsize=32), first, fan)
+    # Boxes that are split in the middle, and not shrunk, are built faster and are several times as fast for points
+    # on the axis of a cone, as far from many samples.
+    tree = spatial.KDTree(np.concatenate(points), leafsize=32, balanced_tree=False, compact_nodes=False)
+    return Samples(tree, first, fan)
 
 
 # The following go corner by corner, as NumPy is slow in reductions over axes of length 2 or 3.

@@ -17,8 +17,8 @@ fine, as made and turned. A name may have wildcards. ``--cases`` scores the file
 - in sheets, sound: what the report says; sheets, such as an I-beam or a channel, are rightly not sound.
 - seconds: without compiling.
 
-A half width is the radius of the disc that has the area of the limb's section. The first table has the 55
-solids (220 forms) that have a right curve. The second has four without a preferred way, of which only one short branch
+A half width is the radius of the disc that has the area of the limb's section. The first table has the 57
+solids (228 forms) that have a right curve. The second has four without a preferred way, of which only one short branch
 is asked.
 """
 

@@ -158,6 +158,12 @@ def _cone(length: float, low: float, high: float) -> Solid:
     return straight(body, -length / 2, length / 2, (low, high), (low, high), (X, Y, QUARTER))
 
 
+def _pencil(length: float, radius: float, height: float) -> Solid:
+    """A cone on a cylinder."""
+    body = rod(length, radius) + at(rod(height, radius, 0.0), 0, 0, (length + height) / 2)
+    return straight(body, -length / 2, length / 2 + height, (radius, 0.0), (radius, 0.0), (X, QUARTER))
+
+
 def limbs(
     body: Manifold,
     lines: Sequence[Limb],
@@ -356,6 +362,8 @@ SOLIDS: dict[str, Callable[[Size], Solid]] = {
     **{f"cylinder-{n}": lambda s, n=n: _cylinder(n * (radius := s(1)), radius) for n in (3, 4, 6, 8, 10, 12, 16)},
     "cone": lambda s: _cone(s(6), s(1.5), 0.0),
     "cone-thin": lambda s: _cone(s(9), s(1.2), 0.0),
+    "pencil": lambda s: _pencil(s(2), s(1), s(5)),
+    "pencil-blunt": lambda s: _pencil(s(6), s(1), s(1.5)),
     "frustum": lambda s: _cone(s(6), s(1.2), s(0.7)),
     "frustum-wide": lambda s: _cone(s(6), s(1.6), s(0.6)),
     "nut": lambda s: _washer(s(1), s(2), s(1.5), 6),

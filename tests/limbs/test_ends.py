@@ -317,6 +317,18 @@ def test_a_ring_in_a_corner_of_a_plates_end_does_not_begin_its_curve():
     assert np.abs(found[:, 1:]).max() < 0.01 and found[0, 0] == pytest.approx(4 - 0.09, abs=0.02)
 
 
+@settings(max_examples=8, deadline=None)
+@given(st.floats(1.5, 6), st.floats(1.5, 5), st.integers(0, 1000))
+def test_a_cone_on_a_cylinder_ends_near_its_point(length, height, seed):
+    """Its rings are shorter and shorter, though they go around it; its triangles are as long as it is."""
+    solid = Solid.cylinder(length, 1, 1, 32).translate((0, 0, -length)) + Solid.cylinder(height, 1, 0, 32)
+    shape, turn = as_shape(solid), Rotation.random(random_state=seed)
+    found = turn.inv().apply(ends_of(Enclosure(turn.apply(shape.vertices), shape.faces)))
+    found = found[found[:, 2].argsort()]
+    assert len(found) == 2 and np.abs(found[:, :2]).max() < 0.1
+    assert 0.25 < found[0, 2] + length < 0.4 and 0.01 < 1 - found[1, 2] / height < 0.1
+
+
 def test_the_end_of_a_channel_is_not_beyond_it():
     """The middles of its rings are outside, and no line through them meets its end."""
     shape = as_shape(box(10, 3, 3) - box(12, 2.4, 3).translate((0, 0, 0.3)), 0.3)
