@@ -62,7 +62,7 @@ def form_of(
         turn *= np.linalg.det(turn)
         x = x @ turn
     elif form == "mirrored":
-        x, faces = mirrored(x, *plane), faces[:, ::-1]
+        x, faces = mirrored(x, middle, normal), faces[:, ::-1]
     return trimesh.Trimesh(x, faces, process=False), turn.T
 
 
