@@ -13,7 +13,6 @@ from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
 MOST_ROUNDS = 20  # each over all corners that are left
-CORNER_REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
 
 
 def resample(
@@ -204,8 +203,7 @@ def _round_corner(
         return x, nodes
     along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
     low, high = ends[ends < here].max(), ends[ends > here].min()
-    reach = CORNER_REACH * clearance
-    first, last = max(along[low], along[here] - reach), min(along[high], along[here] + reach)
+    first, last = max(along[low], along[here] - clearance), min(along[high], along[here] + clearance)
     if first == along[here] or last == along[here]:  # another node is in the place of the corner
         return x, nodes
     begin, end = np.searchsorted(along, first, side="right"), np.searchsorted(along, last)

@@ -25,7 +25,6 @@ TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
 CORRECTIONS = 4  # corrections of a ball's radius by the triangles between samples
 NEIGHBOURS = 12  # nearest balls of any size that a ball has edges to
 LARGER = 3  # nearest balls of each larger size that a ball has edges to
-LONGEST_EDGE = 3.0  # sums of the two radii: balls farther apart have no edge
 MOST_TESTS = 15_000  # tests of edges in joining, for one curve
 MOST_TESTS_FOR_LOOPS = 60_000  # tests of edges in the search for missing loops
 REACHES = (2.0, 6.0)  # lengths of the edge to replace: longest detour over a ball, in the first and the second search
@@ -357,7 +356,7 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.
     num, level, count = len(centre), _levels(radius), min(NEIGHBOURS + 1, len(centre))
     if not num:
         return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
-    away, near = (np.asarray(each).reshape(num, -1) for each in spatial.KDTree(centre).query(centre, k=count))
+    near = np.asarray(spatial.KDTree(centre).query(centre, k=count)[1])
     pairs = [np.stack([np.repeat(np.arange(num), count), near.ravel()], axis=1)]
     for size in np.unique(level)[1:]:
         smaller = np.flatnonzero(level < size)
@@ -365,10 +364,7 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.
     tail, head = np.concatenate(pairs).T
     both = np.unique(np.minimum(tail, head) * num + np.maximum(tail, head))
     tail, head = both // num, both % num
-    apart = away[:, 1:2].sum(axis=1)  # 0 for a single ball
-    reach = LONGEST_EDGE * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
-    is_near = (np.linalg.norm(centre[tail] - centre[head], axis=1) < reach) & (tail < head)
-    return tail[is_near], head[is_near]
+    return tail[tail < head], head[tail < head]
 
 
 def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, clearance: np.ndarray) -> _Links:

@@ -50,7 +50,7 @@ def mirrored(points: np.ndarray, middle: np.ndarray, normal: np.ndarray) -> np.n
 
 
 def form_of(
-    mesh: trimesh.Trimesh, form: str, plane: tuple[np.ndarray, np.ndarray]
+    mesh: trimesh.Trimesh, form: str, middle: np.ndarray, normal: np.ndarray
 ) -> tuple[trimesh.Trimesh, np.ndarray]:
     """The mesh in a form, and the matrix (3, 3) that turns it back."""
     random, x, faces = np.random.default_rng(0), np.array(mesh.vertices, dtype=float), np.array(mesh.faces)

@@ -91,7 +91,6 @@ def test_joining_has_a_bound(monkeypatch):
     one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.1] * 3)
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
-    monkeypatch.setattr("msf_jax.inside.roadmap.LONGEST_EDGE", 100.0)  # there are edges from one to the other
     monkeypatch.setattr("msf_jax.inside.roadmap.MOST_TESTS", -1)
     roadmap = Roadmap(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
     assert not len(roadmap.paths(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
