@@ -502,7 +502,7 @@ def test_gradient_in_the_positions(case, scalar, gradients):
         np.testing.assert_allclose((gradients[3] * direction).sum(), slope, rtol=1e-5)
 
 
-@pytest.mark.slow  # their slopes are in test_padding, too
+@pytest.mark.slow  # slopes in weights and places are above
 def test_gradient_in_the_poles_is_linear(case):
     """The result is affine in the poles: one derivative reproduces any change of them."""
     change = jnp.asarray(case.to_rows(np.random.default_rng(6).normal(size=case.vertices.shape)))

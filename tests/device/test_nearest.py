@@ -28,7 +28,7 @@ MAKERS = {
     "box": lambda: trimesh.creation.box([12, 2, 0.5]),
     "needle": needle,
 }
-SQUASH, SHEAR = np.diag([1, 0.2, 1]), np.array([[1, 0.8, 0], [0, 0.5, -0.6], [0.3, 0, 1.4]])
+SHEAR = np.array([[1, 0.8, 0], [0, 0.5, -0.6], [0.3, 0, 1.4]])
 MOVES = {"rest": np.eye(3), "shear": SHEAR}
 
 
