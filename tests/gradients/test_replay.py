@@ -319,7 +319,7 @@ def test_replays_are_spread_over_devices(tmp_path):
     """And checked: what differs between devices is declared so, loops inside the solves included."""
     (tmp_path / "sharded.py").write_text(SHARDED)
     tests = Path(__file__).parents[1]
-    flags = "--xla_force_host_platform_device_count=4 --xla_backend_optimization_level=0"
+    flags = os.environ.get("XLA_FLAGS", "") + " --xla_force_host_platform_device_count=4"
     paths = f"{tests.parent}{os.pathsep}{tests}"
     done = subprocess.run(
         [sys.executable, str(tmp_path / "sharded.py")],

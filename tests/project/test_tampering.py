@@ -318,7 +318,7 @@ def test_a_small_file_that_shows_as_much_as_it_may_needs_less_than_a_gigabyte(tm
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
 def test_a_pipe_is_no_file(tmp_path):
     """Nobody writes to it, so that reading it would never end."""
-    paths = [tmp_path / name for name in ("x.off", "x.npz", "x.swc", "x.json")]
+    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc", "x.json")]
     for path in paths:
         os.mkfifo(path)
     script = "import sys; from msf_jax.app.cli import main; a, *b = sys.argv[1:]\n"
