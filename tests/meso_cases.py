@@ -3,6 +3,7 @@
 from collections import defaultdict
 
 import numpy as np
+import pytest
 import trimesh
 from conftest import blob, torus
 
@@ -96,7 +97,7 @@ def watch_rounds(monkeypatch) -> list[int]:
     return seen
 
 
-SURFACES = ["torus", "twisted torus", "blob", "two parts", "bunny"]
+SURFACES = ["torus", "twisted torus", "blob", "two parts", pytest.param("bunny", marks=pytest.mark.slow)]
 
 
 def is_tetrahedron(around: dict[int, set[int]], a: int) -> bool:

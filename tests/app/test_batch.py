@@ -90,6 +90,7 @@ def test_what_failed_is_done_again_when_asked_for(folder, here, tmp_path):
     assert changed.num_done == 2
 
 
+@pytest.mark.slow  # one after the other is quick
 def test_two_batches_at_once_have_all_rows_in_one_table(folder, here, tmp_path, monkeypatch):
     """The second one begins while the first computes, and ends just before the first writes its table."""
     first, second = [folder / "0.off", folder / "2.off"], [folder / "4.off", folder / "broken.off"]
@@ -369,8 +370,8 @@ def test_another_precision_is_another_setting(here, tmp_path):
         assert batch.run(paths, out, jobs=1).num_done == 1
 
 
-@pytest.mark.system
-def test_names_that_the_system_refuses_fail_alone(tmp_path):
+@pytest.mark.slow  # of names
+def test_names_that_the_system_refuses_fail_alone(here, tmp_path):
     """A name with no room for a suffix, one that is no UTF-8, and one whose curve's place is a folder."""
     meshes = tmp_path / "meshes"
     names = ["n" * 250 + ".off", os.fsdecode(b"\xff.off"), "a.off", "a.off.swc/b.off"]

@@ -119,6 +119,7 @@ def test_the_command_writes_nothing_before_the_first_iteration(mesh, endless, tm
     assert [path.name for path in tmp_path.iterdir()] == ["torus.off"]
 
 
+@pytest.mark.slow  # one that ends late is in test_checkpoint
 def test_an_iteration_that_does_not_end_is_left_out(mesh, endless, monkeypatch):
     step, whole = loop.step, loop.contract(mesh, config=SLOW)
 
@@ -165,6 +166,7 @@ def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypat
     assert len(at.value.flow.skeleton.edges) and at.value.flow.skeleton.report.components == 1
 
 
+@pytest.mark.slow  # that there is a curve so far is in other tests
 def test_the_curve_so_far_is_that_of_a_thinner_surface(mesh, endless, monkeypatch):
     """The surface after one iteration has too many edges for the loop in Python that extracts the curve."""
     step, extract, given = loop.step, curves.extraction.extract_curve, []
@@ -239,6 +241,7 @@ def test_max_seconds_before_the_first_iteration_is_an_error(mesh):
         msf_jax.skeletonize(mesh, config=Config(max_seconds=1e-9))
 
 
+@pytest.mark.slow  # a call that does is above
 def test_the_command_keeps_the_checkpoint_of_a_run_out_of_time(mesh, a_second_each, tmp_path, capsys):
     mesh.export(tmp_path / "torus.off")
     asked = ["skeletonize", str(tmp_path / "torus.off"), "-o", str(tmp_path / "a.swc"), "--max-seconds", "1.5"]

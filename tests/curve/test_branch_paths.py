@@ -42,9 +42,8 @@ def test_a_loop_that_comes_back_through_a_section_is_seen():
     assert through_both.all() and not own.any()
 
 
-@pytest.mark.parametrize("minor", [0.92, 0.95])
-def test_the_loop_of_a_torus_with_a_small_hole_is_a_circle(minor):
-    skeleton = msf_jax.skeletonize(trimesh.creation.torus(1.0, minor, major_sections=32, minor_sections=20))
+def test_the_loop_of_a_torus_with_a_small_hole_is_a_circle():
+    skeleton = msf_jax.skeletonize(trimesh.creation.torus(1.0, 0.95, major_sections=32, minor_sections=20))
     x = skeleton.vertices
     assert skeleton.report.cycles == 1 and skeleton.report.are_limbs
     assert np.abs(np.linalg.norm(x[:, :2], axis=1) - 1).max() < 0.02 and np.abs(x[:, 2]).max() < 0.02

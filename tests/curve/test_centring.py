@@ -14,6 +14,7 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit
 
 
+@pytest.mark.slow  # plates with holes are in test_handle_loops
 def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
     """So that the finished curve, which must be inside, is not led back there over kinks."""
     plate = manifold3d.Manifold.cube([3, 2, 0.05], True)

@@ -68,7 +68,7 @@ def test_branches_of_a_fork_do_not_run_back_along_themselves(degrees, first):
         assert np.einsum("ki,ki->k", step[1:], step[:-1]).min() > 0
 
 
-@pytest.mark.parametrize("degrees", [35, 50, 65])
+@pytest.mark.parametrize("degrees", [35, pytest.param(65, marks=pytest.mark.slow)])
 def test_an_oblique_branch_begins_where_its_axis_meets_its_trunk(degrees):
     """`LATER`: its curve bends from the junction, where the rods part, and is on its axis only farther on."""
     turn = np.radians(degrees)

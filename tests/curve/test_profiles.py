@@ -13,8 +13,15 @@ CHANNEL = np.array([[-1.5, -0.3], [1.5, -0.3], [1.5, 1.9], [0.9, 1.9], [0.9, 0.3
 BEND = 24.0  # from the axis about which a bent profile turns
 
 
-@pytest.mark.parametrize("profile, half", [(ANGLE, 0.4), (CHANNEL, 0.3)])
-@pytest.mark.parametrize("edge, is_bent", [(50.0, False), (0.5, False), (0.5, True)])
+@pytest.mark.parametrize(
+    ("profile", "half", "edge", "is_bent"),
+    [
+        (ANGLE, 0.4, 50.0, False),
+        (CHANNEL, 0.3, 0.5, True),
+        pytest.param(CHANNEL, 0.3, 50.0, False, marks=pytest.mark.slow),
+        pytest.param(ANGLE, 0.4, 0.5, True, marks=pytest.mark.slow),
+    ],
+)
 def test_the_curve_of_a_profile_is_in_the_middle_of_its_material(profile, half, edge, is_bent):
     """The middle of the corner or of the web is at 0. It was in one flange, or in both in turn."""
     length = 12.0

@@ -46,9 +46,7 @@ def expected(case, strength, kind="mean_value"):
 
 
 @pytest.mark.parametrize("strength", [0.001, 0.1, 3.0])
-@pytest.mark.parametrize("fixture", ["free_case", "case"])
-def test_it_solves_the_implicit_step(fixture, strength, request):
-    case = request.getfixturevalue(fixture)
+def test_it_solves_the_implicit_step(case, strength):
     moved = smoothed(case, strength)
     np.testing.assert_allclose(moved, expected(case, strength), atol=1e-8)
     assert np.abs(moved - case.vertices).max() > 1e-5
@@ -120,6 +118,7 @@ def test_gradient_in_the_strength(case, compiled):
         np.testing.assert_allclose(forward, reverse, rtol=1e-9)
 
 
+@pytest.mark.slow  # slopes beside differences are above
 def test_slope_at_strength_zero_is_the_laplacian(case):
     """dV'/d lambda = L V at lambda = 0, on free vertices."""
     tangent = quick_jit(jax.jacfwd(lambda s: plain_smooth(case.buffers, s, case.layout)[0]))(0.0)
@@ -163,7 +162,7 @@ def near_coincident(case):
     )
 
 
-@pytest.mark.parametrize("follows_area", [False, True])
+@pytest.mark.parametrize("follows_area", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_iteration_contracts_and_then_smooths_with_fresh_rows(case, follows_area):
     case = near_coincident(case)
     config = Config(

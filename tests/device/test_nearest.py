@@ -28,8 +28,8 @@ MAKERS = {
     "box": lambda: trimesh.creation.box([12, 2, 0.5]),
     "needle": needle,
 }
-SQUASH, SHEAR = np.diag([1, 0.2, 1]), np.array([[1, 0.8, 0], [0, 0.5, -0.6], [0.3, 0, 1.4]])
-MOVES = {"rest": np.eye(3), "squash": SQUASH, "shear": SHEAR}
+SHEAR = np.array([[1, 0.8, 0], [0, 0.5, -0.6], [0.3, 0, 1.4]])
+MOVES = {"rest": np.eye(3), "shear": SHEAR}
 
 
 @functools.cache
@@ -55,7 +55,9 @@ signed = jax.jit(nearest.signed_distances)
 
 
 @pytest.mark.parametrize("move", MOVES)
-@pytest.mark.parametrize("name", MAKERS)
+@pytest.mark.parametrize(
+    "name", ["limbs", "needle", *(pytest.param(name, marks=pytest.mark.slow) for name in ("parts", "box"))]
+)
 def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     vertices, faces, binding = bound(name)
     moved = vertices @ MOVES[move].T

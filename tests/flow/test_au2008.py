@@ -35,9 +35,8 @@ def test_recentring_brings_a_shifted_contraction_back():
     assert np.allclose(moved[9], moved[8])
 
 
-@pytest.mark.parametrize("name", [pytest.param("y_coarse", marks=pytest.mark.slow), "helix_coarse"])
-def test_the_system_contracts_to_a_millionth_and_draws_the_curve(name):
-    shape = ground_truth.make(name)
+def test_the_system_contracts_to_a_millionth_and_draws_the_curve():
+    shape = ground_truth.make("helix_coarse")
     plain = msf_jax.skeletonize(shape.mesh, config=Config.au2008(check=True))
     report = plain.report
     assert report.converged
@@ -62,6 +61,7 @@ def test_a_ring_keeps_its_loop():
     assert (report.genus, report.cycles, report.loops, report.inside) == (1, 1, 1, 1.0)
 
 
+@pytest.mark.slow  # of the factor alone, test_factors shows it
 def test_plain_conjugate_gradients_do_not_follow():
     """By the diagonal alone, the same solves take so many steps; by the factor, at most 30 in any iteration."""
     mesh = ground_truth.make("y_coarse").mesh
@@ -71,6 +71,7 @@ def test_plain_conjugate_gradients_do_not_follow():
     assert max(line.steps for line in plain.history) > 300
 
 
+@pytest.mark.slow  # so it is in the other systems, in test_flow
 def test_float32_is_not_asked_for_by_the_system():
     mesh = ground_truth.make("y_coarse").mesh
     double = msf_jax.skeletonize(mesh, config=Config.au2008())

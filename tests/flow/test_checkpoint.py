@@ -70,7 +70,7 @@ def dying_after(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "count", [pytest.param(1, marks=pytest.mark.slow), 4, pytest.param(6, marks=pytest.mark.slow), 11]
+    "count", [pytest.param(1, marks=pytest.mark.slow), pytest.param(4, marks=pytest.mark.slow), 11]
 )
 def test_a_run_that_died_goes_on_to_the_same_bits(mesh, undisturbed, dying_after, monkeypatch, tmp_path, count):
     """In the first or the second component, before the first write or after."""
@@ -88,6 +88,7 @@ def test_a_run_that_died_goes_on_to_the_same_bits(mesh, undisturbed, dying_after
     assert len(undisturbed.history) - len(calls) == kept + (count - 1 - done) // 2 * 2
 
 
+@pytest.mark.slow  # one of a part of a run is above
 def test_a_finished_checkpoint_gives_the_curve_again(mesh, undisturbed, dying_after, tmp_path):
     path = tmp_path / "run.npz"
     loop.contract(mesh, config=SLOW, checkpoint=path)
@@ -119,6 +120,7 @@ def test_another_mesh_does_not_go_on_from_it(begun, tmp_path):
         loop.contract(torus(), config=ONCE, checkpoint=path)
 
 
+@pytest.mark.slow
 def test_the_two_ways_to_ask_for_repair_are_one_run(mesh, tmp_path):
     loop.contract(mesh, config=ONCE, checkpoint=tmp_path / "run.npz", repair=True)
     loop.contract(mesh, config=ONCE, checkpoint=tmp_path / "run.npz", repair=msf_jax.Repair())
@@ -177,6 +179,7 @@ def test_a_folder_or_no_folder_is_refused_before_the_run(mesh, tmp_path):
             loop.contract(mesh, checkpoint=path)
 
 
+@pytest.mark.slow  # that a file which is written goes on is above
 def test_a_full_disk_is_noted_and_nothing_is_lost(mesh, undisturbed, monkeypatch, tmp_path):
     path = tmp_path / "run.npz"
 
@@ -232,6 +235,7 @@ def test_a_second_ctrl_c_stops_at_once(mesh, dying_after, ctrl_c):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
+@pytest.mark.slow  # threads that prune are in test_caps
 def test_threads_do_not_disturb_each_other(mesh, undisturbed, tmp_path):
     """Two runs at once in one process, with a checkpoint each: the same bits as alone."""
     found = {}

@@ -35,7 +35,7 @@ from msf_jax import shapes
 checkpoint = sys.argv[3] if len(sys.argv) > 3 else None
 often = Limits(checkpoint_every=1)
 config = msf_jax.Config().replace(flow={"threshold_min": 0.003})
-run = loop.contract(shapes.hand(0.06), config=config, checkpoint=checkpoint, limits=often)
+run = loop.contract(shapes.hand(0.1), config=config, checkpoint=checkpoint, limits=often)
 digest = hashlib.sha256(repr(run.history).encode())
 for array in (*jax.tree_util.tree_leaves(run.tape), *vars(run.skeleton).values()):
     if isinstance(array, np.ndarray):
@@ -60,7 +60,7 @@ class AtOnce:
 
 def test_limbs_from_another_thread_are_the_same(monkeypatch):
     """They are looked for while poles and the flow are computed; without pruning and ends nobody looks for them."""
-    mesh = ground_truth.make("y_coarse").mesh
+    mesh = ground_truth.make("straight_coarse").mesh
     found = [msf_jax.skeletonize(mesh)]
     pool = AtOnce()
     monkeypatch.setattr(Clock, "begin", lambda _, *asked: pool.submit(*asked))

@@ -108,7 +108,7 @@ def test_every_closed_mesh_becomes_a_whole_curve(drawn):
 
 @pytest.mark.parametrize(
     ("seed", "crossing"),
-    [(3, True), (1541, False), *(pytest.param(seed, True, marks=pytest.mark.slow) for seed in (2, 1978, 136825292))],
+    [(1541, False), *(pytest.param(seed, True, marks=pytest.mark.slow) for seed in (3, 136825292))],
 )
 def test_slivers_and_noise_lose_no_handle(seed, crossing):
     """The surface crosses itself here and there, so that linking numbers are wrong until it is smoothed."""

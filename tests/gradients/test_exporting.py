@@ -21,6 +21,7 @@ def tube():
     return np.array(mesh.vertices), msf_jax.skeletonize(mesh)
 
 
+@pytest.mark.slow  # so is an iteration, below
 def test_follow_is_exported_with_fixed_sizes(tube):
     vertices, skeleton = tube
     moved = vertices + 0.05 * np.sin(2 * vertices[:, [1, 2, 0]])

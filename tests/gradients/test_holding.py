@@ -54,6 +54,7 @@ def test_a_part_in_another_is_seen(gap):
     assert not near.wants_run and near.faults == {}
 
 
+@pytest.mark.slow  # parts that do are above
 def test_legs_that_come_into_each_other_are_seen():
     vertices, _, _, tracker = tracked("u_tube")
     share = np.clip((-vertices[:, 2] - 0.1) / 0.8, 0, 1) * np.sign(vertices[:, 0])
@@ -91,6 +92,7 @@ def bent(vertices, skeleton, angle):
     return np.where(is_over[:, None], np.stack([x, vertices[:, 1], height + z], axis=1), vertices)
 
 
+@pytest.mark.slow  # a limb that has grown is above
 def test_a_bend_is_right_until_the_limb_is_folded():
     axis = np.linspace([0, 0, -2], [0, 0, 2], 60)
     mesh = ground_truth.swept_tube(axis, np.full(60, 0.3), 12, "round")
@@ -142,6 +144,7 @@ def test_noise_of_a_thousandth_is_no_fault():
         assert [str(frame) for frame in frames if frame.wants_run] == []
 
 
+@pytest.mark.slow  # radii beside the solid's own are in test_follow
 def test_radii_are_exact_to_the_whole_surface():
     """Also where what is nearest now was far away: brute force over points of all faces."""
     vertices, faces, _, tracker = tracked("u_tube")

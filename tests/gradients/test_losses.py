@@ -227,6 +227,7 @@ def test_a_target_may_end_before_the_padding(name):
         np.testing.assert_allclose(of_target, expected[1][1][: len(short)])
 
 
+@pytest.mark.slow  # outside of a trace it is refused, above
 def test_what_is_missing_in_a_trace_is_nan():
     """A target for too few nodes, and ids that are no nodes, unless the mask leaves them out: then slopes are sound."""
     for name in ("radii", "clearance"):
@@ -252,6 +253,7 @@ def test_a_batch_of_them():
     assert msf_jax.losses is losses
 
 
+@pytest.mark.slow  # compiles what 32 curves need
 def test_near_needs_memory_for_a_part_of_the_pairs_only():
     """Of 10,000 targets and 32 curves, with slopes: all pairs would take 66 GB in float64."""
     num, many = 6000, jax.ShapeDtypeStruct((32, 10_000, 3), jnp.float64)

@@ -81,6 +81,7 @@ def test_every_curve_of_a_batch_is_what_it_is_alone(curves, batch):
     assert not np.asarray(by_vertex)[~np.asarray(batch.vertex_mask)].any()
 
 
+@pytest.mark.slow  # so is each alone, above
 def test_one_after_the_other_is_the_same(batch):
     """`jax.lax.map`, which is faster on a CPU, with gradients."""
     everywhere = jnp.asarray(moved(batch.vertices))
@@ -138,19 +139,6 @@ def _in_process(script, *arguments, **variables):
     return done.stdout
 
 
-@pytest.mark.slow  # in a batch, above
-def test_padding_changes_no_value(curves):
-    """Alone, with twice the capacity of everything."""
-    vertices, skeleton = curves[0]
-    bare = unpadded(skeleton.binding)
-    np.testing.assert_array_equal(bare.edges, skeleton.edges)
-    twice = bare.live._replace(**{name: 2 * capacity for name, capacity in skeleton.binding.capacity._asdict().items()})
-    found = msf_jax.follow(padded(bare, twice), moved(vertices))
-    for part, other in zip(found, msf_jax.follow(skeleton, moved(vertices)), strict=True):
-        np.testing.assert_allclose(part[: len(other)], other, rtol=0, atol=1e-13)
-        assert len(part) == 640 and not np.asarray(part)[len(other) :].any()
-
-
 def test_gradients_in_a_batch_are_those_of_central_differences(batch):
     vertices = jnp.asarray(moved(batch.vertices))
     direction = np.random.default_rng(3).normal(size=vertices.shape)
@@ -185,6 +173,7 @@ def test_grad_of_vmap_is_vmap_of_grad_and_slopes_have_slopes(batch):
     assert size > 1e-2 and np.linalg.norm(np.asarray(second) - expected) < 1e-4 * size
 
 
+@pytest.mark.slow  # slopes in a batch are above
 def test_a_step_of_training_in_a_scan(batch):
     """Descent along the batch's gradient, five steps in one program, lowers what it is for."""
 
@@ -320,6 +309,7 @@ def test_numbers_stay_what_they_are(curves, dtype):
     np.testing.assert_allclose(nodes, 100 * skeleton.vertices, rtol=0, atol=2 * close)
 
 
+@pytest.mark.slow  # that dtypes are those of the vertices is in the tests around it
 def test_no_double_precision_is_hidden_in_a_program_of_float32(curves):
     skeleton = curves[0][1]
     batch = msf_jax.stack([skeleton], dtype=np.float32)

@@ -102,6 +102,7 @@ def test_an_end_in_a_bubble_goes_and_one_in_another_piece_stays():
             assert containment.cut_off(shape, *path(line[-2:]), none_held(line[-2:]))[0].all()
 
 
+@pytest.mark.slow  # a part that crosses itself is in test_hollow
 def test_the_curve_of_a_noisy_surface_that_crosses_itself_is_inside():
     wavy = ground_truth.noisy(ground_truth.make("y"), 0.005, 1)
     report = msf_jax.skeletonize(wavy.mesh).report

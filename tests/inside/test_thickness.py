@@ -45,7 +45,7 @@ def test_edges_of_a_thin_limb_outlive_a_length_that_others_do_not():
     assert meso.scale is not None and len(meso.scale) == meso.num_rows and meso.scale.min() >= 0.1
 
 
-@pytest.mark.parametrize("radius", [0.004, 0.001])
+@pytest.mark.parametrize("radius", [pytest.param(0.004, marks=pytest.mark.slow), 0.001])
 def test_a_wire_keeps_its_length(radius):
     vertices, faces, axis = coil(radius, 1.2 if radius > 0.002 else 0.5, 8)
     extent = np.linalg.norm(np.ptp(vertices, axis=0))

@@ -124,7 +124,7 @@ def test_vertices_that_span_no_volume_have_no_diagram():
 
 def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
     """On a torus, whose poles are known: on the circle in its middle."""
-    mesh = torus(around=120, across=40)
+    mesh = torus(around=60, across=20)
     for rebuild in (reconstruction.filtered, reconstruction.reconstruct):
         sites = rebuild(mesh.vertices, mesh.faces, 200)
         found = voronoi.voronoi_poles(sites, mesh.faces).position

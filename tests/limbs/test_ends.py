@@ -117,8 +117,14 @@ LONG = {
 }
 
 
-@pytest.mark.parametrize("edge", [None, 0.4])
-@pytest.mark.parametrize("name", LONG)
+@pytest.mark.parametrize(
+    ("name", "edge"),
+    [
+        *((name, None) for name in LONG),
+        *((name, 0.4) for name in ("short cylinder", "I-beam", "slab")),
+        *(pytest.param(name, 0.4, marks=pytest.mark.slow) for name in ("bar", "short bar", "beam", "cylinder")),
+    ],
+)
 def test_an_end_is_on_the_axis_and_0_3_radii_before_the_surface(name, edge):
     """Whatever its triangles, of the solid as made and with short edges; in a sheet, too."""
     solid, radius = LONG[name]
@@ -135,7 +141,7 @@ def test_an_end_is_on_the_axis_and_0_3_radii_before_the_surface(name, edge):
 TURN = Rotation.random(random_state=3)
 
 
-@pytest.mark.parametrize("name", ["bar", "frustum", "I-beam"])
+@pytest.mark.parametrize("name", ["frustum", pytest.param("I-beam", marks=pytest.mark.slow)])
 def test_ends_turn_and_are_mirrored_with_the_solid(name):
     shape = as_shape(round_bar(6, 1.0, 0.5) if name == "frustum" else LONG[name][0], 0.4)
     x, faces, found = shape.vertices, shape.faces, ends_of(shape)
@@ -171,7 +177,7 @@ def test_a_cube_a_ball_and_a_square_plate_are_halved_by_their_shortest_line(soli
         assert ends.zero_line(shape.vertices, shape.faces, each + 1e-9) > 0.98 * across
 
 
-@pytest.mark.parametrize(("size", "gap"), [((2, 2, 2), 0.3), ((3, 3, 0.5), 0.075)])
+@pytest.mark.parametrize(("size", "gap"), [pytest.param((2, 2, 2), 0.3, marks=pytest.mark.slow), ((3, 3, 0.5), 0.075)])
 def test_a_cube_and_a_square_plate_have_a_straight_curve_from_face_to_face(size, gap):
     shape = as_shape(box(*size))
     skeleton = msf_jax.skeletonize((TURN.apply(shape.vertices), shape.faces))
@@ -262,7 +268,7 @@ def test_a_blind_hole_is_no_limb_and_changes_no_end(name):
     assert min(np.linalg.norm(found[1] - each, axis=1).max(initial=0.0) for each in turned) < 0.3 * half
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5), st.floats(0.15, 0.55), st.floats(0.2, 0.8))
 def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
     solid = box(10, 3, 3)
@@ -271,7 +277,7 @@ def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
     np.testing.assert_allclose(found, [[-4.55, 0, 0], [4.55, 0, 0]], atol=0.3 * 1.5)
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(st.integers(0, 1000), st.floats(1e-3, 1e3), st.booleans(), st.sampled_from(["short bar", "cylinder"]))
 def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scale, is_mirrored, name):
     shape = as_shape(LONG[name][0], 0.6)
@@ -363,7 +369,7 @@ def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
     np.testing.assert_array_equal(ends._centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(st.floats(0.4, 0.9), st.floats(1.8, 2.8), st.floats(0.3, 0.8), st.integers(0, 1000))
 def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
     """The rings of the underside of its head have one middle, and no line leads through them."""
@@ -377,6 +383,7 @@ def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
 
 @settings(max_examples=6, deadline=None)
 @given(st.floats(1.5, 3.0), st.floats(0.6, 0.9), st.integers(0, 1000))
+@pytest.mark.slow  # other holes are above and below
 def test_a_bar_with_a_blind_hole_in_its_end_ends_at_the_floor_of_the_hole(depth, radius, seed):
     """Its rings begin at the floor, run out in the hole, and come back around the bar, with middles in the hole."""
     hole = Solid.cylinder(2 * depth, radius, radius, 24, True).rotate((0, 90, 0)).translate((4.5, 0, 0))

@@ -200,7 +200,7 @@ def test_components_keep_their_longest_path_unless_they_have_a_loop_or_two_limbs
 
 
 def test_a_lost_limb_gets_a_branch_through_its_middle():
-    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
+    shape = solid(block() + LIMB["long cylinder"][0], 0.15)
     x, edges = trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
     caps, held = Caps(shape), none_held(trunk[0])
     choice = one_branch.choose(caps, caps.shape, x, edges, held, 1.2)

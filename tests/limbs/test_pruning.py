@@ -277,7 +277,7 @@ def test_slenderness_is_what_its_definition_says(balls):
     assert not expected
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(curves(), st.floats(0.1, 8), st.data())
 def test_pruning_leaves_cycles_and_components_and_nothing_below_the_threshold(balls, least, data):
     num = len(balls[0])

@@ -68,8 +68,8 @@ def test_a_coarse_wire_is_followed_to_its_ends():
 
 
 def test_a_finer_wire_a_plate_and_a_thick_one_are_left_to_the_flow():
-    assert laid(*wire(snake(601), 0.01, sides=12)) is None
-    plate = trimesh.creation.box((1.0, 0.08, 0.004)).subdivide_to_size(0.006)
+    assert laid(*wire(snake(301), 0.02, sides=12)) is None
+    plate = trimesh.creation.box((0.5, 0.08, 0.004)).subdivide_to_size(0.006)
     assert laid(np.array(plate.vertices), np.array(plate.faces)) is None
     assert laid(*wire(snake(5), 0.1)) is None
 

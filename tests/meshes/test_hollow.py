@@ -12,7 +12,7 @@ from msf_jax.solid import solid
 from msf_jax.solid.enclosure import Enclosure
 from tests.benchmarks.voids import hollow, inverted, knotted, together
 
-SEEDS = [seed if seed < 2 else pytest.param(seed, marks=pytest.mark.slow) for seed in range(12)]
+SEEDS = [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 2, 3))]
 
 
 def shell(inner: float = 0.5) -> trimesh.Trimesh:
@@ -102,7 +102,7 @@ def test_a_cavity_has_no_pins():
         msf_jax.skeletonize(shell(), pins=[3, 200])
 
 
-@pytest.mark.parametrize("size", [None, 1.0, 0.3])
+@pytest.mark.parametrize("size", [None, 0.3])
 def test_the_wall_of_a_pipe_is_a_sheet_whatever_its_triangles(size):
     """A closed pipe, and one with open ends: a curve that is anywhere in the wall is in a sheet."""
     pipe = trimesh.creation.annulus(0.9, 1.0, 4.0, sections=24)

@@ -138,6 +138,7 @@ def test_the_callers_vertices_pins_and_weights_are_understood():
         msf_jax.replay(tape, weights, vertices)
 
 
+@pytest.mark.slow  # the option is one of `repair` above
 def test_the_command_line_joins(tmp_path, capsys):
     vertices, faces = overlapping()
     path, out = tmp_path / "boxes.off", tmp_path / "boxes.npz"

@@ -41,6 +41,7 @@ def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_an_extruded
     assert rim_extrusion.share_cut_off(found.vertices, found.faces, len(faces)) == 0
 
 
+@pytest.mark.slow  # so does that of joined parts, in test_joining
 def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
     vertices, faces = relief(10)
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=2), repair=True)
@@ -49,6 +50,7 @@ def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
         msf_jax.replay(run.tape, run.weights, vertices)
 
 
+@pytest.mark.slow  # that lids are made is in test_filling
 def test_a_lid_stays_where_an_extruded_rim_would_cut_as_well():
     """A ribbon that is twisted round twice looks every way: nothing is behind all of it."""
     turn, out = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 4 * np.pi, 60), [-1.0, 0.1, 1.0], indexing="ij"))

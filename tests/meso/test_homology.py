@@ -93,6 +93,7 @@ def test_without_classes_some_order_loses_or_adds_a_cycle():
     assert any(count != 1 for count in cycles)
 
 
+@pytest.mark.slow  # plates with holes are in test_handle_loops
 def test_a_plate_with_a_small_hole_keeps_it():
     """The loop around the hole is far shorter than the loops around the plate's rim, which must go."""
     step, x = 0.08, np.arange(-1.3, 1.3, 0.08)

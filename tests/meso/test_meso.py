@@ -23,7 +23,7 @@ def test_compaction_renumbers_everything():
     ring_tables.check_closed_manifold(small.rings, 2)
 
 
-@pytest.mark.parametrize("name", ["torus", "blob", "bunny"])
+@pytest.mark.parametrize("name", ["torus", "blob", pytest.param("bunny", marks=pytest.mark.slow)])
 def test_a_few_iterations_of_all_edits(research_mesh, monkeypatch, name):
     """Squeeze, collapse, split, fix, again and again, as the flow does: closed and of the same genus throughout."""
     meso = case(name, research_mesh)

@@ -55,7 +55,7 @@ def long_triangles(name: str, load) -> Meso:
     return meso
 
 
-@pytest.mark.parametrize("name", ["twisted torus", "blob", "two parts", "bunny"])
+@pytest.mark.parametrize("name", ["twisted torus", "blob", "two parts", pytest.param("bunny", marks=pytest.mark.slow)])
 def test_split(research_mesh, monkeypatch, name):
     """Closed and of the same genus after every round; no obtuse pair left; no volume gained; equal to its replay."""
     meso, before = long_triangles(name, research_mesh), long_triangles(name, research_mesh)

@@ -113,7 +113,14 @@ def test_the_same_basis_twice():
     np.testing.assert_array_equal(first, second)
 
 
-@pytest.mark.parametrize(("name", "k"), [("torus", 60), ("torus", 400), ("blob", 150), ("tube", 60), ("tube", 150)])
+@pytest.mark.parametrize(
+    ("name", "k"),
+    [
+        ("torus", 60),
+        ("tube", 150),
+        *(pytest.param(*each, marks=pytest.mark.slow) for each in (("torus", 400), ("blob", 150))),
+    ],
+)
 def test_the_filter_keeps_about_k_eigenvectors_and_loses_the_others(name, k):
     """Against dense eigenvectors: 1 well below the k-th wave number, 0 well above, and a trace of about k."""
     mesh = {

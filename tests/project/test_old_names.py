@@ -253,6 +253,7 @@ skeleton.view("hand.off", "hand.html")  # an interactive page of the mesh and it
 """
 
 
+@pytest.mark.slow  # its names are in the other tests
 def test_the_script_of_the_readme_of_040_runs(tmp_path, monkeypatch):
     """With a deprecation at its own line, that has the new names."""
     monkeypatch.setattr(msf_jax, "cache_compilations", lambda: None)  # the user's folder is not a test's

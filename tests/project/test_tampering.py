@@ -253,6 +253,7 @@ def test_gltf_has_bytes_behind_its_numbers_before_it_is_loaded(tmp_path, monkeyp
         reading.read(changed_gltf(tmp_path / "a.gltf", **changes))
 
 
+@pytest.mark.slow  # writes files of many megabytes
 def test_what_gltf_repeats_is_counted_before_it_is_loaded(tmp_path, monkeypatch):
     """A primitive, a node, and the bytes of a buffer."""
     monkeypatch.setattr(trimesh, "load", None)
@@ -315,14 +316,15 @@ def test_a_small_file_that_shows_as_much_as_it_may_needs_less_than_a_gigabyte(tm
 
 @pytest.mark.system
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
-@pytest.mark.parametrize("name", ["x.off", "x.npz", "x.swc", "x.json"])
-def test_a_pipe_is_no_file(tmp_path, name):
+def test_a_pipe_is_no_file(tmp_path):
     """Nobody writes to it, so that reading it would never end."""
-    os.mkfifo(tmp_path / name)
-    script = "import sys; from msf_jax.app.cli import main; sys.exit(main(sys.argv[1:]))"
-    command = ["skeletonize", str(tmp_path / name)] if name == "x.off" else ["report", str(tmp_path / name)]
-    done = subprocess.run([sys.executable, "-c", script, *command], capture_output=True, text=True, timeout=120)
-    assert done.returncode == 2 and re.search("is a pipe or a device|is no file", done.stderr)
+    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc", "x.json")]
+    for path in paths:
+        os.mkfifo(path)
+    script = "import sys; from msf_jax.app.cli import main; a, *b = sys.argv[1:]\n"
+    script += "sys.exit([main(['skeletonize', a]), *(main(['report', each]) for each in b)] != [2] * 4)"
+    done = subprocess.run([sys.executable, "-c", script, *paths], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0 and len(re.findall("is a pipe or a device|is no file", done.stderr)) == 4
 
 
 def test_what_an_obj_names_outside_of_its_folder_is_not_opened(tmp_path, monkeypatch):

@@ -219,6 +219,7 @@ def test_a_plant_of_cones_that_were_joined():
     assert (curve.radii[stem] > 0.9 * np.interp(curve.vertices[stem, 2], [0, 60], radius)).all()
 
 
+@pytest.mark.slow  # virtual ones are quick
 def test_a_small_plant_in_a_mesh():
     plant = Plant(4.0, 0.1)
     plant.grow(0, 14, 60, 0, 1.5, 0.11)
@@ -229,9 +230,8 @@ def test_a_small_plant_in_a_mesh():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, 1, 2, 3, 5])  # in 4 two axes touch
-def test_five_plants_in_meshes(seed):
+def test_a_plant_in_a_mesh():
     """Whole ends are round, so a length is that of the plant and 0.7 of the radius at its ends."""
-    plant = virtual(seed)
+    plant = virtual(0)
     skeleton = msf_jax.skeletonize(plant.mesh(0.06))
     check(plant, skeleton.to_tree(int(skeleton.vertices[:, 2].argmin())), degrees=5.0, share=0.03, away=0.1, ends=0.7)

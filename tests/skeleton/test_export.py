@@ -139,7 +139,7 @@ def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
 @pytest.fixture(scope="module")
 def hand():
     """A real curve with a loop and five ends, and its mesh."""
-    mesh = shapes.hand(0.08)
+    mesh = shapes.hand(0.1)
     return msf_jax.skeletonize(mesh), mesh
 
 
@@ -170,6 +170,7 @@ def test_navis_reads_swc(hand, saved):
     np.testing.assert_allclose(np.sort(table.radius), np.sort(skeleton.radii), rtol=1e-6)
 
 
+@pytest.mark.slow  # nor is VTK
 def test_vtk_reads_polydata(hand, saved):
     pyvista = pytest.importorskip("pyvista")
     skeleton, _ = hand

@@ -52,13 +52,18 @@ def test_labels_of_an_swc_are_soma_forks_and_ends(tmp_path):
     assert rows[0, :3].tolist() == [1, 1, 3] and rows[0, 6] == -1
     count = {label: int((rows[:, 1] == label).sum()) for label in (0, 1, 5, 6)}
     assert count == {0: 43, 1: 1, 5: 2, 6: 4}  # two ends of the fibre, two side branches
-    import navis  # here, because the import takes seconds
-
-    read = navis.read_swc(str(tmp_path / "a.swc")).nodes
-    assert (read["type"].to_numpy()[read["label"].to_numpy() == 5] == "branch").all()
     assert set(rows[rows[:, 1] == 6, 2]) == {0.0, 39.0, 22.5, 32.5}
     neuron(0.3).to_tree("soma").save(tmp_path / "b.swc")
     assert not (rows_of(tmp_path / "b.swc")[:, 1] == 1).any()
+
+
+@pytest.mark.slow  # this project's own reader is quick
+def test_navis_finds_branches_where_labels_say_forks(tmp_path):
+    import navis  # here, because the import takes seconds
+
+    neuron(2.0).to_tree("soma").save(tmp_path / "a.swc")
+    read = navis.read_swc(str(tmp_path / "a.swc")).nodes
+    assert (read["type"].to_numpy()[read["label"].to_numpy() == 5] == "branch").all()
 
 
 def test_files_say_what_radii_and_units_they_have(tmp_path):

@@ -20,7 +20,7 @@ from msf_jax.skeleton.pictures import packing
 
 @pytest.fixture(scope="module")
 def hand():
-    mesh = shapes.hand(0.08)
+    mesh = shapes.hand(0.1)
     return msf_jax.skeletonize(mesh, config=Config(least_slenderness=0.0)), mesh
 
 
@@ -143,6 +143,7 @@ def test_all_is_in_view_and_stays_where_it_is(hand):
         assert max(np.abs(height).max(), np.abs(width).max() / 1.3) > 0.75
 
 
+@pytest.mark.slow  # what the page shows is in the tests around it
 def test_the_pointer_tells_the_radius_on_the_surface_too(hand, drawn):
     skeleton = hand[0]
     for drawing in (drawn[0], skeleton.view()):
@@ -152,6 +153,7 @@ def test_the_pointer_tells_the_radius_on_the_surface_too(hand, drawn):
     np.testing.assert_array_equal(drawn[0].data[1].customdata, skeleton.radii.astype(np.float32)[skeleton.mesh_map])
 
 
+@pytest.mark.slow  # one of a run is above
 def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
     (tmp_path / "a.swc").write_text("1 0 0 0 0 1 -1\n2 0 1 0 0 1 1\n")
     assert len(msf_jax.read_curve(tmp_path / "a.swc").view().data) == 1

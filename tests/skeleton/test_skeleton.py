@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import trimesh
+from conftest import torus
 
 import msf_jax
 from msf_jax import ConfigError, Skeleton, ground_truth
@@ -15,7 +16,7 @@ from msf_jax.solid.enclosure import Enclosure
 @pytest.fixture(scope="module")
 def whole():
     """A coarse Y with all the branches that the flow found."""
-    mesh = ground_truth.make("y_noisy").mesh
+    mesh = ground_truth.noisy(ground_truth.make("y_coarse"), 0.005, 2).mesh
     return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(least_slenderness=0))
 
 
@@ -101,7 +102,7 @@ def test_resampled_edges_are_as_long_as_asked(whole, ring, spacing):
 
 def test_a_larger_spacing_never_gives_more_nodes():
     """In a helix, which a long edge leaves: it is bisected, and not all that it skips comes back."""
-    shape = ground_truth.make("helix")
+    shape = ground_truth.make("helix_coarse")
     skeleton = msf_jax.skeletonize(shape.mesh)
     found = [skeleton.resample(spacing * np.ptp(shape.mesh.vertices)) for spacing in np.linspace(0.02, 1.0, 15)]
     count = [len(one.vertices) for one in found]
@@ -111,11 +112,11 @@ def test_a_larger_spacing_never_gives_more_nodes():
 
 
 def test_a_pure_loop_stays_a_loop_when_resampled():
-    shape = ground_truth.make("ring")
-    skeleton = msf_jax.skeletonize(shape.mesh)
+    mesh = torus()
+    skeleton = msf_jax.skeletonize(mesh)
     resampled = skeleton.resample(100.0)
     assert len(resampled.vertices) >= 3
-    check(shape.mesh, resampled, skeleton)
+    check(mesh, resampled, skeleton)
 
 
 def test_smoothing_shortens_and_keeps_ends(whole):

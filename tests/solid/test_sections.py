@@ -197,7 +197,7 @@ def hollow(seed: int) -> trimesh.Trimesh:
 
 
 @pytest.mark.parametrize("name", ["blob", "dented", "hollow"])
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_the_nearest_loop_is_the_one_that_is_joined_from_all_segments(name, seed):
     random = np.random.default_rng(seed)
     mesh = {"blob": blob, "dented": dented, "hollow": hollow}[name](40 + seed)

@@ -125,6 +125,7 @@ def test_gradients_are_finite_where_points_coincide():
     assert np.isfinite(slope).all()
 
 
+@pytest.mark.slow  # what is returned for finite nodes is below
 def test_nodes_that_are_no_numbers_are_not_perfect():
     """A replay that did not converge is NaN, and so is all that is said of it."""
     curve = replayed(np.full((3, 3), np.nan), np.full(3, np.nan), [[0, 1], [1, 2]])
