@@ -7,13 +7,15 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
-from msf_jax.curve import handle_loops
+from msf_jax.curve import branch_paths, handle_loops
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton import limbs
 from msf_jax.solid import crossings
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import largest_of_each
 from msf_jax.solid.solid import bodies, without_cavities
+from msf_jax.topology import graphs
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
 STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
@@ -29,6 +31,9 @@ MOSTLY = 1 / 2  # the same share, above which most of the curve could as well be
 MOST_IN_SHEETS = 0.42  # share of the curve's length, above which these are no limbs
 MOST_UNEXPLAINED = 0.08  # likewise
 LEAST_ELONGATION = 1.0  # diameters: the longest branch of a ball or a cube is shorter
+# Radii: where a curve turns back, places a radius before and after are nearer to each other. So it turns by 166 degrees
+# or more. In the corner of two bars that meet at 25 degrees it rightly turns by 155: there they are 0.43 radii apart.
+FOLDED = 0.25
 MOST_JUMPING = 0.1  # the same for radii that jump: 0.04 where limbs begin at a thick body, 0.14 where walls cross
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
@@ -289,8 +294,24 @@ def assessed(
         doubts.append(f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough")
     if shares.in_sheets > MOSTLY:
         doubts.append(IN_SHEETS.format(shares.in_sheets))
+    doubts += _folds(shape, vertices, edges)
     doubts += _overlaps(shape, vertices, edges, node_of_vertex)
     return about | shares._asdict() | {"doubts": (*about["doubts"], *doubts)}
+
+
+def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[str]:
+    """The doubts about places where a branch runs out and back: the sharpest node of each."""
+    radius, is_held = shape.approximate_clearance(vertices)[0], np.zeros(len(vertices), dtype=bool)
+    paths = branch_paths.paths_of(vertices, edges, is_held)
+    if not paths:
+        return []
+    apart = np.linalg.norm(branch_paths.chords(vertices, paths, radius) @ vertices, axis=1)
+    is_fold = (apart < FOLDED * radius) & (np.bincount(edges.ravel(), minlength=len(vertices)) == 2)
+    beside = edges[is_fold[edges].all(axis=1)]
+    place = largest_of_each(graphs.labels(len(vertices), *beside.T), np.where(is_fold, radius - apart, -np.inf))
+    found = np.sort(place[is_fold[place]])
+    doubts = [f"the curve turns back at node {node}" for node in found[:MOST_NAMED].tolist()]
+    return doubts + ([f"and at {len(found) - MOST_NAMED} more"] if len(found) > MOST_NAMED else [])
 
 
 def _overlaps(
