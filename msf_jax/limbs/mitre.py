@@ -27,7 +27,7 @@ def is_apex(shape: Enclosure, away: np.ndarray, region: np.ndarray, least: float
     """Whether the cap ``region`` (r,) of the solid ``shape`` is the apex of a mitre, and no limb that sticks out of the
     bars there by ``least`` of their half widths. ``away`` (V,) is the distance from the cap's tip."""
     first = last = float(away[region].max())
-    while last < away[np.isfinite(away)].max():
+    while True:
         last *= np.exp(STEP * RINGS)
         near, local = np.unique(shape.faces[(away < last)[shape.faces].any(axis=1)], return_inverse=True)
         height = np.log(np.clip(away[near], first / 2, last)) / STEP
@@ -41,7 +41,8 @@ def is_apex(shape: Enclosure, away: np.ndarray, region: np.ndarray, least: float
         if arms and len(rings) + RINGS <= np.log(2 * last / first) / STEP:
             apex = shape.vertices[near[np.isin(found.piece, pieces)]]
             return len(arms) == 2 and min(map(len, arms)) > 1 and _is_in_both(shape, found, arms, apex, least)
-    return False
+        if last >= away[np.isfinite(away)].max():
+            return False
 
 
 def _above(found: Levels, piece: int) -> np.ndarray:

@@ -76,6 +76,18 @@ def test_a_curve_that_runs_out_and_back_is_in_doubt(aside):
     assert not folds(bar, *through((-2, 0, 0), (2, 0, 0)))
 
 
+def test_a_curve_shorter_than_a_radius_does_not_turn():
+    """Such as that of a ball with a hole."""
+    assert not folds(as_shape(limb_cases.box(6, 2, 2), 1.0), *through((-0.1, 0, 0), (0.1, 0, 0)))
+
+
+def test_a_loop_that_turns_back_is_in_doubt_once():
+    x, edges = through((-2, 0, 0), (2, 0, 0), (-2, 0, 0))
+    edges[edges == len(x) - 1] = 0
+    expected = [f"the curve turns back at node {node}" for node in (0, 80)]
+    assert folds(as_shape(limb_cases.box(6, 2, 2), 1.0), x[:-1], edges) == expected
+
+
 @pytest.mark.parametrize("angle", [25, 60])
 def test_a_narrow_corner_of_a_solid_is_not_in_doubt(angle):
     axis = zigzag(angle, 2, 12.0)
