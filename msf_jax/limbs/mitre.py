@@ -32,7 +32,7 @@ def is_apex(shape: Enclosure, away: np.ndarray, region: np.ndarray, least: float
         near, local = np.unique(shape.faces[(away < last)[shape.faces].any(axis=1)], return_inverse=True)
         height = np.log(np.clip(away[near], first / 2, last)) / STEP
         found = levels(shape.vertices[near], local.reshape(-1, 3), height, 1.0)
-        pieces, rings, arms = _course(found, int(found.piece[away[near].argmin()]))
+        pieces, rings, arms = _followed(found, int(found.piece[away[near].argmin()]))
         if arms and len(rings) < 2 * WIDER:  # the cap reaches beyond
             first, last = first / 2, last / np.exp(STEP * RINGS)
             continue
@@ -51,8 +51,8 @@ def _above(found: Levels, piece: int) -> np.ndarray:
     return above[found.perimeter[above] > ends.HALF * found.perimeter[above].max(initial=0.0)]
 
 
-def _course(found: Levels, piece: int) -> tuple[list[int], list[int], list[list[int]]]:
-    """The course of the front from ``piece`` on: its pieces and rings up to where it divides, and the rings of each of
+def _followed(found: Levels, piece: int) -> tuple[list[int], list[int], list[list[int]]]:
+    """Where the front goes from ``piece`` on: its pieces and rings up to where it divides, and the rings of each of
     the parts beyond, up to the narrowest."""
     pieces, rings = [piece], []
     while len(above := _above(found, pieces[-1])) == 1:
