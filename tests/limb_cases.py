@@ -31,6 +31,23 @@ def i_beam(length: float) -> Solid:
     return Solid.batch_boolean([box(length, 0.5, 4), *flanges], manifold3d.OpType.Add)
 
 
+def zigzag(angle: float, arms: int = 2, length: float = 9.0) -> np.ndarray:
+    """A polyline (arms + 1, 3) in the plane z = 0 that turns left and right, ``angle`` degrees between its arms."""
+    half = np.radians(angle) / 2
+    step = length * np.array([[np.sin(half), -np.cos(half) if arm % 2 else np.cos(half), 0] for arm in range(arms)])
+    return np.concatenate([np.zeros((1, 3)), np.cumsum(step, axis=0)])
+
+
+def mitred(axis: np.ndarray) -> Solid:
+    """Square bars, two wide, along a polyline (k, 3) in the plane z = 0, with mitres at its corners."""
+    along = np.diff(axis[:, :2], axis=0)
+    side = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.linalg.norm(along, axis=1)[:, None]
+    before, after = np.vstack([side[:1], side]), np.vstack([side, side[-1:]])
+    edge = (before + after) / (1 + (before * after).sum(axis=1))[:, None]  # one wide from both arms
+    outline = np.concatenate([axis[:, :2] - edge, (axis[:, :2] + edge)[::-1]])
+    return Solid.extrude(manifold3d.CrossSection([outline]), 2.0).translate((0, 0, -1))
+
+
 RADIUS = 0.3
 
 

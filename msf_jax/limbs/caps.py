@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 import trimesh
 
-from msf_jax.limbs import ends, fronts, meeting, protrusion
+from msf_jax.limbs import ends, fronts, meeting, mitre, protrusion
 from msf_jax.limbs.meeting import Cap
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, largest_of_each
@@ -110,6 +110,7 @@ class Caps:
         self._rows = np.empty((MOST_DISCS + 4, 9))
         self._region = np.empty(len(x) + 1, dtype=np.int64)
         self._found: dict[float, Limbs] = {}
+        self._apexes: dict[tuple[int, float], bool] = {}
 
     def grown(
         self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL_CAP
@@ -221,10 +222,8 @@ class Caps:
         if added:
             caps += added
             time = self._owned(caps, owner)
-        at_tips = np.zeros(len(most))
-        at_tips[tips] = most[tips]
-        finer = [each for each in raised if each.detail > self.detail]
-        return Limbs(caps, owner, time, at_tips, finer)
+        at_tips = np.where(np.bincount(tips, minlength=len(most)) > 0, most, 0.0)
+        return Limbs(caps, owner, time, at_tips, [each for each in raised if each.detail > self.detail])
 
     def _owned(self, caps: list[Cap], owner: np.ndarray) -> np.ndarray:
         """(V,) the mean exit times from the limbs ``caps``, which are numbered in ``owner`` (V,)."""
@@ -248,7 +247,7 @@ class Caps:
         for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
             near = np.flatnonzero(others)
             is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
-            if is_end or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip)):
+            if is_end or (owner[tip] and ends.is_near_end(time, *caps[owner[tip] - 1][2:], tip)):
                 continue
             if self._left[self._component[tip]] < 0:
                 self.was_hit = True
@@ -264,16 +263,18 @@ class Caps:
             if not is_counted[best] or score < LEAST_RAISED:
                 continue
             region = self.grown(tip, others, float(value[best]), LARGEST_CAP, 0.0)[1]
-            if 2 * len(region) >= TRIANGLES:
+            if 2 * len(region) >= TRIANGLES and not self._is_apex(tip, region, least):
                 cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
                 raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
                 others[tip] = 1
         return raised
 
-    def _is_end(self, cap: Cap, time: np.ndarray, vertex: int) -> bool:
-        """Whether a vertex of a limb is within a width of its end."""
-        last = float(time[cap.region].max())
-        return np.sqrt(2 * (last - time[vertex])) <= cap.area / (2 * np.pi * np.sqrt(2 * last))
+    def _is_apex(self, tip: int, region: np.ndarray, least: float) -> bool:
+        """Whether the cap ``region`` (r,) around ``tip`` is the apex of a mitre (see `mitre`)."""
+        if (tip, least) not in self._apexes:
+            away = self._distances(np.array([tip]))
+            self._apexes[tip, least] = mitre.is_apex(self.shape, away, region, least)
+        return self._apexes[tip, least]
 
     def _halves(self, number: int) -> tuple[list[Cap], bool]:
         """The halves of a component, as caps, and whether it is long in one direction (see `ends.halves`)."""
@@ -300,7 +301,7 @@ class Caps:
                 continue
             best, rows, region = self._slenderest(tip, others, least, share)
             most[tip] = rows[:, 0].max(initial=0.0)
-            if most[tip] >= least and _own(rows) >= ROUND_END:
+            if most[tip] >= least and _own(rows) >= ROUND_END and not self._is_apex(best, region, least):
                 found.append((rows[-1, 2], best, rows[-1, 1], region))
         disc: dict[int, tuple[int, float]] = {}  # of each limb, by its number: tip and radius
         group: dict[int, dict[int, Cap]] = {}  # of each limb that shares: its own cap, and of those that it meets
@@ -346,9 +347,10 @@ class Caps:
         for tip in tips.tolist():
             if self._left[self._component[tip]] < 0:
                 continue
-            best, rows, _ = self._slenderest(tip, others, least, 0.5)
+            best, rows, region = self._slenderest(tip, others, least, 0.5)
             own = float(rows[rows[:, 2] >= SMALL_CAP * self._total[tip], 0].max(initial=0.0))
-            if own >= BLUNT * least and self.grown(best, nothing, least)[0][:, 0].max(initial=0.0) >= least:
+            is_end = own >= BLUNT * least and self.grown(best, nothing, least)[0][:, 0].max(initial=0.0) >= least
+            if is_end and not self._is_apex(best, region, least):
                 found.append((own, best))
         limbs = []
         for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):

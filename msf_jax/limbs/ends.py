@@ -163,6 +163,12 @@ def _around_end(
     return near, local.reshape(-1, 3), np.sqrt(2 * np.maximum(u.max() - u, 0.0))
 
 
+def is_near_end(time: np.ndarray, area: float, region: np.ndarray, vertex: int) -> bool:
+    """Whether a vertex of the limb ``region`` (r,) of that ``area`` is within a width of its end."""
+    last = float(time[region].max())
+    return np.sqrt(2 * (last - time[vertex])) <= area / (2 * np.pi * np.sqrt(2 * last))
+
+
 def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> LimbAxis:
     """The curve of the limb ``region`` (r,), vertices of a surface ``(vertices (V, 3), faces (F, 3))`` of the solid
     ``shape``. ``time`` (V,) is the mean exit time."""
@@ -241,7 +247,7 @@ def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int
     return middles
 
 
-def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
+def centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
     """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is hardly nearer to the
     surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is smaller, and one
     of a blunt limb that leaves it for the body is larger."""
@@ -288,7 +294,7 @@ def _to_end(
     heading, middles, pair = -normals[first], middles.copy(), [first, min(first + 1, last)]
     is_apart = np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * step
     for _ in range(LINE_ROUNDS if is_apart else 0):
-        middles[pair] = _centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
+        middles[pair] = centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
         heading = unit(np.subtract(*middles[pair]))
     # From the outermost ring on that has its middle inside: a blind hole may lie across the line behind it.
     along = (middles[: first + 1] - middles[first]) @ heading

@@ -44,8 +44,8 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     points of a face on the same level belong to one ring.
     """
     side = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
-    ends, edge_of = np.unique(side, axis=0, return_inverse=True)
-    edge_of = edge_of.reshape(faces.shape)
+    key, edge_of = np.unique(side[:, 0] * len(vertices) + side[:, 1], return_inverse=True)
+    ends, edge_of = np.stack(np.divmod(key, len(vertices)), axis=1), edge_of.reshape(faces.shape)
     ends = np.take_along_axis(ends, np.argsort(height[ends], axis=1, kind="stable"), axis=1)
     while (np.ptp(height[ends], axis=1) / step).sum() > MOST_POINTS:
         step *= 2

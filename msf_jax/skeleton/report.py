@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
-from msf_jax.curve import handle_loops
+from msf_jax.curve import branch_paths, handle_loops
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton import limbs
 from msf_jax.solid import crossings
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length, at
 from msf_jax.solid.solid import bodies, without_cavities
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
@@ -29,6 +30,9 @@ MOSTLY = 1 / 2  # the same share, above which most of the curve could as well be
 MOST_IN_SHEETS = 0.42  # share of the curve's length, above which these are no limbs
 MOST_UNEXPLAINED = 0.08  # likewise
 LEAST_ELONGATION = 1.0  # diameters: the longest branch of a ball or a cube is shorter
+# Of the curve's length between two places a radius before and after a node: their distance is less where it turns back.
+# So it turns by 166 degrees or more. In the corner of bars that meet at 25 degrees it rightly turns by 155: it is 0.22.
+FOLDED = 0.125
 MOST_JUMPING = 0.1  # the same for radii that jump: 0.04 where limbs begin at a thick body, 0.14 where walls cross
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
@@ -289,8 +293,28 @@ def assessed(
         doubts.append(f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough")
     if shares.in_sheets > MOSTLY:
         doubts.append(IN_SHEETS.format(shares.in_sheets))
+    doubts += _folds(shape, vertices, edges)
     doubts += _overlaps(shape, vertices, edges, node_of_vertex)
     return about | shares._asdict() | {"doubts": (*about["doubts"], *doubts)}
+
+
+def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[str]:
+    """The doubts about places where a branch runs out and back: the sharpest node of each. A stretch that is shorter
+    than a radius shows no turn."""
+    radius, is_held = shape.approximate_clearance(vertices)[0], np.zeros(len(vertices), dtype=bool)
+    found: set[int] = set()
+    for nodes, is_loop, *_ in branch_paths.paths_of(vertices, edges, is_held):
+        path = np.concatenate([nodes[:-1], nodes]) if is_loop else nodes
+        x, along = vertices[path], arc_length(vertices[path])
+        before, after = (np.clip(along + sign * radius[path], 0.0, along[-1]) for sign in (-1, 1))
+        length = after - before
+        share = np.linalg.norm(at(x, along, after) - at(x, along, before), axis=1) / np.maximum(length, 1e-300)
+        share[[0, -1]] = np.inf
+        fold = np.flatnonzero((share < FOLDED) & (length >= radius[path]))
+        for run in np.split(fold, np.flatnonzero(np.diff(fold) > 1) + 1) if len(fold) else ():
+            found.add(int(path[run[share[run].argmin()]]))
+    doubts = [f"the curve turns back at node {node}" for node in sorted(found)[:MOST_NAMED]]
+    return doubts + ([f"and at {len(found) - MOST_NAMED} more"] if len(found) > MOST_NAMED else [])
 
 
 def _overlaps(

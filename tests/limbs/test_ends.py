@@ -366,7 +366,7 @@ def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
     ring = sections.cut(shape, np.array([place]), np.array([[0.0, 0, 1]]), np.array([0.2]))
     along = sections.cut(shape, np.array([place]), np.array([[1.0, 0, 0]]), np.array([0.2]))
     assert along.is_around[0] and along.centroid[0, 2] < 0.5 and along.size[0] > 3 * ring.size[0]
-    np.testing.assert_array_equal(ends._centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
+    np.testing.assert_array_equal(ends.centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
 
 
 @settings(max_examples=4, deadline=None)

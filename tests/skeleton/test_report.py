@@ -1,11 +1,14 @@
 """What a report knows of a curve beyond its counts: its loops, limbs that are none, paths that are arbitrary."""
 
 from dataclasses import replace
+from itertools import pairwise
 
+import limb_cases
 import numpy as np
 import pytest
 import trimesh
 from conftest import torus
+from limb_cases import as_shape, mitred, zigzag
 from loop_cases import cycle
 
 import msf_jax
@@ -47,6 +50,48 @@ def test_the_share_of_a_curve_in_sheets(side, share, aside):
     x[:, 0] = np.linspace(-0.8, 0.8, 41)
     edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
     assert assessed(box(2.0, side, 0.3), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
+
+
+def through(*corners: tuple[float, float, float]) -> tuple[np.ndarray, np.ndarray]:
+    """A curve through ``corners``, with nodes 0.05 apart."""
+    sides = [
+        np.linspace(a, b, round(float(np.linalg.norm(np.subtract(b, a))) / 0.05) + 1) for a, b in pairwise(corners)
+    ]
+    x = np.concatenate([side[int(number > 0) :] for number, side in enumerate(sides)])
+    return x, np.stack([np.arange(len(x) - 1), np.arange(1, len(x))], axis=1)
+
+
+def folds(shape: Enclosure, x: np.ndarray, edges: np.ndarray) -> list[str]:
+    return [doubt for doubt in assessed(shape, x, edges)["doubts"] if "turns back" in doubt or "more" in doubt]
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.2])
+def test_a_curve_that_runs_out_and_back_is_in_doubt(aside):
+    """In a bar of half width 1, two long strands whose ends are 0.2 apart: they are one."""
+    bar = as_shape(limb_cases.box(6, 2, 2), 1.0)
+    assert folds(bar, *through((-2, 0, 0), (2, 0, 0), (-2, aside, 0))) == ["the curve turns back at node 80"]
+    there = [(-2.0, 0.0, 0.0), (1.5, 0.0, 0.0)]
+    expected = [f"the curve turns back at node {70 * number}" for number in range(1, 6)]
+    assert folds(bar, *through(*4 * there)) == [*expected, "and at 1 more"]
+    assert not folds(bar, *through((-2, 0, 0), (2, 0, 0)))
+
+
+def test_a_curve_shorter_than_a_radius_does_not_turn():
+    """Such as that of a ball with a hole."""
+    assert not folds(as_shape(limb_cases.box(6, 2, 2), 1.0), *through((-0.1, 0, 0), (0.1, 0, 0)))
+
+
+def test_a_loop_that_turns_back_is_in_doubt_once():
+    x, edges = through((-2, 0, 0), (2, 0, 0), (-2, 0, 0))
+    edges[edges == len(x) - 1] = 0
+    expected = [f"the curve turns back at node {node}" for node in (0, 80)]
+    assert folds(as_shape(limb_cases.box(6, 2, 2), 1.0), x[:-1], edges) == expected
+
+
+@pytest.mark.parametrize("angle", [25, 60])
+def test_a_narrow_corner_of_a_solid_is_not_in_doubt(angle):
+    axis = zigzag(angle, 2, 12.0)
+    assert not folds(as_shape(mitred(axis), 1.0), *through(*axis))
 
 
 def test_a_plane_that_cuts_off_the_side_of_a_trunk_is_in_no_sheet():
