@@ -63,6 +63,15 @@ class Meeting(NamedTuple):
     ball: float
 
 
+class OwnStretch(NamedTuple):
+    """Of a branch, the arc length ``along`` (k,) of each node from its junction, and where it is on its own from there:
+    from ``start`` to ``last``."""
+
+    along: np.ndarray
+    start: float
+    last: float
+
+
 def thin_sides(
     x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
 ) -> tuple[list[Side], np.ndarray]:
@@ -228,11 +237,11 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     for ends, middle in middles:
         paths = [path for node in dict.fromkeys(ends) for path in at_node[node] if {*path[[0, -1]].tolist()} != {*ends}]
         if not is_done[list(ends)].any() and len(paths) == sum(degree[list({*ends})]) - 2 * (len(middle) > 1):
-            is_done[middle] = _laid(shape, x, middle, paths, degree, is_held, radii)
+            is_done[middle] = _put(shape, x, middle, paths, degree, is_held, radii)
     return x
 
 
-def _laid(
+def _put(
     shape: Enclosure,
     x: np.ndarray,
     middle: np.ndarray,
@@ -246,7 +255,7 @@ def _laid(
     usual = np.array([float(np.median(radii[path[1:]])) for path in paths])
     if radii[middle].max() > TUBES * usual.max():
         return False
-    begins, lines = [], []  # along each branch: its nodes, the begin and the end of its own stretch; and its line
+    own, lines = [], []  # of each branch
     for path, size in zip(paths, usual, strict=True):
         along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
         margin, is_link = BEGIN * size, bool(degree[path[-1]] > 2)
@@ -265,7 +274,7 @@ def _laid(
         is_bent, place, three = not is_straight[first], place[first], three[first]
         start += shift[first]
         step = slice(None, None, 1 if is_bent else 2)
-        begins.append((along, start, last))
+        own.append(OwnStretch(along, start, last))
         lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
     p, d = np.array([line[2] for line in lines]), unit(np.array([line[1] for line in lines]))
     flat = np.eye(3) - d[:, :, None] * d[:, None, :]
@@ -275,16 +284,16 @@ def _laid(
     meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
     off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
     # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
-    begin = np.maximum([start for _, start, _ in begins], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)
-    if (off > OFF * usual).any() or (begin > [last for _, _, last in begins]).any():
+    begin = np.maximum([each.start for each in own], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)
+    if (off > OFF * usual).any() or (begin > [each.last for each in own]).any():
         return False
-    count = [int(np.searchsorted(along, own)) + 1 for own, (along, _, _) in zip(begin, begins, strict=True)]
+    count = [int(np.searchsorted(each.along, stop)) + 1 for stop, each in zip(begin, own, strict=True)]
     laid = [path[:num] for path, num in zip(paths, count, strict=True)]
     is_open = is_inside(shape, np.repeat(meet[None], len(p), axis=0), x[[path[-1] for path in laid]])
     if is_held[np.concatenate([middle, *laid])].any() or not is_open.all():
         return False
-    for path, (along, _, _), (square, slope, start) in zip(laid, begins, lines, strict=True):
-        along = along[: len(path), None]
+    for path, each, (square, slope, start) in zip(laid, own, lines, strict=True):
+        along = each.along[: len(path), None]
         x[path] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
     x[middle] = meet
     return True
