@@ -282,7 +282,8 @@ def _to_end(
         return middles
     first = outer = int(is_around.argmax())
     # So does one on the line ahead: the rings of a cone are shorter and shorter, and those of a corner are beside it.
-    heading = -normals[first] if first < last else middles[first - 1] - middles[first]
+    heading = middles[first] - middles[first + 1] if first < last else middles[first - 1] - middles[first]
+    heading = heading if np.linalg.norm(heading) >= NEAR * step else -normals[first]
     while outer > whole and part[outer - 1] >= WHOLE * min(float(part[first]), 1.0):
         ahead, heading = middles[outer - 1] - middles[first], unit(heading)
         if np.linalg.norm(ahead - (ahead @ heading) * heading) > NEAR * step:
