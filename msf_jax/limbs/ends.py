@@ -36,6 +36,7 @@ TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is o
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads through one that is nearer to it
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
+FLAT = 6 / 7  # of a limb's usual ring: so long at least is one around a flat part of it, a foot; in a corner 0.8
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -276,7 +277,8 @@ def _to_end(
     is_around = (ball > TOUCHING * size) & (perimeter >= WHOLE * np.append(perimeter[1:], 0.0))
     # On triangles that are longer than the limb is wide, many rings lie in one corner of the end: beside their middles.
     part = ball / np.maximum(size, 1e-300)
-    is_around &= part >= WHOLE * min(float(np.median(part)), 1.0)
+    is_flat = (part >= GAP) & (perimeter >= FLAT * np.median(perimeter))
+    is_around &= is_flat | (part >= WHOLE * min(float(np.median(part)), 1.0))
     is_around[: min(whole, last)] = False
     if not is_around.any():  # the middles of a channel are outside
         return middles

@@ -302,6 +302,16 @@ def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed)
     np.testing.assert_allclose(found, [[0.3 - half, 0, 0], [half - 0.3, 0, 0]], atol=0.1)
 
 
+@pytest.mark.parametrize(("length", "thick", "wide"), [(3, 1, 1.2), (3, 0.8, 1.5), (2.5, 0.7, 1)])
+def test_a_limb_with_a_foot_ends_at_its_toes(length, thick, wide):
+    """`FLAT`: the foot's sections are flat, so their balls are smaller than those of the leg."""
+    foot = Solid.cube((length + 1, 2 * wide, thick)).translate((-1, -wide, 0))
+    body = Solid.cube((6, 6, 6), True).translate((0, 0, 10))
+    found = ends_of(as_shape(Solid.cylinder(8, 1, 0.9, 32) + foot + body, 0.5))
+    toes = found[found[:, 2] < 4]
+    assert len(toes) == 1 and toes[0, 0] > length - 0.3 and abs(toes[0, 1]) < 0.1 and 0.1 < toes[0, 2] < thick - 0.1
+
+
 def test_no_ball_fills_the_point_of_a_cone():
     """`WIDEST`, `LEAST`, `DEEP`: its balls are half as large as they are far from it. It ends where the ball is
     0.3 * 0.25 of the one three rings from the point at 0."""
