@@ -222,23 +222,39 @@ def _nearest_on(
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """The nodes (N, 3) with junctions of tubes where the axes of their branches meet, and the nodes on the line to each
     branch's own stretch on its line. Where rods cross, the flow has two junctions: if the axes of all branches of both
-    meet, these are at one place, with the stretch between."""
+    meet, these are at one place, with the stretch between. An acute bend is such a junction of two branches."""
     x, degree = x.copy(), np.bincount(edges.ravel(), minlength=len(x))
+    traced = graphs.trace(len(x), edges)
+    bends = [bend for path in traced for bend in _bends(x, np.array(path), radii)]
+    is_meeting = degree > 2
+    is_meeting[bends] = True
     at_node: dict[int, list[np.ndarray]] = {}
     links: dict[tuple[int, int], list[np.ndarray]] = {}
-    for each in graphs.trace(len(x), edges):
-        for path in (each, each[::-1]):
-            at_node.setdefault(path[0], []).append(np.array(path))
-        if min(degree[each[0]], degree[each[-1]]) > 2 and each[0] != each[-1]:
-            links.setdefault((min(each[0], each[-1]), max(each[0], each[-1])), []).append(np.array(each))
+    for nodes in traced:
+        cuts = [0, *(np.flatnonzero(is_meeting[nodes[1:-1]]) + 1).tolist(), len(nodes) - 1]
+        for each in (nodes[first : last + 1] for first, last in pairwise(cuts)):
+            for path in (each, each[::-1]):
+                at_node.setdefault(path[0], []).append(np.array(path))
+            if min(degree[each[0]], degree[each[-1]]) > 2 and each[0] != each[-1]:
+                links.setdefault((min(each[0], each[-1]), max(each[0], each[-1])), []).append(np.array(each))
     is_done = np.zeros(len(x), dtype=bool)
     middles = [(ends, between[0]) for ends, between in links.items() if len(between) == 1]
-    middles += [((node, node), np.array([node])) for node in at_node if degree[node] > 2]
+    middles += [((node, node), np.array([node])) for node in at_node if is_meeting[node]]
     for ends, middle in middles:
         paths = [path for node in dict.fromkeys(ends) for path in at_node[node] if {*path[[0, -1]].tolist()} != {*ends}]
         if not is_done[list(ends)].any() and len(paths) == sum(degree[list({*ends})]) - 2 * (len(middle) > 1):
-            is_done[middle] = _put(shape, x, middle, paths, degree, is_held, radii)
+            is_done[middle] = _put(shape, x, middle, paths, is_meeting, is_held, radii)
     return x
+
+
+def _bends(x: np.ndarray, path: np.ndarray, radii: np.ndarray) -> list[int]:
+    """The nodes of ``path`` (k,) at which it turns back, between the places `CLEAR` radii before and behind."""
+    along, reach = arc_length(x[path]), CLEAR * float(np.median(radii[path]))
+    before, behind = (at(x[path], along, along + side) - x[path] for side in (-reach, reach))
+    cosine = -np.einsum("ki,ki->k", unit(before), unit(behind))
+    is_back = (cosine < 0) & (along > reach) & (along < along[-1] - reach)
+    first = np.flatnonzero(np.diff(is_back, prepend=False, append=False)).reshape(-1, 2)
+    return [int(path[start + cosine[start:stop].argmin()]) for start, stop in first]
 
 
 def _put(
@@ -246,19 +262,17 @@ def _put(
     x: np.ndarray,
     middle: np.ndarray,
     paths: list[np.ndarray],
-    degree: np.ndarray,
+    is_meeting: np.ndarray,
     is_held: np.ndarray,
     radii: np.ndarray,
 ) -> bool:
     """Put the nodes ``middle`` (m,), a junction, or two and the stretch between, where the axes of the ``paths`` from
     there meet, and those on lines to there. ``x`` (N, 3) changes only if True is returned."""
     usual = np.array([float(np.median(radii[path[1:]])) for path in paths])
-    if radii[middle].max() > TUBES * usual.max():
-        return False
     own, lines = [], []  # of each branch
     for path, size in zip(paths, usual, strict=True):
         along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
-        margin, is_link = BEGIN * size, bool(degree[path[-1]] > 2)
+        margin, is_link = BEGIN * size, bool(is_meeting[path[-1]])
         start, last = along[is_own.argmax()] + margin, along[-1] - is_link * margin
         length = min(AXIS * size, last - start)
         if length <= 0:
@@ -282,6 +296,8 @@ def _put(
     if np.linalg.eigvalsh(total)[0] < SPREAD:
         return False
     meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
+    if shape.approximate_clearance(meet[None])[0][0] > TUBES * usual.max():
+        return False
     off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
     # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
     begin = np.maximum([each.start for each in own], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)

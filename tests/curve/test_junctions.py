@@ -115,6 +115,38 @@ def test_the_junction_of_a_wide_fork_is_where_its_axes_meet(degrees, off):
     np.testing.assert_array_equal(found[[20, 60, 100]], x[[20, 60, 100]])  # farther on, branches stay
 
 
+def bend(degrees, below, ball=0.0, num=60):
+    """A solid of two rods that meet at 0, with a ball there, and a curve that turns ``below`` that."""
+    rods = 12 * ways(degrees)
+    mesh = shapes.solid_around(
+        np.array([[0.0, 0, 0], *rods]), np.array([[0, 1], [0, 2]]), np.array([max(ball, 1.0), 1.0, 1.0]), 0.3
+    )
+    line = np.linspace(0, 1, num)[:, None]
+    turn = np.array([0, 0, below])
+    sides = [np.where(line < 0.4, turn + line / 0.4 * (0.4 * rod - turn), line * rod) for rod in rods]
+    x = np.concatenate([sides[0][:0:-1], sides[1]])
+    return (
+        Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)),
+        x,
+        np.stack([np.arange(len(x))] * 2, 1)[:-1] + [0, 1],
+    )
+
+
+@pytest.mark.parametrize(("degrees", "below"), [(30, 3.0), (60, 1.5)])
+def test_an_acute_bend_is_where_its_axes_meet(degrees, below):
+    shape, x, edges = bend(degrees, below)
+    found = moved(shape, x, edges)
+    assert np.linalg.norm(found, axis=1).min() < 0.2
+    away = np.minimum(*[np.linalg.norm(np.cross(found, way), axis=1) for way in ways(degrees)])
+    assert away.max() < 0.2 and x[:, 2].min() > below - 0.1
+
+
+def test_a_bend_in_a_blob_and_one_of_a_right_angle_stay():
+    for degrees, below, ball in ((60, 1.5, 2.5), (100, 0.7, 0.0)):
+        shape, x, edges = bend(degrees, below, ball)
+        np.testing.assert_array_equal(moved(shape, x, edges), x)
+
+
 def test_a_junction_in_the_middle_of_a_blob_stays():
     """`TUBES`: a ball of 1.5 radii around the fork, whose middle is beside the axes."""
     _, x, edges, _ = fork(120, 0.3)
