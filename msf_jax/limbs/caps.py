@@ -247,7 +247,7 @@ class Caps:
         for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
             near = np.flatnonzero(others)
             is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
-            if is_end or (owner[tip] and ends.is_near_end(time, *caps[owner[tip] - 1][2:], tip)):
+            if is_end or (owner[tip] and ends.is_near_end(time, *caps[owner[tip] - 1][2:], np.array([tip]))[0]):
                 continue
             if self._left[self._component[tip]] < 0:
                 self.was_hit = True

@@ -164,10 +164,10 @@ def _around_end(
     return near, local.reshape(-1, 3), np.sqrt(2 * np.maximum(u.max() - u, 0.0))
 
 
-def is_near_end(time: np.ndarray, area: float, region: np.ndarray, vertex: int) -> bool:
-    """Whether a vertex of the limb ``region`` (r,) of that ``area`` is within a width of its end."""
+def is_near_end(time: np.ndarray, area: float, region: np.ndarray, vertices: np.ndarray) -> np.ndarray:
+    """(k,) whether ``vertices`` (k,) of the limb ``region`` (r,) of that ``area`` are within a width of its end."""
     last = float(time[region].max())
-    return np.sqrt(2 * (last - time[vertex])) <= area / (2 * np.pi * np.sqrt(2 * last))
+    return np.sqrt(2 * (last - time[vertices])) <= area / (2 * np.pi * np.sqrt(2 * last))
 
 
 def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> LimbAxis:

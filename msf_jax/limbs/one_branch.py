@@ -14,7 +14,7 @@ from scipy.sparse import csgraph
 from msf_jax.inside.containment import is_inside
 from msf_jax.limbs import pruning
 from msf_jax.limbs.caps import Caps
-from msf_jax.limbs.ends import RING_SPACING, LimbAxis
+from msf_jax.limbs.ends import RING_SPACING, LimbAxis, is_near_end
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.topology import graphs
@@ -52,11 +52,8 @@ def choose(
     worth[leaves] = np.where(own > 0, 0.0, limbs.slenderness[caps.tip_of[foot]])
     for number, cap in enumerate(limbs.caps, 1):
         mine = np.flatnonzero(own == number)
-        longest, away = (
-            np.sqrt(2 * value)
-            for value in (limbs.time[cap.region].max(), limbs.time[cap.region].max() - limbs.time[foot[mine]])
-        )
-        is_end = is_held[leaves[mine]] & (away <= cap.area / (2 * np.pi * longest))
+        away = np.sqrt(2 * (limbs.time[cap.region].max() - limbs.time[foot[mine]]))
+        is_end = is_held[leaves[mine]] & is_near_end(limbs.time, *cap[2:], foot[mine])
         order = np.lexsort((away, ~is_end))
         first = mine[order[away[order] < axes[number - 1].reach][:1]]
         worth[leaves[first]] = np.inf
