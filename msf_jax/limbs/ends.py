@@ -31,6 +31,7 @@ from msf_jax.solid.geometry import triangle_areas, unit
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
 RINGS = 6  # of a limb at least; those of a short one are nearer to each other
+LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
 DEEP = 1.5  # widths of a limb: so far from its end at most the ball there is looked for
 TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads through one that is nearer to it
@@ -204,7 +205,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     middles = middles[: len(rings)]
     own = found.normal[rings], found.perimeter[rings], found.size[rings]
     reach = (len(rings) + 0.5) * step if is_split else np.inf
-    return LimbAxis(_to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width, reach)
+    return LimbAxis(to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width, reach)
 
 
 def _rings_from(found: Levels, piece: int) -> Iterator[int]:
@@ -249,16 +250,16 @@ def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int
 
 
 def centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is hardly nearer to the
-    surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is smaller, and one
-    of a blunt limb that leaves it for the body is larger."""
-    found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
+    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,) or (p, 3), where that is hardly
+    nearer to the surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is
+    smaller, and one of a blunt limb that leaves it for the body is larger."""
+    found = sections.cut(shape, places, np.broadcast_to(heading, places.shape).copy(), size)
     is_better = found.is_around & (found.size >= WHOLE * size) & (found.size <= size / WHOLE)
     is_better &= shape.clearance(found.centroid) >= WHOLE * shape.clearance(places)
     return np.where(is_better[:, None], found.centroid, places)
 
 
-def _to_end(
+def to_end(
     shape: Enclosure,
     middles: np.ndarray,
     normals: np.ndarray,

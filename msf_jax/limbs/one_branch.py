@@ -14,13 +14,12 @@ from scipy.sparse import csgraph
 from msf_jax.inside.containment import is_inside
 from msf_jax.limbs import pruning
 from msf_jax.limbs.caps import Caps
-from msf_jax.limbs.ends import RING_SPACING, LimbAxis, is_near_end
+from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis, is_near_end
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
-LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
 
 

@@ -14,17 +14,16 @@ from scipy.sparse import csgraph
 
 from msf_jax.inside import balls, thickness
 from msf_jax.inside.roadmap import Test
+from msf_jax.limbs import ends
 from msf_jax.limbs.levels import Levels, levels
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import repeated, unit, vertex_normals
+from msf_jax.solid.geometry import arc_length, at, repeated, unit, vertex_normals
 from msf_jax.topology import graphs
 
 COARSE = 1.0  # radii: median edge length of a limb with six sides; longer edges mean fewer sides
 ROUND = 3.0  # largest median perimeter of the rings, over that of a circle; a plate has far longer rings
 MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
 OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
-AT_TIP = 0.5  # radii: vertices that are nearer than the farthest by no more than this belong to the tip, too
-TO_TIP = 0.8  # fraction of the distance from the last ring of a limb to its tip, at which the curve ends
 
 
 class ReebCurve(NamedTuple):
@@ -49,26 +48,60 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     length = np.linalg.norm(x[tail] - x[head], axis=1)
     if np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
         return None
-    graph = graphs.weighted(len(x), tail, head, np.maximum(length, 1e-12))
     # A ball between few vertices can be too large, so the clearances of all middles are asked for.
-    seed = int(shape.approximate_clearance(x - radius[:, None] * normals)[0].argmax())
-    away = csgraph.dijkstra(graph, indices=seed)
+    middles = x - radius[:, None] * normals
+    seed = int(shape.approximate_clearance(middles)[0].argmax())
+    # Wavefronts begin all around the largest ball: from one vertex of a rim, they would run obliquely along the limb.
+    beyond = np.maximum(np.linalg.norm(x - middles[seed], axis=1) - radius[seed], 0.0)
+    near = np.flatnonzero(beyond <= radius[seed])
+    tail, head = np.append(tail, np.full(len(near), len(x))), np.append(head, near)
+    length = np.maximum(np.append(length, beyond[near]), 1e-12)
+    away = csgraph.dijkstra(graphs.weighted(len(x) + 1, tail, head, length), directed=False, indices=len(x))[:-1]
     found = levels(x, faces, away, step)
     if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:
         return None
-    # A piece with one ring is the end of a limb. There the curve goes towards the farthest vertices, or to the seed.
+    # A piece with one ring is the end of a limb.
     num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
-    sign = np.where(found.piece == found.piece[seed], -1.0, 1.0)
-    top = np.full(found.num_pieces, -np.inf)
-    np.maximum.at(top, found.piece, sign * away)
-    is_top = (num_rings[found.piece] == 1) & (sign * away >= top[found.piece] - AT_TIP * step)
-    end, own = np.unique(found.piece[is_top], return_inverse=True)
-    tip = np.stack([np.bincount(own, weights=axis) for axis in x[is_top].T], axis=1) / np.bincount(own)[:, None]
+    end = np.flatnonzero(num_rings == 1)
     ring_of = np.zeros(found.num_pieces, dtype=np.int64)
     ring_of[found.below] = ring_of[found.above] = np.arange(len(found.centre))
-    last = found.centre[ring_of[end]]
-    vertices, edges = _joined(shape, found, last + TO_TIP * (tip - last), end, is_inside)
+    centre, tip = _to_ends(shape, found, end, num_rings, step)
+    vertices, edges = _joined(shape, found._replace(centre=centre), tip, end, is_inside)
     return ReebCurve(vertices, edges, ring_of[found.piece])
+
+
+def _to_ends(
+    shape: Enclosure, found: Levels, end: np.ndarray, num_rings: np.ndarray, step: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The rings' centres (R, 3), and where the curve ends in each of the pieces ``end`` (T,): see `ends.to_end`. The
+    rings before the first one that goes around the limb lie in its end, and come to the line ahead."""
+    centre, tips = found.centre.copy(), []
+    beside = np.split(np.argsort(np.concatenate([found.below, found.above]), kind="stable"), np.cumsum(num_rings)[:-1])
+    for piece in end.tolist():
+        rings, width = _of_limb(found, beside, piece, step)
+        stride = max(1, round(ends.RING_SPACING * width / step))
+        few = rings[stride // 2 :: stride]
+        inward = found.normal[few] * (-1 if found.above[rings[0]] == piece else 1)
+        asked = found.centre[few], inward, found.perimeter[few], found.size[few]
+        laid = ends.to_end(shape, *asked, ends.NEAR_END, stride * step, ends.DEEP * width)
+        count = stride // 2 + stride * (len(few) - 1)
+        along = arc_length(laid)
+        centre[rings[:count]] = at(laid, along, np.linspace(0, along[-1], count + 2)[1:-1])
+        tips.append(laid[0])
+    return centre, np.array(tips).reshape(-1, 3)
+
+
+def _of_limb(found: Levels, beside: list[np.ndarray], piece: int, step: float) -> tuple[list[int], float]:
+    """The rings of the limb that ends in ``piece``, from there to where limbs meet, within `ends.LAST` widths of it,
+    and its width. ``beside``: of each piece, its rings."""
+    rings, width = [], step
+    while len(rings) * step <= ends.LAST * width:
+        own = np.setdiff1d(beside[piece] % len(found.size), rings[-1:])
+        if len(own) != 1:
+            break
+        rings.append(int(own[0]))
+        width, piece = max(width, float(found.size[own[0]])), int(found.below[own[0]] + found.above[own[0]] - piece)
+    return rings, width
 
 
 def _joined(

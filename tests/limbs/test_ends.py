@@ -319,7 +319,7 @@ def test_no_ball_fills_the_point_of_a_cone():
     shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
     down, size = np.tile([0.0, 0.0, -1.0], (len(middles), 1)), -middles[:, 2] * np.tan(np.pi / 6)
-    found = ends._to_end(shape, middles, down, 2 * np.pi * size, size, 2, 0.3, 0.9)
+    found = ends.to_end(shape, middles, down, 2 * np.pi * size, size, 2, 0.3, 0.9)
     assert np.abs(found[:, :2]).max() < 1e-9 and (np.diff(found[:, 2]) < 0).all()
     assert -found[0, 2] == pytest.approx(0.075 * 0.9, rel=0.25)
 
@@ -329,7 +329,7 @@ def test_a_ring_in_a_corner_of_a_plates_end_does_not_begin_its_curve():
     shape = as_shape(box(8, 4, 0.6), 0.3)
     middles = np.array([[3.5, 0.8, 0], [3.0, 0, 0], [2.5, 0, 0], [2.0, 0, 0]])
     inward, perimeter = np.tile([-1.0, 0.0, 0.0], (len(middles), 1)), np.array([6.6, 9.2, 9.2, 9.2])
-    found = ends._to_end(shape, middles, inward, perimeter, np.full(len(middles), 0.5), 0, 0.5, 1.5)
+    found = ends.to_end(shape, middles, inward, perimeter, np.full(len(middles), 0.5), 0, 0.5, 1.5)
     assert np.abs(found[:, 1:]).max() < 0.01 and found[0, 0] == pytest.approx(4 - 0.09, abs=0.02)
 
 
