@@ -80,11 +80,12 @@ def _to_ends(
     for piece in end.tolist():
         rings, width = _of_limb(found, beside, piece, step)
         stride = max(1, round(ends.RING_SPACING * width / step))
-        few = rings[stride // 2 :: stride]
+        skipped = min(stride // 2, len(rings) - 1)
+        few = rings[skipped::stride]
         inward = found.normal[few] * (-1 if found.above[rings[0]] == piece else 1)
         asked = found.centre[few], inward, found.perimeter[few], found.size[few]
         laid = ends.to_end(shape, *asked, ends.NEAR_END, stride * step, ends.DEEP * width)
-        count = stride // 2 + stride * (len(few) - 1)
+        count = skipped + stride * (len(few) - 1)
         along = arc_length(laid)
         centre[rings[:count]] = at(laid, along, np.linspace(0, along[-1], count + 2)[1:-1])
         tips.append(laid[0])

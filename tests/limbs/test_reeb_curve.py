@@ -69,13 +69,13 @@ def test_a_coarse_wire_is_followed_to_its_ends():
     assert away.max() < 0.1 * radius  # at the ends, too, and not in the corners of the caps
 
 
-def plant(num: int) -> tuple[np.ndarray, np.ndarray, list[np.ndarray]]:
+def plant(num: int, first: float = 15.0) -> tuple[np.ndarray, np.ndarray, list[np.ndarray]]:
     """A stem with ``num`` side branches, all of them frustums, joined; and their axes, the stem's first."""
     axes = [np.array([[0.0, 0, 0], [0, 0, 30 + 12 * num]])]
     for k in range(num):
         slope, turn = np.radians(40 + k % 11), 2.4 * k
         way = np.array([np.sin(slope) * np.cos(turn), np.sin(slope) * np.sin(turn), np.cos(slope)])
-        start = np.array([0, 0, 15.0 + 12 * k])
+        start = np.array([0, 0, first + 12 * k])
         axes.append(np.stack([start, start + (25 + 3 * (k % 5)) * way]))
     parts = []
     for (start, stop), low in zip(axes, [3.9] + [1.5] * num, strict=True):
@@ -103,6 +103,14 @@ def test_the_limbs_of_a_plant_of_long_triangles_end_on_their_axes():
         away = leaves - stop
         aside = np.linalg.norm(away - np.outer(away @ way, way), axis=1)
         assert ((aside < 0.25 * radius) & (np.abs(away @ way + 0.3 * radius) < 0.3 * radius)).sum() == 1
+
+
+@pytest.mark.parametrize("first", [1.0, 2.0, 4.0])
+def test_a_limb_shorter_than_it_is_wide_has_an_end(first):
+    """The stem's base, which has a ring or two before branches leave it."""
+    vertices, faces, _ = plant(17, first)
+    found = laid(vertices, faces)
+    assert found is not None and np.isfinite(found[0]).all() and (np.bincount(found[1].ravel()) == 1).sum() >= 18
 
 
 def test_a_finer_wire_a_plate_and_a_thick_one_are_left_to_the_flow():
