@@ -25,7 +25,8 @@ from msf_jax.topology import graphs
 
 TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
 BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight; 0.08 for an arc of 6 radii
-OFF = 0.2  # radii: largest distance of the meeting point from an axis
+OFF = 0.2  # radii: a branch that is farther from its axis, or an axis from its trunk, is not on it
+APART = 0.35  # radii: axes meet if one point is that near to all; on a plant's stem, they pass each other by a third
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
 THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
@@ -301,7 +302,7 @@ def _put(
     off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
     # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
     begin = np.maximum([each.start for each in own], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)
-    if (off > OFF * usual).any() or (begin > [each.last for each in own]).any():
+    if (off > APART * usual).any() or (begin > [each.last for each in own]).any():
         return False
     count = [int(np.searchsorted(each.along, stop)) + 1 for stop, each in zip(begin, own, strict=True)]
     laid = [path[:num] for path, num in zip(paths, count, strict=True)]

@@ -21,7 +21,7 @@ from msf_jax.solid.geometry import arc_length, at, repeated, unit, vertex_normal
 from msf_jax.topology import graphs
 
 COARSE = 1.0  # radii: median edge length of a limb with six sides; longer edges mean fewer sides
-ROUND = 3.0  # largest median perimeter of the rings, over that of a circle; a plate has far longer rings
+ROUND = 3.0  # largest median of the rings' perimeters over those of circles of their size; a plate has longer rings
 MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
 OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
 
@@ -58,7 +58,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     length = np.maximum(np.append(length, beyond[near]), 1e-12)
     away = csgraph.dijkstra(graphs.weighted(len(x) + 1, tail, head, length), directed=False, indices=len(x))[:-1]
     found = levels(x, faces, away, step)
-    if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:
+    if not len(found.centre) or np.median(found.perimeter / np.maximum(found.size, 1e-300)) > ROUND * 2 * np.pi:
         return None
     # A piece with one ring is the end of a limb.
     num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)

@@ -259,9 +259,9 @@ def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
     assert len(junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))[0]) == len(x)
 
 
-@pytest.mark.parametrize(("aside", "is_met"), [(0.15, True), (0.25, False)])
+@pytest.mark.parametrize(("aside", "is_met"), [(0.3, True), (0.55, False)])
 def test_axes_that_pass_each_other_far_off_do_not_meet(aside, is_met):
-    """`OFF`: one branch beside the plane of the others, which leaves it a smaller ball."""
+    """`APART`: one branch beside the plane of the others, which leaves it a smaller ball."""
     shape, x, edges, chains = fork(120, 0.3)
     x[chains[1][1:], 1] += aside
     assert (moved(shape, x, edges)[0] != x[0]).any() == is_met
