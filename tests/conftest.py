@@ -12,7 +12,7 @@ from pathlib import Path
 # Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, two
 # thirds of the rest with its older emitters, and a fifth of what is left where no program is divided among threads.
 # jaxlib 0.10 knows the last two flags; later ones may refuse them. Tests that compare bits, in test_determinism, are
-# compiled as a user's programs are, and so are those of the smoke.
+# compiled as a user's programs are, and so is the README's example in the smoke.
 os.environ.setdefault(
     "XLA_FLAGS",
     "--xla_backend_optimization_level=0"
