@@ -37,20 +37,17 @@ def test_recentring_brings_a_shifted_contraction_back():
 
 def test_the_system_contracts_to_a_millionth_and_draws_the_curve():
     shape = ground_truth.make("helix_coarse")
-    plain = msf_jax.skeletonize(shape.mesh, config=Config.au2008(check=True))
-    report = plain.report
+    config = Config.au2008(check=True, evaluate=True, curve={"centre": True, "extend_tips": True})
+    done = msf_jax.skeletonize(shape.mesh, config=config)
+    report = done.report
     assert report.converged
     assert report.volume < 1e-6
     assert report.iterations <= 20
     assert report.unsolved == 0
     assert (report.components, report.cycles, report.loops, report.inside) == (1, shape.genus, shape.genus, 1.0)
-    assert len(np.unique(plain.mesh_map)) > 4
-    done = msf_jax.skeletonize(
-        shape.mesh, config=Config.au2008(evaluate=True, curve={"centre": True, "extend_tips": True})
-    )
-    assert done.report.figures["leaves"] == shape.num_leaves
-    assert done.report.figures["off_centre"] < 0.12
-    assert done.report.inside == 1.0
+    assert len(np.unique(done.mesh_map)) > 4
+    assert report.figures["leaves"] == shape.num_leaves
+    assert report.figures["off_centre"] < 0.12
     other = msf_jax.skeletonize(shape.mesh, config=Config.au2008(curve={"surgery": False}))
     assert (other.report.cycles, other.report.loops, other.report.inside) == (shape.genus, shape.genus, 1.0)
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from device_cases import build, one_level, pebble
 from jax import export
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import Config, Weights, ground_truth
@@ -18,7 +19,7 @@ PLATFORMS = ("cpu", "cuda", "tpu")  # XLA compiles for the last two where such a
 @pytest.fixture(scope="module")
 def tube():
     mesh = ground_truth.make("straight_coarse").mesh
-    return np.array(mesh.vertices), msf_jax.skeletonize(mesh)
+    return np.array(mesh.vertices), flow_of("straight_coarse").skeleton
 
 
 @pytest.mark.slow  # so is an iteration, below

@@ -9,6 +9,7 @@ import pytest
 import trimesh
 from conftest import blob, torus
 from device_cases import strict
+from run_cases import flow_of
 from scipy.spatial.transform import Rotation
 
 import msf_jax
@@ -16,18 +17,18 @@ from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.base import binding as bindings
 from msf_jax.solid.solid import Solid
 
-MAKERS = {
-    "y": lambda: ground_truth.make("y_coarse").mesh,
-    "tube": lambda: ground_truth.make("straight_coarse").mesh,
-    "two": lambda: trimesh.util.concatenate([blob(4, 2), torus().apply_translation([1.5, 0, 0])]),
-}
+KNOWN = {"y": "y_coarse", "tube": "straight_coarse"}
 
 
 @functools.cache
 def curve(name):
     """A mesh and its curve."""
-    mesh = MAKERS[name]()
-    return np.array(mesh.vertices), np.array(mesh.faces), msf_jax.skeletonize(mesh)
+    if name in KNOWN:
+        mesh, skeleton = ground_truth.make(KNOWN[name]).mesh, flow_of(KNOWN[name]).skeleton
+    else:
+        mesh = trimesh.util.concatenate([blob(4, 2), torus().apply_translation([1.5, 0, 0])])
+        skeleton = msf_jax.skeletonize(mesh)
+    return np.array(mesh.vertices), np.array(mesh.faces), skeleton
 
 
 @pytest.fixture(scope="module", params=["y", "two"])

@@ -13,6 +13,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
@@ -24,8 +25,7 @@ NAMES = ("straight_coarse", "y_coarse")
 @pytest.fixture(scope="module")
 def curves():
     """A tube and three limbs, 128 and 948 vertices: positions and curve of each."""
-    made = [ground_truth.make(name).mesh for name in NAMES]
-    return [(np.array(mesh.vertices), msf_jax.skeletonize(mesh)) for mesh in made]
+    return [(np.array(ground_truth.make(name).mesh.vertices), flow_of(name).skeleton) for name in NAMES]
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 import pyvista
 import trimesh
+from run_cases import flow_of
 from scipy import spatial
 
 import msf_jax
-from msf_jax import ConfigError, ground_truth, shapes
+from msf_jax import ConfigError, shapes
 from msf_jax.skeleton.framing import fitting
 from msf_jax.skeleton.framing.frame import Frame
 from msf_jax.skeleton.framing.joints import wires_of
@@ -278,5 +279,5 @@ def test_joints_nearer_than_the_tolerance_are_one_and_others_are_not(cantilever)
     with pytest.raises(ConfigError, match="tolerance is -1"):
         cantilever.frame(-1)
     with pytest.raises(ConfigError, match="no branch is longer"):
-        msf_jax.skeletonize(ground_truth.make("y_coarse").mesh).frame(10.0)
+        flow_of("y_coarse").skeleton.frame(10.0)
     assert repr(cantilever.frame()).startswith("Frame(1 members, 2 joints, length 6")

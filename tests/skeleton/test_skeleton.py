@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import torus
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import ConfigError, Skeleton, ground_truth
@@ -102,8 +103,7 @@ def test_resampled_edges_are_as_long_as_asked(whole, ring, spacing):
 
 def test_a_larger_spacing_never_gives_more_nodes():
     """In a helix, which a long edge leaves: it is bisected, and not all that it skips comes back."""
-    shape = ground_truth.make("helix_coarse")
-    skeleton = msf_jax.skeletonize(shape.mesh)
+    shape, skeleton = ground_truth.make("helix_coarse"), flow_of("helix_coarse").skeleton
     found = [skeleton.resample(spacing * np.ptp(shape.mesh.vertices)) for spacing in np.linspace(0.02, 1.0, 15)]
     count = [len(one.vertices) for one in found]
     assert (np.diff(count) <= 0).all() and count[-1] < 0.25 * len(skeleton.vertices)
