@@ -29,7 +29,7 @@ from msf_jax.device.laplacian import LARGEST_ENTRY
 
 @pytest.fixture(scope="module")
 def case() -> Case:
-    return case_with_everything(1, layout=one_level(128, 16))
+    return case_with_everything(1, layout=one_level(128, 8))
 
 
 @pytest.fixture(scope="module")

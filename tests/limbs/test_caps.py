@@ -20,7 +20,7 @@ from msf_jax.solid.enclosure import Enclosure
 @pytest.fixture(scope="module")
 def with_fingers() -> msf_jax.Skeleton:
     """The skeleton of the block with four fingers."""
-    shape = solid(fingers())
+    shape = solid(fingers(), 0.4)
     return msf_jax.skeletonize((shape.vertices, shape.faces))
 
 
@@ -61,7 +61,7 @@ def test_a_flat_disc_has_none_and_the_middle_of_its_curve_is_its_tip():
 
 @pytest.mark.parametrize("change", ["moved", "permuted", pytest.param("split", marks=pytest.mark.slow)])
 def test_limbs_belong_to_the_surface(change):
-    shape = solid(fingers(), 0.15)
+    shape = solid(fingers(), 0.25)
     x, faces = shape.vertices, shape.faces
     rng = np.random.default_rng(1)
     if change == "moved":
@@ -81,9 +81,9 @@ def test_limbs_belong_to_the_surface(change):
 
 def test_a_ring_a_ball_and_the_middle_of_a_tube_are_no_limbs():
     """A cap is cut off by one curve, and is less than half of the surface."""
-    ring = trimesh.creation.torus(1.0, 0.25, 64, 24)
+    ring = trimesh.creation.torus(1.0, 0.25, 48, 18)
     assert not limbs(Enclosure(ring.vertices, ring.faces), 0.9)
-    ball = trimesh.creation.icosphere(4)
+    ball = trimesh.creation.icosphere(3)
     assert not limbs(Enclosure(ball.vertices, ball.faces), 0.9)
     tube = solid(manifold3d.Manifold.cylinder(6.0, 0.3, 0.3, 32), 0.1)
     assert sorted(round(tube.vertices[cap.tip, 2]) for cap in limbs(tube, 1.2)) == [0, 6]
@@ -167,7 +167,7 @@ def test_a_vertex_leads_to_the_tip_of_its_finger():
 
 def test_components_do_not_see_each_other():
     """Two solids in one surface have the tips and limbs that each of them has."""
-    one, other = solid(fingers()), solid(block() + LIMB["long cylinder"][0])
+    one, other = solid(fingers(), 0.4), solid(block() + LIMB["long cylinder"][0])
     x = np.concatenate([one.vertices, other.vertices + [9.0, 0, 0]])
     both = Enclosure(x, np.concatenate([one.faces, other.faces + len(one.vertices)]))
     tips = [set(Caps(shape).tips().tolist()) for shape in (one, other, both)]
@@ -202,7 +202,7 @@ def bumpy_ball(has_hole: bool) -> Enclosure:
     ball = manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(0.8, 48), *bumps], manifold3d.OpType.Add)
     if has_hole:
         ball -= manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
-    return solid(ball, 0.22)
+    return solid(ball, 0.3)
 
 
 @pytest.mark.parametrize(("has_hole", "leaves"), [(False, 6), pytest.param(True, 0, marks=pytest.mark.slow)])

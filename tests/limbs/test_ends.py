@@ -268,7 +268,7 @@ def test_a_blind_hole_is_no_limb_and_changes_no_end(name):
     assert min(np.linalg.norm(found[1] - each, axis=1).max(initial=0.0) for each in turned) < 0.3 * half
 
 
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5), st.floats(0.15, 0.55), st.floats(0.2, 0.8))
 def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
     solid = box(10, 3, 3)
@@ -277,7 +277,7 @@ def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
     np.testing.assert_allclose(found, [[-4.55, 0, 0], [4.55, 0, 0]], atol=0.3 * 1.5)
 
 
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(st.integers(0, 1000), st.floats(1e-3, 1e3), st.booleans(), st.sampled_from(["short bar", "cylinder"]))
 def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scale, is_mirrored, name):
     shape = as_shape(LONG[name][0], 0.6)
@@ -323,7 +323,7 @@ def test_a_ring_in_a_corner_of_a_plates_end_does_not_begin_its_curve():
     assert np.abs(found[:, 1:]).max() < 0.01 and found[0, 0] == pytest.approx(4 - 0.09, abs=0.02)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(st.floats(1.5, 6), st.floats(1.5, 5), st.integers(0, 1000))
 def test_a_cone_on_a_cylinder_ends_near_its_point(length, height, seed):
     """Its rings are shorter and shorter, though they go around it; its triangles are as long as it is."""
@@ -369,7 +369,7 @@ def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
     np.testing.assert_array_equal(ends.centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
 
 
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(st.floats(0.4, 0.9), st.floats(1.8, 2.8), st.floats(0.3, 0.8), st.integers(0, 1000))
 def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
     """The rings of the underside of its head have one middle, and no line leads through them."""
@@ -381,7 +381,7 @@ def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
     assert -6 < found[0, 2] < -6 + 0.5 * radius and 0 < found[1, 2] < height
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(st.floats(1.5, 3.0), st.floats(0.6, 0.9), st.integers(0, 1000))
 @pytest.mark.slow  # other holes are above and below
 def test_a_bar_with_a_blind_hole_in_its_end_ends_at_the_floor_of_the_hole(depth, radius, seed):
@@ -396,7 +396,7 @@ def test_a_bar_with_a_blind_hole_in_its_end_ends_at_the_floor_of_the_hole(depth,
     assert 4.5 - depth - 1.5 < found[1, 0] < 4.5 - depth
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(st.floats(25, 40), st.floats(5.5, 6.5), st.integers(0, 1000))
 def test_crossed_rods_end_on_their_axes(angle, length, seed):
     """`WHOLE`: the first rings can be in the rim of an end, where its triangles are as long as the rods."""
