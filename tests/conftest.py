@@ -45,8 +45,6 @@ gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the sea
 # A surface of a few hundred vertices is in 1024 rows, not in 2048: programs that are not optimised take time for each,
 # a third of a short run. The curves of six meshes were the same to the last bit in both.
 OWN_SMALLEST_CAPACITY, layout.SMALLEST_CAPACITY = layout.SMALLEST_CAPACITY, 1024
-# A program has a part for each slot, of which a row has 32: 24 do, and are compiled in three quarters of the time.
-OWN_RAGGED_TAIL, layout.RAGGED_TAIL = layout.RAGGED_TAIL, 12
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
 CACHE = "MSF_JAX_TEST_CACHE"
@@ -72,9 +70,11 @@ MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shar
 
 @pytest.fixture(scope="module")
 def few_rows():
-    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each."""
+    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each. Nor has
+    it vertices of many neighbours: a program has a part for each slot."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(layout, "SMALLEST_CAPACITY", 256)
+        patch.setattr(layout, "RAGGED_TAIL", 8)
         yield
 
 

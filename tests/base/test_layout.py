@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import OWN_RAGGED_TAIL, OWN_SMALLEST_CAPACITY, blob, torus
+from conftest import OWN_SMALLEST_CAPACITY, blob, torus
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -14,10 +14,9 @@ from msf_jax.meso.meso import Meso
 
 @pytest.fixture(scope="module", autouse=True)
 def of_the_package():
-    """The smallest capacity and the tail are the package's own here; other tests have smaller ones (see conftest)."""
+    """The smallest capacity is the package's own here; other tests have a smaller one (see conftest)."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(capacities, "SMALLEST_CAPACITY", OWN_SMALLEST_CAPACITY)
-        patch.setattr(capacities, "RAGGED_TAIL", OWN_RAGGED_TAIL)
         yield
 
 

@@ -140,7 +140,7 @@ def test_the_nodes_of_the_flow_come_first_in_the_finished_curve(y_flow):
 
 def test_without_its_passes_the_finished_curve_is_that_of_the_flow():
     flow = msf_jax.contract(
-        ground_truth.make("arc_coarse").mesh,
+        ground_truth.make("straight_coarse").mesh,
         config=Config(least_slenderness=0, curve=CurveOptions(centre=False, extend_tips=False)),
     )
     np.testing.assert_array_equal(flow.skeleton.vertices, flow.curve.vertices)

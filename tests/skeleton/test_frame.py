@@ -1,6 +1,6 @@
 """Beams from solids of bars: members, lengths, sections against closed forms; a small beam solver; files."""
 
-from itertools import combinations, product
+from itertools import product
 
 import manifold3d
 import numpy as np
@@ -110,23 +110,8 @@ def bars(points: np.ndarray, members: np.ndarray, radius: float) -> trimesh.Trim
     return trimesh.Trimesh(found.vert_properties[:, :3], found.tri_verts.astype(np.int64), process=False)
 
 
-def cube() -> tuple[np.ndarray, np.ndarray]:
-    corners = np.array(list(product((0.0, 4.0), repeat=3)))
-    return corners, np.array(
-        [pair for pair in combinations(range(8), 2) if (corners[pair[0]] != corners[pair[1]]).sum() == 1]
-    )
-
-
 def portal() -> tuple[np.ndarray, np.ndarray]:
     return np.array([[0.0, 0, 0], [0, 0, 4], [5, 0, 4], [5, 0, 0]]), np.array([[0, 1], [1, 2], [2, 3]])
-
-
-def truss() -> tuple[np.ndarray, np.ndarray]:
-    """Five joints below, four above, with 15 members; and two ends, with 17."""
-    below, above = [(3.0 * k, 0, 0) for k in range(5)], [(1.5 + 3 * k, 0, 3.0) for k in range(4)]
-    members = [(k, k + 1) for k in range(4)] + [(k, k + 1) for k in range(5, 8)]
-    members += [(k, 5 + k) for k in range(4)] + [(k + 1, 5 + k) for k in range(4)] + [(0, 9), (4, 10)]
-    return np.array([*below, *above, (-2.5, 0, -1.0), (14.5, 0, -1.0)]), np.array(members)
 
 
 def octet() -> tuple[np.ndarray, np.ndarray]:
@@ -153,9 +138,9 @@ def of_disc(radius: float) -> tuple[float, float]:
     return found.area, float(found.moments[0, 0])
 
 
-@pytest.mark.parametrize("make", [portal, pytest.param(truss, marks=pytest.mark.slow)])
-def test_frames_of_round_bars_in_long_triangles(make):
-    points, members = make()
+@pytest.mark.slow  # short bars, and a single one, are quick
+def test_a_frame_of_round_bars_in_long_triangles():
+    points, members = portal()
     skeleton = msf_jax.skeletonize(bars(points, members, 0.3))
     assert skeleton.report.is_sound and skeleton.report.are_limbs
     frame = skeleton.frame()
@@ -170,7 +155,7 @@ def test_frames_of_round_bars_in_long_triangles(make):
 @pytest.mark.slow
 def test_an_octet_cell_of_thirty_six_members():
     points, members = octet()
-    mesh = shapes.solid_around(points, members, np.full(14, 0.254), 0.1)  # triangles are chords
+    mesh = shapes.solid_around(points, members, np.full(14, 0.254), 0.13)  # triangles are chords
     frame = msf_jax.skeletonize(mesh).frame()
     check(frame, points, members, share=0.01, away=0.05)
     np.testing.assert_allclose(frame.moments, np.pi * 0.25**4 / 4, rtol=0.05)

@@ -65,7 +65,7 @@ slope = R * np.cos(2 * np.pi * np.arange(AROUND) / AROUND)
         pytest.param(tube(15.0, low=np.tan(np.radians(70)) * slope), 15.0, 1.0, marks=SLOW),  # cut off at 70 degrees
         (tube(15.0, low=slope, flat=5.0), 15.0, 5.0),
         pytest.param(tube(15.0, low=JAGGED), 15.0, 1.0, marks=SLOW),
-        (tube(2.2, rows=12), 2.2, 1.0),  # shorter than wide: its curve would lie across
+        pytest.param(tube(2.2, rows=12), 2.2, 1.0, marks=SLOW),  # shorter than wide: its curve would lie across
     ],
     ids=["oblique70", "flattened5_oblique45", "jagged", "short"],
 )
