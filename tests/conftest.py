@@ -6,6 +6,7 @@ import shutil
 import signal
 import sys
 import tempfile
+from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
@@ -68,13 +69,27 @@ def pytest_configure(config: pytest.Config) -> None:
 MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shared" / "meshes"))
 
 
-@pytest.fixture(scope="module")
-def few_rows():
-    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each. Nor has
-    it vertices of many neighbours: a program has a part for each slot."""
+@contextmanager
+def fewer_rows():
+    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each. A
+    program has a part for each slot of a row, too, and the last level has fewer."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(layout, "SMALLEST_CAPACITY", 256)
         patch.setattr(layout, "RAGGED_TAIL", 8)
+        yield
+
+
+@pytest.fixture(scope="module")
+def few_rows():
+    """For all tests of a file, and runs that they share."""
+    with fewer_rows():
+        yield
+
+
+@pytest.fixture
+def few_rows_once():
+    """For one test."""
+    with fewer_rows():
         yield
 
 

@@ -189,10 +189,17 @@ def test_bytes_that_the_locale_has_no_letters_for(limb, tmp_path):
         given = {"check": True, "capture_output": True, "env": os.environ | locale}
         asked = [mesh, b"--max-iterations", b"1", b"-o"]  # whatever the curve
         if "LC_ALL" in locale:
-            subprocess.run([*command, b"skeletonize", *asked, folder + b"/a.swc", "--units", "µm".encode()], **given)
-            assert "# units: µm" in (tmp_path / "a.swc").read_text("utf-8")
-        done = subprocess.run([*command, b"view", *asked, folder + b"/\xff.html"], **given)
-        assert b"udcff" in done.stdout and os.path.exists(folder + b"/\xff.html")
+            out, words = (
+                folder + b"/\xff.swc",
+                [b"skeletonize", *asked, folder + b"/\xff.swc", b"--units", "µm".encode()],
+            )
+        else:
+            out = folder + b"/\xff.html"
+            words = [b"view", *asked, out]
+        done = subprocess.run([*command, *words], **given)
+        assert b"udcff" in done.stdout and os.path.exists(out)
+    with open(folder + b"/\xff.swc", encoding="utf-8") as file:
+        assert "# units: µm" in file.read()
 
 
 @pytest.mark.system

@@ -167,6 +167,7 @@ def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypat
 
 
 @pytest.mark.slow  # that there is a curve so far is in other tests
+@pytest.mark.usefixtures("few_rows_once")
 def test_the_curve_so_far_is_that_of_a_thinner_surface(mesh, endless, monkeypatch):
     """The surface after one iteration has too many edges for the loop in Python that extracts the curve."""
     step, extract, given = loop.step, curves.extraction.extract_curve, []

@@ -540,22 +540,6 @@ def small() -> Case:
     return build(vertices, faces, is_fixed=is_fixed, poles=0.1 * vertices, layout=one_level(8, 8))
 
 
-@pytest.mark.slow  # first ones have many tests
-def test_second_derivatives(small):
-    """Of a scalar in the three weights, by central differences of its gradient; symmetric."""
-
-    def value(weights):
-        new, _ = plain_contract(small.buffers, *weights, small.layout)
-        return (jnp.sin(jnp.arange(new.size)).reshape(new.shape) * new).sum()
-
-    at = np.array([W_L, W_H, W_M])
-    slope = jax.jit(jax.grad(value))
-    measured = np.array(
-        [[central_difference(lambda w, k=k: slope(w)[k], at, row) for row in np.eye(3)] for k in range(3)]
-    )
-    np.testing.assert_allclose(jax.jit(jax.hessian(value))(at), measured, rtol=1e-6, atol=1e-7 * np.abs(measured).max())
-
-
 @pytest.mark.slow  # each is compared with differences
 def test_jvp_and_vjp_are_transposes(case):
     random = np.random.default_rng(30)
@@ -575,30 +559,6 @@ def test_jvp_and_vjp_are_transposes(case):
     transposed = sum(np.vdot(t, g) for t, g in zip(tangents, backward, strict=True))
     np.testing.assert_allclose(np.vdot(cotangent, forward), transposed, rtol=1e-9)
     np.testing.assert_allclose(case.to_vertices(value), contracted(case), atol=1e-12)
-
-
-@pytest.mark.slow  # so do the products with them
-def test_jacobians_by_columns_and_by_rows_agree(small):
-    def new(weights):
-        return plain_contract(small.buffers, *weights, small.layout)[0]
-
-    weights = jnp.array([W_L, W_H, W_M])
-    by_columns, by_rows = quick_jit(lambda w: (jax.jacfwd(new)(w), jax.jacrev(new)(w)))(weights)
-    assert by_columns.shape == (8, 3, 3)
-    np.testing.assert_allclose(by_columns, by_rows, atol=1e-10)
-    for k in range(3):
-        step = 1e-4 * np.eye(3)[k]
-        slope = (expected(small, *(weights + step)) - expected(small, *(weights - step))) / 2e-4
-        np.testing.assert_allclose(small.to_vertices(by_rows[:, :, k]), slope, atol=1e-6)
-
-
-@pytest.mark.slow  # a batch of curves is in test_stack
-def test_vmap_over_weights_is_one_solve_each(case):
-    weights = jnp.array([[1.0, 0.1, 0.4], [0.3, 0.3, 0.0], [2.0, 0.05, 0.2]])
-    many, report = quick_jit(jax.vmap(lambda w: plain_contract(case.buffers, *w, case.layout)))(weights)
-    assert report.steps.shape == report.residual.shape == (3,)
-    for w, new in zip(weights, many, strict=True):
-        np.testing.assert_allclose(case.to_vertices(new), expected(case, *w), atol=1e-8)
 
 
 @pytest.mark.slow  # that a short step ends a solve is in test_a_solve_knows_how_far_it_is_from_its_solution

@@ -1,6 +1,6 @@
 """What holds for every closed mesh, over generated ones: topology, maps, finite numbers, scale and order.
 
-`MSF_JAX_EXAMPLES` meshes are tried, 3 if it is not set.
+`MSF_JAX_EXAMPLES` meshes are tried, 2 if it is not set.
 """
 
 import os
@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import msf_jax
 from msf_jax import Config, ground_truth, shapes
 
-EXAMPLES = int(os.environ.get("MSF_JAX_EXAMPLES", "3"))
+EXAMPLES = int(os.environ.get("MSF_JAX_EXAMPLES", "2"))
 CHECKED = Config(check=True)  # a closed manifold of the same genus after every round of edits, or an error
 
 

@@ -89,7 +89,7 @@ def test_a_tube_that_was_cut_off_is_whole_up_to_its_openings(mesh, length, flat)
 
 
 @pytest.mark.slow  # the ends of a tube are quick
-@pytest.mark.parametrize(("radius", "height"), [(0.9, 1.8), (0.6, 0.1)])
+@pytest.mark.parametrize(("radius", "height"), [(0.6, 0.1)])
 def test_a_short_outlet_ends_in_its_opening(radius, height):
     """However short: without a limb on the surface, too, and though its radius is below half of the trunk's."""
     skeleton = msf_jax.skeletonize(with_outlet(radius, height), repair=True)
