@@ -8,9 +8,10 @@ import pytest
 import trimesh
 from conftest import torus
 from loop_cases import NO_EDGES, RING, circle, cycle, shape_of, theta, torus_knot
+from run_cases import flow_of
 
 import msf_jax
-from msf_jax import metrics, shapes
+from msf_jax import ground_truth, metrics, shapes
 from msf_jax.curve import handle_loops
 from msf_jax.inside import containment
 from msf_jax.inside.containment import is_inside
@@ -203,14 +204,14 @@ def test_many_vectors_at_once_are_added_as_one_by_one(prime):
 
 
 @pytest.fixture(scope="module")
-def plate():
-    """A plate with two holes, and its skeleton."""
-    return (mesh := shapes.plate(2)), msf_jax.skeletonize(mesh)
+def theta_tube():
+    """A solid with two handles, and its skeleton."""
+    return ground_truth.make("theta").mesh, flow_of("theta").skeleton
 
 
-def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypatch):
-    """A limit on linking numbers just below, and far below, what the curve of a plate needs."""
-    mesh, skeleton = plate
+def test_too_many_handles_are_not_proved_and_the_report_says_so(theta_tube, monkeypatch):
+    """A limit on linking numbers just below, and far below, what the curve of a solid needs."""
+    mesh, skeleton = theta_tube
     curve, num = (skeleton.vertices, skeleton.edges), len(skeleton.edges)
     assert skeleton.report.is_sound and skeleton.report.loops == 2
     monkeypatch.setattr(handle_loops, "MOST_LINKING", 4 * num)

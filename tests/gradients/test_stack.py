@@ -379,6 +379,7 @@ def test_equinox_writes_and_reads_it(batch, tmp_path):
         np.testing.assert_array_equal(one, other)
 
 
+@pytest.mark.slow  # of a single curve: in test_follow
 def test_a_mesh_whose_section_vanished_spoils_no_other(curves, batch):
     """It is NaN, and so are its losses; the gradient of what is left out is zero."""
     vertices = np.array(batch.vertices)

@@ -23,8 +23,7 @@ def whole():
 
 @pytest.fixture(scope="module")
 def ring():
-    mesh = ground_truth.make("theta").mesh
-    return mesh, msf_jax.skeletonize(mesh)
+    return ground_truth.make("theta").mesh, flow_of("theta").skeleton
 
 
 def num_leaves(skeleton):
