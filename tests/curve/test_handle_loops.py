@@ -255,9 +255,9 @@ def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(m
     assert cycle_count(len(x), e) == (1, 4) and counts(handle_loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
-def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
-    """Of a curve without loops in a plate with two holes, before the first path is tried."""
-    mesh, skeleton = plate
+def test_a_search_that_reaches_its_limit_says_so(theta_tube, monkeypatch):
+    """Of a curve without loops in a solid with two handles, before the first path is tried."""
+    mesh, skeleton = theta_tube
     is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
     curve = skeleton.vertices, skeleton.edges[is_in_tree]
     whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))
