@@ -236,6 +236,14 @@ def test_radii_are_distances_to_the_recorded_triangle(flow):
         np.testing.assert_allclose(slope[0], -normal, atol=1e-9)
 
 
+@pytest.mark.slow  # those of the Laplacian are quick
+def test_slopes_of_radii_are_finite_where_a_triangle_has_no_area(flow):
+    vertices, (a, b, c) = np.array(flow.tape.vertices), flow.tape.triangles[0]
+    vertices[c] = (vertices[a] + vertices[b]) / 2
+    slope = jax.jit(jax.grad(lambda x: (msf_jax.replay_radii(flow.tape, flow.curve.vertices, x) ** 2).sum()))(vertices)
+    assert np.isfinite(slope).all() and np.abs(slope).max() > 0.01
+
+
 @pytest.mark.slow  # so is a derivative, in test_second_derivatives
 def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     monkeypatch.setattr(replay, "MOST_STEPS", 2)
