@@ -361,6 +361,7 @@ def test_areas_are_made_beside_the_flow_and_not_after_it(mesh, monkeypatch):
     assert len(seen) == 1 and seen[0] is not threading.current_thread()
 
 
+@pytest.mark.slow  # rare
 def test_another_thread_than_the_main_one_computes_all_itself(mesh, monkeypatch, ctrl_c):
     """There, no Ctrl-C arrives. On the main one, the same stage is on a thread of its own, with the same bits."""
     scales, seen, found = starting.thickness.scales, [], []

@@ -8,10 +8,9 @@ import pytest
 import trimesh
 from conftest import torus
 from loop_cases import NO_EDGES, RING, circle, cycle, shape_of, theta, torus_knot
-from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ground_truth, metrics, shapes
+from msf_jax import metrics, shapes
 from msf_jax.curve import handle_loops
 from msf_jax.inside import containment
 from msf_jax.inside.containment import is_inside
@@ -204,14 +203,15 @@ def test_many_vectors_at_once_are_added_as_one_by_one(prime):
 
 
 @pytest.fixture(scope="module")
-def theta_tube():
-    """A solid with two handles, and its skeleton."""
-    return ground_truth.make("theta").mesh, flow_of("theta").skeleton
+def plate():
+    """A plate with two holes, and its skeleton."""
+    return (mesh := shapes.plate(2)), msf_jax.skeletonize(mesh)
 
 
-def test_too_many_handles_are_not_proved_and_the_report_says_so(theta_tube, monkeypatch):
-    """A limit on linking numbers just below, and far below, what the curve of a solid needs."""
-    mesh, skeleton = theta_tube
+@pytest.mark.slow  # ranks and their proofs have many tests above
+def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypatch):
+    """A limit on linking numbers just below, and far below, what the curve of a plate needs."""
+    mesh, skeleton = plate
     curve, num = (skeleton.vertices, skeleton.edges), len(skeleton.edges)
     assert skeleton.report.is_sound and skeleton.report.loops == 2
     monkeypatch.setattr(handle_loops, "MOST_LINKING", 4 * num)
@@ -255,9 +255,10 @@ def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(m
     assert cycle_count(len(x), e) == (1, 4) and counts(handle_loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
-def test_a_search_that_reaches_its_limit_says_so(theta_tube, monkeypatch):
-    """Of a curve without loops in a solid with two handles, before the first path is tried."""
-    mesh, skeleton = theta_tube
+@pytest.mark.slow  # as rare
+def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
+    """Of a curve without loops in a plate with two holes, before the first path is tried."""
+    mesh, skeleton = plate
     is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
     curve = skeleton.vertices, skeleton.edges[is_in_tree]
     whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))

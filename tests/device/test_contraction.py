@@ -279,7 +279,7 @@ def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
     assert float(report.residual) > 6e-3 and not bool(report.is_solved)
 
 
-@pytest.mark.parametrize("where", ["device", "host"])
+@pytest.mark.parametrize("where", ["device", pytest.param("host", marks=pytest.mark.slow)])
 def test_a_solve_knows_how_far_it_is_from_its_solution(where):
     """A short step is no solution: many follow it. Only the bound says that it is one.
 
@@ -330,6 +330,7 @@ def test_an_error_where_the_operator_is_small_is_within_the_bound(solver):
     assert float(report.error) <= float(report.bound)
 
 
+@pytest.mark.slow  # a solve that float32 cannot do is above
 def test_rounding_is_in_what_a_solve_says():
     """In float32, with conditions from 6,000 to 160,000. A derivative that loses more than half of the digits is NaN;
     this one has the same equations as the solve itself."""

@@ -34,7 +34,7 @@ def case() -> Case:
 
 @pytest.fixture(scope="module")
 def free_case() -> Case:
-    return build(*pebble(2, 140))
+    return build(*pebble(2, 120), layout=one_level(128, 8))
 
 
 def smoothed(case, strength, **options):

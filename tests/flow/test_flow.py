@@ -223,6 +223,7 @@ def test_running_out_of_iterations_is_said():
     assert skeleton.report.iterations == 2
 
 
+@pytest.mark.slow  # of one solve, in test_contraction
 def test_a_solve_that_runs_out_of_steps_is_said():
     skeleton = msf_jax.skeletonize(blob(1, 2), config=Config(max_iterations=2, solver=SolverOptions(max_steps=3)))
     assert skeleton.report.unsolved == skeleton.report.out_of_steps == 2
@@ -243,6 +244,7 @@ def test_a_loose_solve_is_not_said_to_be_solved():
     assert "linear solve" not in str(loose)
 
 
+@pytest.mark.slow  # a bound of a solve is in test_contraction
 def test_errors_are_in_the_threshold_of_the_thinnest_limb(few_rows_once):
     """That decides what counts as solved. A tight solve is the same, whatever the threshold is."""
     component = checking.prepare(blob(1, 2)).components[0]

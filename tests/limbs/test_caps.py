@@ -207,7 +207,8 @@ def bumpy_ball(has_hole: bool) -> Enclosure:
     return solid(ball, 0.3)
 
 
-@pytest.mark.parametrize(("has_hole", "leaves"), [(False, 6), pytest.param(True, 0, marks=pytest.mark.slow)])
+@pytest.mark.slow  # limbs that are slender have the tests above
+@pytest.mark.parametrize(("has_hole", "leaves"), [(False, 6), (True, 0)])
 def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends(has_hole, leaves):
     """`BLUNT`: six bumps on a ball, each less slender than 1; with a hole through it, the ball has a loop instead."""
     shape = bumpy_ball(has_hole)
@@ -217,7 +218,7 @@ def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends(has_hole, l
     assert skeleton.prune().num_leaves == leaves
 
 
-@pytest.mark.slow  # so does the ball alone, above
+@pytest.mark.slow
 def test_a_part_with_a_handle_beside_it_changes_no_blunt_end():
     shape, ring = bumpy_ball(False), trimesh.creation.torus(3.0, 0.5)
     both = trimesh.util.concatenate([trimesh.Trimesh(shape.vertices, shape.faces, process=False), ring])

@@ -98,6 +98,7 @@ def test_half_a_ball_on_a_wall_is_no_limb_and_a_longer_one_is():
         assert sum(x[cap.tip, 2] > 0.5 for cap in limbs.caps) == num
 
 
+@pytest.mark.slow  # limbs of a detail are above
 def test_a_curve_is_pruned_to_a_coarser_detail():
     """A bar with a short rod on its side, which is a limb at a finer detail than the default."""
     rod = Solid.cylinder(1.3, 0.6, 0.6, 32) + Solid.sphere(0.6, 32).translate((0, 0, 1.3))
