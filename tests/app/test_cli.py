@@ -87,6 +87,7 @@ def test_a_rig_has_as_many_bones_as_asked_for_or_says_why_not(tmp_path, capsys):
     assert "--bones is for a rig, and 'a.swc' holds none: expected" in capsys.readouterr().err
 
 
+@pytest.mark.slow  # the first command of .ci/run is the demo
 def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys, monkeypatch):
     """With a coarser hand than a reader has."""
     monkeypatch.setattr("msf_jax.shapes.hand", partial(shapes.hand, 0.1))

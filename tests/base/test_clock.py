@@ -228,7 +228,7 @@ def a_second_each(monkeypatch):
 
 def test_max_seconds_ends_a_run_with_the_curve_so_far(mesh, a_second_each, tmp_path):
     whole, path = loop.contract(mesh, config=SLOW), tmp_path / "run.npz"
-    short = Config(max_iterations=7, max_seconds=2.5, solver=SolverOptions(step_tolerance=0.1))
+    short = SLOW.replace(max_seconds=2.5)
     run = loop.contract(mesh, config=short, checkpoint=path)
     report = run.skeleton.report
     assert run.history == whole.history[:3]

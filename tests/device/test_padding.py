@@ -127,6 +127,7 @@ def cache_size():
     return iteration.jitted_move._cache_size()
 
 
+@pytest.mark.slow
 def test_a_layout_is_compiled_once():
     """Another surface, other weights: the same program. Another layout: one more."""
     config = Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50))

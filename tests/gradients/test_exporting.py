@@ -48,6 +48,7 @@ def test_an_exported_program_is_read_back_with_its_gradient(tube):
     np.testing.assert_allclose(slope(read.call), slope(program), rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_an_iteration_is_lowered_for_every_platform():
     """Both solves, and their derivative."""
     case = build(*pebble(3, 60), layout=one_level(128, 16))

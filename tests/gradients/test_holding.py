@@ -43,6 +43,7 @@ def tracked(name):
     return np.array(mesh.vertices), np.array(mesh.faces), skeleton, Tracker(skeleton)
 
 
+@pytest.mark.slow  # a limb that has grown is below
 @pytest.mark.parametrize("gap", [0.1, 0.3, 0.5])
 def test_a_part_in_another_is_seen(gap):
     vertices, _, _, tracker = tracked("capsules")

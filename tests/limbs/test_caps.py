@@ -226,6 +226,7 @@ def test_a_part_with_a_handle_beside_it_changes_no_blunt_end():
     assert skeleton.num_leaves == skeleton.prune().num_leaves == 6 and skeleton.report.loops == 1
 
 
+@pytest.mark.slow  # a part below a slenderness of 1 is rare
 def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
     """`Caps.limbs`: it sticks out by less than its radius, and the head that ends there is slender with its ears."""
     head = manifold3d.Manifold.cylinder(1.6, 0.5, 0.5, 48) + manifold3d.Manifold.sphere(0.5, 48).translate((0, 0, 1.6))

@@ -1,6 +1,6 @@
 """Beams from solids of bars: members, lengths, sections against closed forms; a small beam solver; files."""
 
-from itertools import product
+from itertools import combinations, product
 
 import manifold3d
 import numpy as np
@@ -108,6 +108,13 @@ def bars(points: np.ndarray, members: np.ndarray, radius: float) -> trimesh.Trim
     solids = [manifold3d.Manifold(manifold3d.Mesh64(part.vertices, part.faces.astype(np.uint64))) for part in parts]
     found = manifold3d.Manifold.batch_boolean(solids, manifold3d.OpType.Add).to_mesh64()
     return trimesh.Trimesh(found.vert_properties[:, :3], found.tri_verts.astype(np.int64), process=False)
+
+
+def cube() -> tuple[np.ndarray, np.ndarray]:
+    corners = np.array(list(product((0.0, 4.0), repeat=3)))
+    return corners, np.array(
+        [pair for pair in combinations(range(8), 2) if (corners[pair[0]] != corners[pair[1]]).sum() == 1]
+    )
 
 
 def portal() -> tuple[np.ndarray, np.ndarray]:

@@ -56,6 +56,7 @@ def test_a_slid_threshold_takes_spurs_first_and_limbs_later(whole):
     assert len(skeleton.prune(0).vertices) == len(skeleton.vertices)
 
 
+@pytest.mark.slow  # afterwards is above
 def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
     """And the report counts them."""
     mesh, skeleton = whole
