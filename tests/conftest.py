@@ -6,13 +6,14 @@ import shutil
 import signal
 import sys
 import tempfile
+from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
 # Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, two
 # thirds of the rest with its older emitters, and a fifth of what is left where no program is divided among threads.
 # jaxlib 0.10 knows the last two flags; later ones may refuse them. Tests that compare bits, in test_determinism, are
-# compiled as a user's programs are, and so are those of the smoke.
+# compiled as a user's programs are, and so is the README's example in the smoke.
 os.environ.setdefault(
     "XLA_FLAGS",
     "--xla_backend_optimization_level=0"
@@ -68,11 +69,27 @@ def pytest_configure(config: pytest.Config) -> None:
 MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shared" / "meshes"))
 
 
-@pytest.fixture(scope="module")
-def few_rows():
-    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each."""
+@contextmanager
+def fewer_rows():
+    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each. A
+    program has a part for each slot of a row, too, and the last level has fewer."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(layout, "SMALLEST_CAPACITY", 256)
+        patch.setattr(layout, "RAGGED_TAIL", 8)
+        yield
+
+
+@pytest.fixture(scope="module")
+def few_rows():
+    """For all tests of a file, and runs that they share."""
+    with fewer_rows():
+        yield
+
+
+@pytest.fixture
+def few_rows_once():
+    """For one test."""
+    with fewer_rows():
         yield
 
 

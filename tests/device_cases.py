@@ -10,7 +10,7 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import ConvexHull
 
-from msf_jax.base.layout import Layout, Level, fits, layout_for, staircase
+from msf_jax.base.layout import Layout, Level, fits, layout_for
 from msf_jax.base.options import Solver
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
@@ -68,9 +68,12 @@ def build(vertices, faces, *, is_fixed=None, poles=None, has_pole=None, layout=N
 
 
 def small_layout(count: int, rows_beyond: list[int]) -> Layout:
-    """A staircase with fewer padded rows than the flow's smallest: a program takes time for each row."""
-    layouts = [staircase(capacity, len(rows_beyond)) for capacity in (256, 512)]
-    return next((each for each in layouts if fits(each, count, rows_beyond)), layout_for(count, rows_beyond))
+    """A staircase with fewer rows than the flow's smallest, and fewer slots: a program takes time for each."""
+    for rows in (256, 512):
+        layout = Layout(rows, (Level(6, rows, 0), Level(2, rows // 2, 6 * rows), Level(2, rows // 8, 7 * rows)))
+        if fits(layout, count, rows_beyond):
+            return layout
+    return layout_for(count, rows_beyond)
 
 
 def one_level(capacity: int, slots: int) -> Layout:

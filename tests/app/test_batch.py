@@ -26,7 +26,7 @@ from msf_jax.app import manifest
 from msf_jax.app.cli import main
 from msf_jax.base.clock import counted
 
-NUM, BROKEN = 6, 2
+NUM, BROKEN = 5, 2
 WORK = batch.work
 
 
@@ -149,11 +149,13 @@ def test_a_cluster_gives_the_same_table(folder, in_processes, tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its own, on closing
         with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
-            there = batch.run(paths_in(folder), tmp_path / "there", scheduler=cluster.scheduler_address)
-    assert there.num_done == NUM + BROKEN
-    assert table(there.manifest) == table(here.manifest)
+            asked = [path for path in paths_in(folder) if path.stem in ("0", "3", "open")]
+            there = batch.run(asked, tmp_path / "there", scheduler=cluster.scheduler_address)
+    assert there.num_done == 3
+    expected = [row for row in table(here.manifest) if Path(row["path"]).stem in ("0", "3", "open")]
+    assert table(there.manifest) == expected
     for row in here.rows:
-        if row["output"]:
+        if row["output"] and Path(row["path"]).stem in ("0", "3"):
             other = tmp_path / "there" / Path(row["output"]).relative_to(out)
             assert other.read_bytes() == Path(row["output"]).read_bytes()
 
@@ -207,10 +209,10 @@ def test_killed_half_way_it_does_the_rest(folder, here, tmp_path):
 
 @pytest.mark.system
 def test_workers_are_replaced(folder, tmp_path, monkeypatch):
-    """After every second mesh, and none is lost."""
-    monkeypatch.setattr(batch, "TASKS", 2)
-    done = batch.run(paths_in(folder)[:3], tmp_path, jobs=1)
-    assert len(done.rows) == done.num_done == 3
+    """After every mesh, and none is lost."""
+    monkeypatch.setattr(batch, "TASKS", 1)
+    done = batch.run([folder / "0.off", folder / "broken.off"], tmp_path, jobs=1)
+    assert len(done.rows) == done.num_done == 2
 
 
 def dying(job):
@@ -223,9 +225,9 @@ def dying(job):
 @pytest.mark.system
 def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch):
     monkeypatch.setattr(batch, "work", dying)
-    done = batch.run([folder / "0.off", folder / "2.off", folder / "4.off"], tmp_path, jobs=2)
+    done = batch.run([folder / "0.off", folder / "2.off"], tmp_path, jobs=2)
     errors = {Path(row["path"]).name: row["error"] for row in done.rows}
-    assert errors == {"0.off": "", "2.off": batch.DIED, "4.off": ""}
+    assert errors == {"0.off": "", "2.off": batch.DIED}
 
 
 @pytest.mark.slow  # of what the command passes on and prints; processes are above

@@ -12,11 +12,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
-from conftest import blob
 from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
-from msf_jax import ConfigError, shapes
+from msf_jax import ConfigError, ground_truth, shapes
 from msf_jax.app import shaping
 from msf_jax.app.cli import _parser, main
 from msf_jax.app.parser import parsed
@@ -59,14 +58,14 @@ def own_cache(tmp_path_factory, monkeypatch):
 
 
 @pytest.fixture
-def ball(tmp_path):
-    path = tmp_path / "ball.off"
-    blob(4, 2).export(path)
+def limb(tmp_path):
+    path = tmp_path / "limb.off"
+    ground_truth.make("straight_coarse").mesh.export(path)
     return path
 
 
-def test_a_mesh_in_a_curve_and_a_picture_out(ball, tmp_path, capsys):
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.png")]) == 0
+def test_a_mesh_in_a_curve_and_a_picture_out(limb, tmp_path, capsys):
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.png")]) == 0
     out = capsys.readouterr().out
     assert "converged" in out
     assert "0 cycles for genus 0" in out
@@ -88,6 +87,7 @@ def test_a_rig_has_as_many_bones_as_asked_for_or_says_why_not(tmp_path, capsys):
     assert "--bones is for a rig, and 'a.swc' holds none: expected" in capsys.readouterr().err
 
 
+@pytest.mark.slow  # the first command of .ci/run is the demo
 def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys, monkeypatch):
     """With a coarser hand than a reader has."""
     monkeypatch.setattr("msf_jax.shapes.hand", partial(shapes.hand, 0.1))
@@ -143,57 +143,64 @@ def test_bad_input_is_one_clear_line_and_exit_2(name, tmp_path, capsys):
         (["--max-iterations", "0"], "max_iterations"),
     ],
 )
-def test_bad_options_are_one_clear_line_and_exit_2(options, message, ball, tmp_path, capsys):
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "out.swc"), *options]) == 2
+def test_bad_options_are_one_clear_line_and_exit_2(options, message, limb, tmp_path, capsys):
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "out.swc"), *options]) == 2
     err = capsys.readouterr().err
     assert message in err
     assert err.count("\n") == 1
 
 
 @pytest.mark.parametrize(("out", "message"), [("out.xyz", "no format"), ("nowhere/out.swc", "no folder")])
-def test_a_bad_target_is_found_before_the_flow(out, message, ball, tmp_path, capsys):
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / out)]) == 2
+def test_a_bad_target_is_found_before_the_flow(out, message, limb, tmp_path, capsys):
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / out)]) == 2
     assert message in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("option", ["-o", "--picture", "--checkpoint"])
-def test_a_link_to_nowhere_is_found_before_the_flow(option, ball, tmp_path, capsys, monkeypatch):
+def test_a_link_to_nowhere_is_found_before_the_flow(option, limb, tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("msf_jax.flow.skeletonize.skeletonize", pytest.fail)
     (tmp_path / "link.swc").symlink_to(tmp_path / "nowhere" / "out.swc")
     (tmp_path / "link.png").symlink_to(tmp_path / "nowhere" / "out.png")
     link = tmp_path / ("link.png" if option == "--picture" else "link.swc")
     assert (
         main(
-            ["skeletonize", str(ball), *([] if option == "-o" else ["-o", str(tmp_path / "a.swc")]), option, str(link)]
+            ["skeletonize", str(limb), *([] if option == "-o" else ["-o", str(tmp_path / "a.swc")]), option, str(link)]
         )
         == 2
     )
     assert f"no folder '{tmp_path / 'nowhere'}'" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["ball\ud800.off", "\udcff.off"])
-def test_a_name_that_is_no_text_is_one_clear_line(name, ball, tmp_path, capsys):
+@pytest.mark.parametrize("name", ["limb\ud800.off", "\udcff.off"])
+def test_a_name_that_is_no_text_is_one_clear_line(name, limb, tmp_path, capsys):
     assert main(["skeletonize", str(tmp_path / name), "-o", str(tmp_path / "a.swc")]) == 2
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "\ud800.swc")]) == 2
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--units", "\ud800"]) == 2
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "\ud800.swc")]) == 2
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "a.swc"), "--units", "\ud800"]) == 2
     assert capsys.readouterr().err.count("\n") == 3
 
 
 @pytest.mark.system
-def test_bytes_that_the_locale_has_no_letters_for(ball, tmp_path):
+def test_bytes_that_the_locale_has_no_letters_for(limb, tmp_path):
     """A mesh and a page with a byte in their names that is no UTF-8, and a unit, with and without UTF-8."""
     command = [os.fsencode(sys.executable), b"-m", b"msf_jax"]
     folder = os.fsencode(tmp_path)
     mesh = folder + b"/\xff.off"
-    os.rename(ball, mesh)
+    os.rename(limb, mesh)
     for locale in ({"PYTHONUTF8": "1"}, {"PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "LC_ALL": "C"}):
         given = {"check": True, "capture_output": True, "env": os.environ | locale}
         asked = [mesh, b"--max-iterations", b"1", b"-o"]  # whatever the curve
         if "LC_ALL" in locale:
-            subprocess.run([*command, b"skeletonize", *asked, folder + b"/a.swc", "--units", "µm".encode()], **given)
-            assert "# units: µm" in (tmp_path / "a.swc").read_text("utf-8")
-        done = subprocess.run([*command, b"view", *asked, folder + b"/\xff.html"], **given)
-        assert b"udcff" in done.stdout and os.path.exists(folder + b"/\xff.html")
+            out, words = (
+                folder + b"/\xff.swc",
+                [b"skeletonize", *asked, folder + b"/\xff.swc", b"--units", "µm".encode()],
+            )
+        else:
+            out = folder + b"/\xff.html"
+            words = [b"view", *asked, out]
+        done = subprocess.run([*command, *words], **given)
+        assert b"udcff" in done.stdout and os.path.exists(out)
+    with open(folder + b"/\xff.swc", encoding="utf-8") as file:
+        assert "# units: µm" in file.read()
 
 
 @pytest.mark.system
@@ -254,25 +261,26 @@ def test_alone_it_shows_help_and_all_is_well(capsys):
     assert "first steps" in capsys.readouterr().out
 
 
-def test_a_curve_goes_beside_its_mesh_and_over_nothing_unless_forced(ball, tmp_path, capsys):
+def test_a_curve_goes_beside_its_mesh_and_over_nothing_unless_forced(limb, tmp_path, capsys):
     """Over a file whose name was given, it does; and so it does for a run that goes on from its checkpoint."""
-    curve, checkpoint = tmp_path / "ball.swc", tmp_path / "run.npz"
-    assert main(["skeletonize", str(ball)]) == 0
+    curve, checkpoint = tmp_path / "limb.swc", tmp_path / "run.npz"
+    assert main(["skeletonize", str(limb)]) == 0
     assert f"wrote {curve}" in capsys.readouterr().out
-    for command, there in (("skeletonize", curve), ("view", ball.with_suffix(".html"))):
+    for command, there in (("skeletonize", curve), ("view", limb.with_suffix(".html"))):
         there.write_text("mine")
-        assert main([command, str(ball)]) == 2
+        assert main([command, str(limb)]) == 2
         assert there.read_text() == "mine" and "add --force" in capsys.readouterr().err
-    assert main(["skeletonize", str(ball), "--force", "-q"]) == 0
+    assert main(["skeletonize", str(limb), "--force", "-q"]) == 0
     assert curve.read_text() != "mine"
     checkpoint.write_text("no checkpoint")
-    assert main(["skeletonize", str(ball), "--checkpoint", str(checkpoint)]) == 2
+    assert main(["skeletonize", str(limb), "--checkpoint", str(checkpoint)]) == 2
     assert "is no checkpoint" in capsys.readouterr().err
 
 
 @pytest.fixture(scope="module")
 def evaluated():
-    return msf_jax.skeletonize(blob(4, 2), msf_jax.Weights(), msf_jax.Config(evaluate=True))
+    mesh = ground_truth.make("straight_coarse").mesh
+    return msf_jax.skeletonize(mesh, msf_jax.Weights(), msf_jax.Config(evaluate=True))
 
 
 @pytest.mark.parametrize("suffix", [".swc", ".json", ".npz"])
@@ -311,27 +319,27 @@ def test_nothing_on_standard_error_where_there_is_no_terminal(tmp_path):
         assert "wrote" in done.stdout
 
 
-def test_nothing_is_overwritten_by_its_own_result(ball, tmp_path, capsys):
+def test_nothing_is_overwritten_by_its_own_result(limb, tmp_path, capsys):
     copy = tmp_path / "mine.obj"
-    trimesh.load(ball, process=False).export(copy)
+    trimesh.load(limb, process=False).export(copy)
     before = copy.read_bytes()
     assert main(["skeletonize", str(copy), "-o", str(copy)]) == 2
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.swc")]) == 2
-    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.jpg")]) == 2
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.swc")]) == 2
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.jpg")]) == 2
     assert "given for two files" in capsys.readouterr().err
     assert copy.read_bytes() == before
     assert not (tmp_path / "a.swc").exists()
 
 
-def test_ctrl_c_writes_nothing_and_exits_130(ball, tmp_path, capsys, monkeypatch):
+def test_ctrl_c_writes_nothing_and_exits_130(limb, tmp_path, capsys, monkeypatch):
     def interrupt(*_, **__):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("msf_jax.skeleton.pictures.panels.picture", interrupt)  # after the flow, before the files
     out, picture = tmp_path / "a.swc", tmp_path / "a.png"
-    assert main(["skeletonize", str(ball), "-o", str(out), "--picture", str(picture)]) == 130
+    assert main(["skeletonize", str(limb), "-o", str(out), "--picture", str(picture)]) == 130
     assert "interrupted" in capsys.readouterr().err
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["ball.off"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["limb.off"]
 
 
 def test_a_checkpoint_is_none_of_the_other_files_and_goes_in_the_end(tmp_path, capsys):

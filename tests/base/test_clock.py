@@ -167,6 +167,7 @@ def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypat
 
 
 @pytest.mark.slow  # that there is a curve so far is in other tests
+@pytest.mark.usefixtures("few_rows_once")
 def test_the_curve_so_far_is_that_of_a_thinner_surface(mesh, endless, monkeypatch):
     """The surface after one iteration has too many edges for the loop in Python that extracts the curve."""
     step, extract, given = loop.step, curves.extraction.extract_curve, []
@@ -227,7 +228,7 @@ def a_second_each(monkeypatch):
 
 def test_max_seconds_ends_a_run_with_the_curve_so_far(mesh, a_second_each, tmp_path):
     whole, path = loop.contract(mesh, config=SLOW), tmp_path / "run.npz"
-    short = Config(max_iterations=7, max_seconds=2.5, solver=SolverOptions(step_tolerance=0.1))
+    short = SLOW.replace(max_seconds=2.5)
     run = loop.contract(mesh, config=short, checkpoint=path)
     report = run.skeleton.report
     assert run.history == whole.history[:3]
@@ -360,6 +361,7 @@ def test_areas_are_made_beside_the_flow_and_not_after_it(mesh, monkeypatch):
     assert len(seen) == 1 and seen[0] is not threading.current_thread()
 
 
+@pytest.mark.slow  # rare
 def test_another_thread_than_the_main_one_computes_all_itself(mesh, monkeypatch, ctrl_c):
     """There, no Ctrl-C arrives. On the main one, the same stage is on a thread of its own, with the same bits."""
     scales, seen, found = starting.thickness.scales, [], []

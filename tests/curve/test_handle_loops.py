@@ -208,6 +208,7 @@ def plate():
     return (mesh := shapes.plate(2)), msf_jax.skeletonize(mesh)
 
 
+@pytest.mark.slow  # ranks and their proofs have many tests above
 def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypatch):
     """A limit on linking numbers just below, and far below, what the curve of a plate needs."""
     mesh, skeleton = plate
@@ -254,6 +255,7 @@ def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(m
     assert cycle_count(len(x), e) == (1, 4) and counts(handle_loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
+@pytest.mark.slow  # as rare
 def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
     """Of a curve without loops in a plate with two holes, before the first path is tried."""
     mesh, skeleton = plate

@@ -38,14 +38,14 @@ solve = quick_jit(cg.solve, static_argnames="solver")  # operation by operation,
 
 @pytest.fixture(scope="module")
 def case() -> Case:
-    return case_with_everything(layout=one_level(128, 16))
+    return case_with_everything(layout=one_level(128, 8))
 
 
 @pytest.fixture(scope="module")
 def free_case() -> Case:
     """Nothing fixed, every vertex with a pole."""
-    vertices, faces = pebble(7, 150)
-    return build(vertices, faces, poles=0.2 * vertices)
+    vertices, faces = pebble(7, 120)
+    return build(vertices, faces, poles=0.2 * vertices, layout=one_level(128, 8))
 
 
 def contracted(case, w_L=W_L, w_H=W_H, w_M=W_M, **options):
@@ -162,7 +162,8 @@ def test_the_diagonal_is_that_of_the_operator():
     buffers, rows = chain()
     weights = contracting(jnp.array([1.0, 0.7, 1.3]), 0.2 * jnp.ones(3), 0.5 * jnp.ones(3))
     operator, _ = normal_equations(buffers, rows, weights, one_level(3, 2))
-    np.testing.assert_allclose(operator.diagonal(), np.diag(operator(jnp.eye(3))), rtol=1e-14)
+    said = quick_jit(lambda operator: (operator.diagonal(), operator(jnp.eye(3))))(operator)
+    np.testing.assert_allclose(said[0], np.diag(said[1]), rtol=1e-14)
 
 
 def test_fixing_everything_holds_everything(case):
@@ -244,14 +245,14 @@ def test_no_solve_of_what_is_not_positive_definite_is_solved(entries, smallest):
     assert bool(solve(operator, 0.0 * b, solver, smallest)[1].is_solved)  # nothing solves that
 
 
-@pytest.mark.parametrize("size", [0.0, 0.9])
+@pytest.mark.parametrize("size", [0.9])
 def test_what_is_left_and_reported_is_relative_to_the_given_right_hand_side(size):
     """``left`` takes much of b away. The residual, and the tolerance, still are those of b."""
     random = np.random.default_rng(5)
     operator = Diagonal(jnp.asarray(random.uniform(1, 100, 60)))
     b = random.normal(size=(60, 3))
     left = size * b / np.linalg.norm(b)
-    for tolerance in (0.5 * (1 - size), 1e-3, 1e-12):
+    for tolerance in (1e-3, 1e-12):
         x, report = solve(operator, jnp.asarray(b), Solver(tolerance, 500), 0.0, jnp.asarray(left))
         found = b - np.linalg.norm(b) * left - np.asarray(operator(x))
         assert bool(report.is_solved) and float(report.residual) <= tolerance
@@ -278,7 +279,7 @@ def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
     assert float(report.residual) > 6e-3 and not bool(report.is_solved)
 
 
-@pytest.mark.parametrize("where", ["device", "host"])
+@pytest.mark.parametrize("where", ["device", pytest.param("host", marks=pytest.mark.slow)])
 def test_a_solve_knows_how_far_it_is_from_its_solution(where):
     """A short step is no solution: many follow it. Only the bound says that it is one.
 
@@ -329,6 +330,7 @@ def test_an_error_where_the_operator_is_small_is_within_the_bound(solver):
     assert float(report.error) <= float(report.bound)
 
 
+@pytest.mark.slow  # a solve that float32 cannot do is above
 def test_rounding_is_in_what_a_solve_says():
     """In float32, with conditions from 6,000 to 160,000. A derivative that loses more than half of the digits is NaN;
     this one has the same equations as the solve itself."""
@@ -539,22 +541,6 @@ def small() -> Case:
     return build(vertices, faces, is_fixed=is_fixed, poles=0.1 * vertices, layout=one_level(8, 8))
 
 
-@pytest.mark.slow  # first ones have many tests
-def test_second_derivatives(small):
-    """Of a scalar in the three weights, by central differences of its gradient; symmetric."""
-
-    def value(weights):
-        new, _ = plain_contract(small.buffers, *weights, small.layout)
-        return (jnp.sin(jnp.arange(new.size)).reshape(new.shape) * new).sum()
-
-    at = np.array([W_L, W_H, W_M])
-    slope = jax.jit(jax.grad(value))
-    measured = np.array(
-        [[central_difference(lambda w, k=k: slope(w)[k], at, row) for row in np.eye(3)] for k in range(3)]
-    )
-    np.testing.assert_allclose(jax.jit(jax.hessian(value))(at), measured, rtol=1e-6, atol=1e-7 * np.abs(measured).max())
-
-
 @pytest.mark.slow  # each is compared with differences
 def test_jvp_and_vjp_are_transposes(case):
     random = np.random.default_rng(30)
@@ -576,30 +562,7 @@ def test_jvp_and_vjp_are_transposes(case):
     np.testing.assert_allclose(case.to_vertices(value), contracted(case), atol=1e-12)
 
 
-@pytest.mark.slow  # so do the products with them
-def test_jacobians_by_columns_and_by_rows_agree(small):
-    def new(weights):
-        return plain_contract(small.buffers, *weights, small.layout)[0]
-
-    weights = jnp.array([W_L, W_H, W_M])
-    by_columns, by_rows = quick_jit(lambda w: (jax.jacfwd(new)(w), jax.jacrev(new)(w)))(weights)
-    assert by_columns.shape == (8, 3, 3)
-    np.testing.assert_allclose(by_columns, by_rows, atol=1e-10)
-    for k in range(3):
-        step = 1e-4 * np.eye(3)[k]
-        slope = (expected(small, *(weights + step)) - expected(small, *(weights - step))) / 2e-4
-        np.testing.assert_allclose(small.to_vertices(by_rows[:, :, k]), slope, atol=1e-6)
-
-
-@pytest.mark.slow  # a batch of curves is in test_stack
-def test_vmap_over_weights_is_one_solve_each(case):
-    weights = jnp.array([[1.0, 0.1, 0.4], [0.3, 0.3, 0.0], [2.0, 0.05, 0.2]])
-    many, report = quick_jit(jax.vmap(lambda w: plain_contract(case.buffers, *w, case.layout)))(weights)
-    assert report.steps.shape == report.residual.shape == (3,)
-    for w, new in zip(weights, many, strict=True):
-        np.testing.assert_allclose(case.to_vertices(new), expected(case, *w), atol=1e-8)
-
-
+@pytest.mark.slow  # that a short step ends a solve is in test_a_solve_knows_how_far_it_is_from_its_solution
 def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     """Earlier than the tolerance would; the report says so, and the solution is off by little of that length."""
     case = build(*pebble(1))
@@ -620,14 +583,11 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     "kind", [kind if kind == "mean_value" else pytest.param(kind, marks=pytest.mark.slow) for kind in LAPLACIANS]
 )
 def test_an_iteration_works_in_the_strict_modes_of_jax(small, kind):
-    """Also with a loose solve, in float32, and with w_H that follows areas."""
-    for tolerance, follows in ((1e-8, False), (3e-3, True)):
-        settings = StepSettings(kind, Solver(tolerance, 10), 0.0, follows)
-        with strict():
-            slope = jax.grad(
-                lambda w_H, s=settings: iteration.move(small.buffers, Weights(1.0, w_H), s, small.layout)[0].sum()
-            )
-            jax.eval_shape(slope, 0.1)
+    """With a loose solve, in float32, and with w_H that follows areas."""
+    settings = StepSettings(kind, Solver(3e-3, 10), 0.0, True)
+    with strict():
+        slope = jax.grad(lambda w_H: iteration.move(small.buffers, Weights(1.0, w_H), settings, small.layout)[0].sum())
+        jax.eval_shape(slope, 0.1)
 
 
 def test_there_is_a_preconditioner_for_every_name():

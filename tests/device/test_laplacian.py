@@ -309,14 +309,12 @@ def value_and_slope():
     return call
 
 
-@pytest.mark.parametrize("dtype", [np.float64, pytest.param(np.float32, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("name", DEGENERATE)
 @pytest.mark.parametrize("kind", LAPLACIANS)
-def test_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope, kind, name, dtype):
+def test_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope, kind, name):
     vertices, faces = degenerate_positions(name)
-    case = build(vertices, faces, dtype=dtype)
+    case = build(vertices, faces)
     rows, slope = value_and_slope(case, kind, case.buffers.positions)
-    assert rows.out.dtype == rows.into.dtype == slope.dtype == dtype
     assert np.isfinite(rows.out).all()
     assert np.isfinite(rows.into).all()
     assert np.isfinite(slope).all()
@@ -335,6 +333,7 @@ def test_nearly_degenerate_triangles_have_finite_weights_and_gradients(value_and
         for distance in 10.0 ** -np.arange(1, 24, 2):
             positions = case.to_rows(end + distance * (start - end)).astype(dtype)
             rows, slope = value_and_slope(case, kind, positions)
+            assert rows.out.dtype == rows.into.dtype == slope.dtype == dtype
             assert np.isfinite(rows.out).all(), (name, distance)
             assert np.isfinite(rows.into).all(), (name, distance)
             assert np.isfinite(slope).all(), (name, distance)

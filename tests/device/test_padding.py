@@ -6,7 +6,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from conftest import blob
 from device_cases import (
     MANY,
     TIGHT,
@@ -14,7 +13,6 @@ from device_cases import (
     build,
     case_with_everything,
     one_level,
-    pebble,
     quick_jit,
 )
 
@@ -79,6 +77,7 @@ def own():
     return case, outcome(case)
 
 
+@pytest.mark.slow  # that padding does not show in an assembly is in test_laplacian, in a loss in test_losses
 def test_gradients_reach_what_they_should(own):
     """What the other tests compare is not zero: the step moves, and has slopes in all weights, positions and poles."""
     case, (new, weights, positions, poles, area) = own
@@ -88,12 +87,13 @@ def test_gradients_reach_what_they_should(own):
     assert np.asarray(poles).any() and np.asarray(area).any()
 
 
-@pytest.mark.slow  # junk in the rows of padding, which is more, is below
+@pytest.mark.slow
 def test_layout_does_not_show(own):
     elsewhere = case_with_everything(layout=OTHER)
     assert_same(elsewhere, outcome(elsewhere), *own)
 
 
+@pytest.mark.slow
 def test_values_in_padded_rows_do_not_show(own):
     case, expected = own
     random, count = np.random.default_rng(8), len(case.order)
@@ -113,6 +113,7 @@ def test_values_in_padded_rows_do_not_show(own):
     np.testing.assert_array_equal(found[0][count:], buffers.positions[count:])
 
 
+@pytest.mark.slow  # nor that of a whole run, in test_flow
 def test_order_of_the_vertices_does_not_show(own):
     case, expected = own
     order = np.random.default_rng(6).permutation(len(case.vertices))
@@ -126,13 +127,12 @@ def cache_size():
     return iteration.jitted_move._cache_size()
 
 
+@pytest.mark.slow
 def test_a_layout_is_compiled_once():
     """Another surface, other weights: the same program. Another layout: one more."""
     config = Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50))
-    layout = one_level(176, 16)
-    mesh = blob(0, 2)
-    first = build(*pebble(0, 120), layout=layout)
-    second = build(mesh.vertices / np.linalg.norm(mesh.extents), mesh.faces, layout=layout)
+    layout = one_level(8, 6)  # a program has a part for each slot
+    first, second = (build(*bipyramid(num, 0.3, 0.4, 0.3), layout=layout) for num in (5, 6))
     assert len(first.vertices) != len(second.vertices)
 
     def run(case, config, **weights):
@@ -145,6 +145,6 @@ def test_a_layout_is_compiled_once():
     run(second, config, w_L=3.0, w_M=0.2)
     run(first, Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50)), smoothing=0.5)
     assert cache_size() == before + 1
-    small = build(*bipyramid(5, 0.3, 0.4, 0.3), layout=one_level(8, 8))
+    small = build(*bipyramid(5, 0.3, 0.4, 0.3), layout=one_level(16, 6))
     run(small, config)
     assert cache_size() == before + 2

@@ -37,20 +37,17 @@ def test_recentring_brings_a_shifted_contraction_back():
 
 def test_the_system_contracts_to_a_millionth_and_draws_the_curve():
     shape = ground_truth.make("helix_coarse")
-    plain = msf_jax.skeletonize(shape.mesh, config=Config.au2008(check=True))
-    report = plain.report
+    config = Config.au2008(check=True, evaluate=True, curve={"centre": True, "extend_tips": True})
+    done = msf_jax.skeletonize(shape.mesh, config=config)
+    report = done.report
     assert report.converged
     assert report.volume < 1e-6
     assert report.iterations <= 20
     assert report.unsolved == 0
     assert (report.components, report.cycles, report.loops, report.inside) == (1, shape.genus, shape.genus, 1.0)
-    assert len(np.unique(plain.mesh_map)) > 4
-    done = msf_jax.skeletonize(
-        shape.mesh, config=Config.au2008(evaluate=True, curve={"centre": True, "extend_tips": True})
-    )
-    assert done.report.figures["leaves"] == shape.num_leaves
-    assert done.report.figures["off_centre"] < 0.12
-    assert done.report.inside == 1.0
+    assert len(np.unique(done.mesh_map)) > 4
+    assert report.figures["leaves"] == shape.num_leaves
+    assert report.figures["off_centre"] < 0.12
     other = msf_jax.skeletonize(shape.mesh, config=Config.au2008(curve={"surgery": False}))
     assert (other.report.cycles, other.report.loops, other.report.inside) == (shape.genus, shape.genus, 1.0)
 
@@ -65,8 +62,9 @@ def test_a_ring_keeps_its_loop():
 def test_plain_conjugate_gradients_do_not_follow():
     """By the diagonal alone, the same solves take so many steps; by the factor, at most 30 in any iteration."""
     mesh = ground_truth.make("y_coarse").mesh
-    run = msf_jax.contract(mesh, config=Config.au2008())
-    plain = msf_jax.contract(mesh, config=Config.au2008(solver={"preconditioner": "jacobi", "max_steps": 20000}))
+    few = {"max_iterations": 3}  # the weights are large then
+    run = msf_jax.contract(mesh, config=Config.au2008(**few))
+    plain = msf_jax.contract(mesh, config=Config.au2008(**few, solver={"preconditioner": "jacobi", "max_steps": 20000}))
     assert max(line.steps for line in run.history) <= 30
     assert max(line.steps for line in plain.history) > 300
 
@@ -84,6 +82,7 @@ def test_float32_is_not_asked_for_by_the_system():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("few_rows_once")
 def test_a_short_run_is_replayed_with_its_gradient():
     mesh = ground_truth.make("straight_coarse").mesh
     flow = msf_jax.contract(mesh, config=Config.au2008(max_iterations=2, flow={"volume_tolerance": 0.0}))

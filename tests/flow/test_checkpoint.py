@@ -69,9 +69,7 @@ def dying_after(monkeypatch):
     return arrange
 
 
-@pytest.mark.parametrize(
-    "count", [pytest.param(1, marks=pytest.mark.slow), pytest.param(4, marks=pytest.mark.slow), 11]
-)
+@pytest.mark.parametrize("count", [pytest.param(4, marks=pytest.mark.slow), 8])
 def test_a_run_that_died_goes_on_to_the_same_bits(mesh, undisturbed, dying_after, monkeypatch, tmp_path, count):
     """In the first or the second component, before the first write or after."""
     path = tmp_path / "run.npz"
@@ -271,6 +269,7 @@ def moved_away(times):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("few_rows_once")
 def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
     """With a tenth of the contraction, twice; the tape knows, and the report says so."""
     compiled, calls = moved_away(2)

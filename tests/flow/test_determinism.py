@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import ground_truth
@@ -61,7 +62,7 @@ class AtOnce:
 def test_limbs_from_another_thread_are_the_same(monkeypatch):
     """They are looked for while poles and the flow are computed; without pruning and ends nobody looks for them."""
     mesh = ground_truth.make("straight_coarse").mesh
-    found = [msf_jax.skeletonize(mesh)]
+    found = [flow_of("straight_coarse").skeleton]
     pool = AtOnce()
     monkeypatch.setattr(Clock, "begin", lambda _, *asked: pool.submit(*asked))
     found.append(msf_jax.skeletonize(mesh))

@@ -9,8 +9,8 @@ from msf_jax import Config
 
 
 def test_pins_hold_vertices_in_place_and_the_curve_goes_through_them():
-    mesh = torus(minor=0.3, around=40, across=16)
-    pins = [3, 200, 411]
+    mesh = torus(minor=0.3)
+    pins = [3, 100, 205]
     flow = msf_jax.contract(mesh, pins=pins, config=Config(check=True))
     for skeleton in (flow.curve, flow.skeleton):
         for pin in pins:

@@ -1,6 +1,6 @@
 """What holds for every closed mesh, over generated ones: topology, maps, finite numbers, scale and order.
 
-`MSF_JAX_EXAMPLES` meshes are tried, 3 if it is not set.
+`MSF_JAX_EXAMPLES` meshes are tried, 2 if it is not set.
 """
 
 import os
@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import msf_jax
 from msf_jax import Config, ground_truth, shapes
 
-EXAMPLES = int(os.environ.get("MSF_JAX_EXAMPLES", "3"))
+EXAMPLES = int(os.environ.get("MSF_JAX_EXAMPLES", "2"))
 CHECKED = Config(check=True)  # a closed manifold of the same genus after every round of edits, or an error
 
 
@@ -106,9 +106,10 @@ def test_every_closed_mesh_becomes_a_whole_curve(drawn):
         assert np.abs(two.vertices[two.mesh_map] / scale - expected).max() < 1e-9 * diagonal
 
 
+@pytest.mark.slow  # loops of a sound surface are in test_flow, of one that crosses itself in test_hollow
 @pytest.mark.parametrize(
     ("seed", "crossing"),
-    [(1541, False), *(pytest.param(seed, True, marks=pytest.mark.slow) for seed in (3, 136825292))],
+    [(1541, False), (136825292, True)],
 )
 def test_slivers_and_noise_lose_no_handle(seed, crossing):
     """The surface crosses itself here and there, so that linking numbers are wrong until it is smoothed."""

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from device_cases import build, one_level, pebble
 from jax import export
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import Config, Weights, ground_truth
@@ -18,7 +19,7 @@ PLATFORMS = ("cpu", "cuda", "tpu")  # XLA compiles for the last two where such a
 @pytest.fixture(scope="module")
 def tube():
     mesh = ground_truth.make("straight_coarse").mesh
-    return np.array(mesh.vertices), msf_jax.skeletonize(mesh)
+    return np.array(mesh.vertices), flow_of("straight_coarse").skeleton
 
 
 @pytest.mark.slow  # so is an iteration, below
@@ -47,6 +48,7 @@ def test_an_exported_program_is_read_back_with_its_gradient(tube):
     np.testing.assert_allclose(slope(read.call), slope(program), rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_an_iteration_is_lowered_for_every_platform():
     """Both solves, and their derivative."""
     case = build(*pebble(3, 60), layout=one_level(128, 16))

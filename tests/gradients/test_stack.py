@@ -13,6 +13,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
@@ -24,8 +25,7 @@ NAMES = ("straight_coarse", "y_coarse")
 @pytest.fixture(scope="module")
 def curves():
     """A tube and three limbs, 128 and 948 vertices: positions and curve of each."""
-    made = [ground_truth.make(name).mesh for name in NAMES]
-    return [(np.array(mesh.vertices), msf_jax.skeletonize(mesh)) for mesh in made]
+    return [(np.array(ground_truth.make(name).mesh.vertices), flow_of(name).skeleton) for name in NAMES]
 
 
 @pytest.fixture(scope="module")
@@ -38,11 +38,15 @@ def moved(vertices, amount=0.05):
     return vertices + amount * np.sin(2 * np.asarray(vertices)[..., [1, 2, 0]] + 0.3)
 
 
-def weighed(binding, vertices):
+def weight_of(found):
     """A number that all nodes and radii have a part in, each another one."""
-    nodes, radii = msf_jax.follow(binding, vertices)
+    nodes, radii = found
     factor = jnp.cos(jnp.arange(len(radii), dtype=nodes.dtype))
     return (factor[:, None] * nodes * jnp.array([1.0, 0.7, -0.4], nodes.dtype)).sum() + (factor * radii**2).sum()
+
+
+def weighed(binding, vertices):
+    return weight_of(msf_jax.follow(binding, vertices))
 
 
 every_follow = jax.jit(jax.vmap(msf_jax.follow))
@@ -81,15 +85,6 @@ def test_every_curve_of_a_batch_is_what_it_is_alone(curves, batch):
     assert not np.asarray(by_vertex)[~np.asarray(batch.vertex_mask)].any()
 
 
-@pytest.mark.slow  # so is each alone, above
-def test_one_after_the_other_is_the_same(batch):
-    """`jax.lax.map`, which is faster on a CPU, with gradients."""
-    everywhere = jnp.asarray(moved(batch.vertices))
-    in_turn = jax.jit(lambda *batch: jax.lax.map(lambda pair: jax.value_and_grad(weighed, argnums=1)(*pair), batch))
-    for one, other in zip(in_turn(batch.bindings, everywhere), slopes(batch.bindings, everywhere), strict=True):
-        np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-12)
-
-
 BITS = """
 import sys, pickle, hashlib
 import jax, numpy as np
@@ -101,7 +96,14 @@ import test_stack as cases
 curves = pickle.load(open(sys.argv[1], "rb"))
 batch = msf_jax.stack([skeleton for _, skeleton in curves])
 everywhere = jax.numpy.asarray(cases.moved(batch.vertices))
-found, (values, by_vertex) = cases.every_follow(batch.bindings, everywhere), cases.slopes(batch.bindings, everywhere)
+
+def weighed(binding, vertices):
+    found = msf_jax.follow(binding, vertices)
+    return cases.weight_of(found), found
+
+slope = jax.value_and_grad(weighed, argnums=1, has_aux=True)
+(_, found), by_vertex = jax.jit(jax.vmap(slope))(batch.bindings, everywhere)
+slope = jax.jit(slope)
 for k, (vertices, skeleton) in enumerate(curves):
     own = unpadded(skeleton.binding)
     twice = own.live._replace(**{name: 2 * capacity for name, capacity in skeleton.binding.capacity._asdict().items()})
@@ -109,7 +111,7 @@ for k, (vertices, skeleton) in enumerate(curves):
     for binding in (skeleton.binding, padded(own, twice)):
         rows = np.zeros((binding.num_vertices, 3))
         rows[:num] = everywhere[k, :num]
-        alone, by_own = jax.jit(msf_jax.follow)(binding, rows), cases.slope(binding, rows)[1]
+        (_, alone), by_own = slope(binding, rows)
         for one, other in ((found.nodes, alone.nodes), (found.radii, alone.radii)):
             np.testing.assert_array_equal(np.asarray(one)[k, :nodes], np.asarray(other)[:nodes])
         np.testing.assert_array_equal(np.asarray(by_vertex)[k, :num], np.asarray(by_own)[:num])
@@ -151,7 +153,7 @@ def test_gradients_in_a_batch_are_those_of_central_differences(batch):
     np.testing.assert_array_less(np.abs((ahead - behind) / (2 * step) - expected), 1e-3 * size)
 
 
-@pytest.mark.slow  # first derivatives have the tests around it
+@pytest.mark.slow  # first derivatives have the tests around it; of replays: in test_second_derivatives
 def test_grad_of_vmap_is_vmap_of_grad_and_slopes_have_slopes(batch):
     """Second derivatives of nodes against differences of first ones, along one direction. Radii have kinks there."""
     vertices = jnp.asarray(moved(batch.vertices))
@@ -377,6 +379,7 @@ def test_equinox_writes_and_reads_it(batch, tmp_path):
         np.testing.assert_array_equal(one, other)
 
 
+@pytest.mark.slow  # of a single curve: in test_follow
 def test_a_mesh_whose_section_vanished_spoils_no_other(curves, batch):
     """It is NaN, and so are its losses; the gradient of what is left out is zero."""
     vertices = np.array(batch.vertices)

@@ -8,6 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth, losses
@@ -16,7 +17,7 @@ from msf_jax import ConfigError, MeshError, ground_truth, losses
 @pytest.fixture(scope="module")
 def tube():
     mesh = ground_truth.make("straight_coarse").mesh
-    return msf_jax.skeletonize(mesh), np.array(mesh.vertices)
+    return flow_of("straight_coarse").skeleton, np.array(mesh.vertices)
 
 
 @pytest.fixture(scope="module")

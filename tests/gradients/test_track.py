@@ -5,6 +5,7 @@ import csv
 import numpy as np
 import pytest
 import trimesh
+from run_cases import flow_of
 from scipy.spatial.transform import Rotation
 
 import msf_jax
@@ -17,7 +18,7 @@ from msf_jax.gradients import track as tracking
 def tube():
     """A short straight tube, and its curve."""
     mesh = ground_truth.make("straight_coarse").mesh
-    return np.array(mesh.vertices), np.array(mesh.faces), msf_jax.skeletonize(mesh)
+    return np.array(mesh.vertices), np.array(mesh.faces), flow_of("straight_coarse").skeleton
 
 
 def num_compiled() -> int:

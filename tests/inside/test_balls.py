@@ -40,6 +40,7 @@ def test_balls_of_a_sphere_and_of_a_tube_have_its_radius():
 
 
 @pytest.mark.slow  # Voronoi poles do in test_replay
+@pytest.mark.usefixtures("few_rows_once")
 def test_balls_replay_to_the_run():
     run = msf_jax.contract(
         blob(3, 2), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(poles="balls"))

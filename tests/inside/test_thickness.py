@@ -47,7 +47,7 @@ def test_edges_of_a_thin_limb_outlive_a_length_that_others_do_not():
 
 @pytest.mark.parametrize("radius", [pytest.param(0.004, marks=pytest.mark.slow), 0.001])
 def test_a_wire_keeps_its_length(radius):
-    vertices, faces, axis = coil(radius, 1.2 if radius > 0.002 else 0.5, 8)
+    vertices, faces, axis = coil(radius, 1.2 if radius > 0.002 else 0.3, 8)
     extent = np.linalg.norm(np.ptp(vertices, axis=0))
     skeleton = msf_jax.skeletonize((vertices, faces))
     report = skeleton.report

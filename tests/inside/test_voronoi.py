@@ -155,7 +155,7 @@ def test_the_poles_of_a_torus_are_on_its_core():
     assert np.median(from_core) < 0.01 and np.quantile(from_core, 0.99) < 0.05
 
 
-@pytest.mark.parametrize("size", [(24, 12), (96, 32)])
+@pytest.mark.parametrize("size", [(24, 12), pytest.param((96, 32), marks=pytest.mark.slow)])
 def test_the_ball_of_a_pole_is_empty_on_a_mesh_of_symmetric_quads(size):
     """The corners of each quad of a torus grid are cocircular: flat Delaunay tetrahedra must not make poles."""
     mesh = torus(1.0, 0.35, *size)

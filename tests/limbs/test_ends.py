@@ -120,9 +120,9 @@ LONG = {
 @pytest.mark.parametrize(
     ("name", "edge"),
     [
-        *((name, None) for name in LONG),
-        *((name, 0.4) for name in ("short cylinder", "I-beam", "slab")),
-        *(pytest.param(name, 0.4, marks=pytest.mark.slow) for name in ("bar", "short bar", "beam", "cylinder")),
+        *((name, None) for name in ("bar", "beam", "short cylinder", "I-beam", "slab")),
+        *((name, 0.4) for name in ("short cylinder", "slab")),
+        *(pytest.param(name, 0.4, marks=pytest.mark.slow) for name in ("short bar", "cylinder", "I-beam")),
     ],
 )
 def test_an_end_is_on_the_axis_and_0_3_radii_before_the_surface(name, edge):
@@ -141,9 +141,8 @@ def test_an_end_is_on_the_axis_and_0_3_radii_before_the_surface(name, edge):
 TURN = Rotation.random(random_state=3)
 
 
-@pytest.mark.parametrize("name", ["frustum", pytest.param("I-beam", marks=pytest.mark.slow)])
-def test_ends_turn_and_are_mirrored_with_the_solid(name):
-    shape = as_shape(round_bar(6, 1.0, 0.5) if name == "frustum" else LONG[name][0], 0.4)
+def test_ends_turn_and_are_mirrored_with_the_solid():
+    shape = as_shape(round_bar(6, 1.0, 0.5), 0.4)
     x, faces, found = shape.vertices, shape.faces, ends_of(shape)
     turned = ends_of(Enclosure(7.0 * TURN.apply(x), faces))
     np.testing.assert_allclose(np.array(sorted(TURN.inv().apply(turned) / 7.0, key=tuple)), found, atol=0.02)
@@ -155,7 +154,7 @@ def test_ends_turn_and_are_mirrored_with_the_solid(name):
 def test_a_limb_that_narrows_ends_on_its_axis(name):
     """`WIDEST`, `LEAST`: no ball fills the end of a cone, which is a point, and its curve goes near it, not to it."""
     low, high = 1.0, 0.5 if name == "frustum" else 0.0
-    for edge in (None, 0.4):
+    for edge in (None, 0.6):
         found = ends_of(as_shape(round_bar(6, low, high), edge))
         assert len(found) == 2 and np.abs(found[:, 1:]).max() < 0.03
         gap = 3.0 - np.abs(found[:, 0])
@@ -177,7 +176,7 @@ def test_a_cube_a_ball_and_a_square_plate_are_halved_by_their_shortest_line(soli
         assert ends.zero_line(shape.vertices, shape.faces, each + 1e-9) > 0.98 * across
 
 
-@pytest.mark.parametrize(("size", "gap"), [pytest.param((2, 2, 2), 0.3, marks=pytest.mark.slow), ((3, 3, 0.5), 0.075)])
+@pytest.mark.parametrize(("size", "gap"), [((2, 2, 2), 0.3), pytest.param((3, 3, 0.5), 0.075, marks=pytest.mark.slow)])
 def test_a_cube_and_a_square_plate_have_a_straight_curve_from_face_to_face(size, gap):
     shape = as_shape(box(*size))
     skeleton = msf_jax.skeletonize((TURN.apply(shape.vertices), shape.faces))
@@ -254,7 +253,9 @@ HOLE = {
 }
 
 
-@pytest.mark.parametrize("name", HOLE)
+@pytest.mark.parametrize(
+    "name", [name if name in ("bar", "ring") else pytest.param(name, marks=pytest.mark.slow) for name in HOLE]
+)
 def test_a_blind_hole_is_no_limb_and_changes_no_end(name):
     """Wherever it crosses the axis; only the ball of an end beside it is smaller."""
     solid, at, radius, depth = HOLE[name]
@@ -268,7 +269,7 @@ def test_a_blind_hole_is_no_limb_and_changes_no_end(name):
     assert min(np.linalg.norm(found[1] - each, axis=1).max(initial=0.0) for each in turned) < 0.3 * half
 
 
-@settings(max_examples=5, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5), st.floats(0.15, 0.55), st.floats(0.2, 0.8))
 def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
     solid = box(10, 3, 3)
@@ -277,7 +278,7 @@ def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
     np.testing.assert_allclose(found, [[-4.55, 0, 0], [4.55, 0, 0]], atol=0.3 * 1.5)
 
 
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(st.integers(0, 1000), st.floats(1e-3, 1e3), st.booleans(), st.sampled_from(["short bar", "cylinder"]))
 def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scale, is_mirrored, name):
     shape = as_shape(LONG[name][0], 0.6)
@@ -287,8 +288,7 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
     np.testing.assert_allclose(np.array(sorted(found, key=tuple)), ends_of(shape), atol=0.03)
 
 
-@pytest.mark.parametrize(("length", "sections", "rows"), [(60, 16, 6), (60, 8, 6), (200, 12, 8)])
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize(("length", "sections", "rows", "seed"), [(60, 16, 6, 0), (60, 8, 6, 1), (200, 12, 8, 0)])
 def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed):
     """`LINE_ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some
     that are near its end lie on its side."""
@@ -333,7 +333,7 @@ def test_a_ring_in_a_corner_of_a_plates_end_does_not_begin_its_curve():
     assert np.abs(found[:, 1:]).max() < 0.01 and found[0, 0] == pytest.approx(4 - 0.09, abs=0.02)
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(st.floats(1.5, 6), st.floats(1.5, 5), st.integers(0, 1000))
 def test_a_cone_on_a_cylinder_ends_near_its_point(length, height, seed):
     """Its rings are shorter and shorter, though they go around it; its triangles are as long as it is."""
@@ -379,7 +379,7 @@ def test_a_ring_does_not_go_to_the_middle_of_the_body_that_its_limb_stands_on():
     np.testing.assert_array_equal(ends.centred(shape, np.array([place]), np.array([1.0, 0, 0]), ring.size)[0], place)
 
 
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(st.floats(0.4, 0.9), st.floats(1.8, 2.8), st.floats(0.3, 0.8), st.integers(0, 1000))
 def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
     """The rings of the underside of its head have one middle, and no line leads through them."""
@@ -391,7 +391,7 @@ def test_a_nail_ends_on_its_axis_in_its_head(radius, head, height, seed):
     assert -6 < found[0, 2] < -6 + 0.5 * radius and 0 < found[1, 2] < height
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(st.floats(1.5, 3.0), st.floats(0.6, 0.9), st.integers(0, 1000))
 @pytest.mark.slow  # other holes are above and below
 def test_a_bar_with_a_blind_hole_in_its_end_ends_at_the_floor_of_the_hole(depth, radius, seed):
@@ -406,7 +406,7 @@ def test_a_bar_with_a_blind_hole_in_its_end_ends_at_the_floor_of_the_hole(depth,
     assert 4.5 - depth - 1.5 < found[1, 0] < 4.5 - depth
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=3, deadline=None)
 @given(st.floats(25, 40), st.floats(5.5, 6.5), st.integers(0, 1000))
 def test_crossed_rods_end_on_their_axes(angle, length, seed):
     """`WHOLE`: the first rings can be in the rim of an end, where its triangles are as long as the rods."""

@@ -111,7 +111,7 @@ def test_spread_gives_the_distances_of_a_plain_march(num):
     assert (found >= np.linalg.norm(x[:, None] - x[sources], axis=2).min(axis=1) * (1 - 1e-12)).all()
 
 
-@pytest.mark.parametrize("make", [pear, dented])
+@pytest.mark.parametrize("make", [pear, pytest.param(dented, marks=pytest.mark.slow)])
 def test_cap_measures_what_a_disc_cuts_off(make):
     """Its figures are those of all faces that are cut one by one; a pocket has no slenderness."""
     mesh, tip = make()

@@ -157,7 +157,7 @@ def test_the_last_three_widths_of_a_branch_are_laid():
     np.testing.assert_array_equal(x[: len(nodes)][from_end > 0.35], nodes[from_end > 0.35])
 
 
-@pytest.mark.parametrize("at", [2.0, 7.5])
+@pytest.mark.parametrize("at", [2.0, pytest.param(7.5, marks=pytest.mark.slow)])
 def test_a_pin_on_the_side_of_a_bar_leaves_both_its_ends(at):
     mesh = ground_truth.swept_tube(np.linspace([0, 0, 0], [10, 0, 0], 100), np.full(100, 0.6), 16)
     pin = int(np.linalg.norm(np.asarray(mesh.vertices) - [at, 0.6, 0], axis=1).argmin())
@@ -257,7 +257,7 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("turn", [0.0, 0.7])
+@pytest.mark.parametrize("turn", [0.7])
 def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
     """Not legs into corners, and no bump is left out, however it is turned."""
 

@@ -130,6 +130,14 @@ def test_the_callers_vertices_pins_and_weights_are_understood():
     assert skeleton.mesh_map[swallowed] == nearest
     with pytest.raises(ConfigError, match=f"pins has vertex {swallowed}"):
         msf_jax.contract(mesh, config=QUICK, pins=[swallowed], repair="join")
+
+
+@pytest.mark.slow  # that of another repair is in test_repair, and what a run says of it above
+@pytest.mark.usefixtures("few_rows_once")
+def test_the_tape_of_joined_parts_knows_the_run():
+    vertices, _ = mesh = overlapping()
+    weights = Weights(w_H=np.linspace(0.1, 0.2, len(vertices)))
+    run = msf_jax.contract(mesh, weights, QUICK, repair="join")
     tape = run.tape
     nodes = np.asarray(msf_jax.replay(tape, weights))
     assert np.abs(nodes - run.curve.vertices).max() < 1e-9

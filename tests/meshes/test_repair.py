@@ -136,7 +136,7 @@ def test_a_mesh_that_was_broken_in_every_way_has_its_genus_again(make, seed):
 
 
 @pytest.mark.slow  # made ones are in the other tests
-@pytest.mark.parametrize("name", ["beetle-open", "camel-pinched"])
+@pytest.mark.parametrize("name", ["camel-pinched"])
 def test_research_meshes_become_curves(research_mesh, name):
     mesh = research_mesh(name)
     found = checking.prepare(mesh, True)
@@ -149,6 +149,7 @@ def test_research_meshes_become_curves(research_mesh, name):
 
 
 @pytest.mark.slow  # that of a joined one is in test_joining
+@pytest.mark.usefixtures("few_rows_once")
 def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():
     vertices, faces = faults.topology_variants()["many holes"]
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=4), repair=True)

@@ -88,7 +88,9 @@ def undefined(code: bytes) -> set[str]:
     return found - {"_fltused"}  # a mark for linkers: no code refers to it
 
 
-@pytest.mark.parametrize("name", PLATFORMS)
+@pytest.mark.parametrize(
+    "name", [name if name == "Linux" else pytest.param(name, marks=pytest.mark.slow) for name in PLATFORMS]
+)
 def test_all_that_the_code_calls_is_registered(name):
     machine, module = made_for(name)
     code = machine.emit_object(module)
@@ -96,7 +98,9 @@ def test_all_that_the_code_calls_is_registered(name):
     assert "atan2" in undefined(code)  # and the table was read
 
 
-@pytest.mark.parametrize("name", ["Linux on Arm", "macOS on Arm"])  # a plain x86-64 has no such instructions
+@pytest.mark.parametrize(
+    "name", ["Linux on Arm", pytest.param("macOS on Arm", marks=pytest.mark.slow)]
+)  # a plain x86-64 has no such instructions
 def test_products_and_sums_are_rounded_one_by_one(name):
     """Else a kernel gives other bits on Arm than elsewhere."""
     machine, module = made_for(name)

@@ -22,18 +22,8 @@ ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
 
 
-def is_long(block: str) -> bool:
-    """Whether it differentiates or repeats whole runs, or starts processes."""
-    return any(call in block for call in ("msf_jax.replay(", "sensitivity(", "tune(", "__main__"))
-
-
-BLOCKS = [  # of the quick tests: the first of the README
-    pytest.param(
-        number,
-        block,
-        id=f"{page.stem}-{number}",
-        marks=[pytest.mark.system] * (page.stem != "README" or number > 0 or is_long(block)),
-    )
+BLOCKS = [
+    pytest.param(number, block, id=f"{page.stem}-{number}")
     for page in PAGES
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.DOTALL))
 ]
@@ -55,6 +45,7 @@ def test_every_task_has_its_page():
         assert f"(msf_jax/guide/{page.name})" in readme
 
 
+@pytest.mark.system
 @pytest.mark.parametrize(("number", "block"), BLOCKS)
 def test_every_block_runs(tmp_path, number, block, monkeypatch):
     """Each on its own, where a reader would be after the first command of the README, but with three limbs for a hand.

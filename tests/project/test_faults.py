@@ -9,24 +9,27 @@ from tests.benchmarks import faults, fuzz
 SLOW = pytest.mark.slow  # some of it is below
 
 
-ASKED = [(kind, repair) for kind in faults.KINDS if kind != "voids" for repair in (False, True)]  # in test_hollow
-ASKED.remove(("geometry", True))  # those are sound: that repair leaves such a mesh as it is, is in test_repair
-
-
-@pytest.mark.parametrize(("kind", "repair"), [pytest.param(*asked, marks=SLOW) for asked in ASKED])
+@SLOW  # voids are in test_hollow; that an open mesh is refused without repair is in test_checking
+@pytest.mark.parametrize(("kind", "repair"), [("arrays", False), ("topology", True), ("geometry", False)])
 def test_arrays_of_every_kind(kind, repair):
     found = {name: faults.outcome(mesh, repair=repair) for name, mesh in faults.KINDS[kind]().items()}
     assert not [f"{name}: {text}" for name, text in found.items() if text.startswith("FAILED")]
     assert len(found) > 20 and {"a curve", "refused"} <= set(found.values())
-    if (kind, repair) == ("topology", True):  # more of the test below
-        for name in ("faces twice", "random orientation", "unused vertices", "250 crumbs", "a wall inside"):
+    if kind == "topology":  # more of the test below
+        for name in (
+            "a hole",
+            "a fin",
+            "faces twice",
+            "random orientation",
+            "unused vertices",
+            "250 crumbs",
+            "a wall inside",
+        ):
             assert found[name] == "a curve", name
         assert found["two boxes that share an edge"] == "a curve"
 
 
-@pytest.mark.parametrize(
-    "name", ["a soup", "one NaN", *(pytest.param(name, marks=SLOW) for name in ("a hole", "a fin"))]
-)
+@pytest.mark.parametrize("name", ["a soup", "one NaN"])
 def test_what_repair_is_for_becomes_a_curve(name):
     mesh = (faults.topology_variants() | faults.array_variants())[name]
     assert faults.outcome(mesh, repair=True) == "a curve"

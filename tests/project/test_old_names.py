@@ -12,6 +12,7 @@ import warnings
 import numpy as np
 import pytest
 from conftest import blob
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import Config, FlowOptions, PreprocessingOptions, SolverOptions, ground_truth
@@ -206,7 +207,7 @@ def test_a_tape_of_040_is_read(short, tmp_path):
 
 @pytest.fixture(scope="module")
 def tube():
-    return msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)
+    return flow_of("straight_coarse").skeleton
 
 
 def test_old_methods_of_a_skeleton_work(tube, monkeypatch):

@@ -5,6 +5,7 @@ from pathlib import Path
 import jax
 import numpy as np
 import pytest
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import Weights, ground_truth
@@ -19,7 +20,7 @@ LONGEST = 160
 def results():
     """Of one short run, each with what its line says."""
     shape = ground_truth.make("straight_coarse")
-    flow = msf_jax.contract(shape.mesh)
+    flow = flow_of("straight_coarse")
     skeleton, nodes = flow.skeleton, f"{len(flow.skeleton.vertices)} nodes"
     track = msf_jax.track(skeleton, [shape.mesh.vertices])
     step = TuningStep(Weights(w_L=np.ones(5)), 0.2, 0.1, True, 0.1, True, None)

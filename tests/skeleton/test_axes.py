@@ -191,7 +191,7 @@ def frustum(low: np.ndarray, high: np.ndarray, radii: tuple[float, float], sides
     return body.transform(turn[:3])
 
 
-@pytest.mark.slow  # a smaller plant in a mesh is quick
+@pytest.mark.slow  # a smaller plant in a mesh is below
 def test_a_plant_of_cones_that_were_joined():
     """Sections of the stem where an axis leaves it have a bulge: its curve was off by a third of its radius, with a
     ball of 0.7 of it, and angles of axes by up to 6 degrees."""
@@ -221,17 +221,10 @@ def test_a_plant_of_cones_that_were_joined():
 
 @pytest.mark.slow  # virtual ones are quick
 def test_a_small_plant_in_a_mesh():
+    """Whole ends are round, so a length is that of the plant and 0.7 of the radius at its ends."""
     plant = Plant(4.0, 0.1)
     plant.grow(0, 14, 60, 0, 1.5, 0.11)
     plant.grow(0, 26, 50, 137, 1.5, 0.11)
     skeleton = msf_jax.skeletonize(plant.mesh(0.085))
     assert skeleton.report.are_limbs
-    check(plant, skeleton.to_tree(int(skeleton.vertices[:, 2].argmin())), degrees=5.0, share=0.03, away=0.1, ends=0.7)
-
-
-@pytest.mark.slow
-def test_a_plant_in_a_mesh():
-    """Whole ends are round, so a length is that of the plant and 0.7 of the radius at its ends."""
-    plant = virtual(0)
-    skeleton = msf_jax.skeletonize(plant.mesh(0.06))
     check(plant, skeleton.to_tree(int(skeleton.vertices[:, 2].argmin())), degrees=5.0, share=0.03, away=0.1, ends=0.7)

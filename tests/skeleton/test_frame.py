@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 import pyvista
 import trimesh
+from run_cases import flow_of
 from scipy import spatial
 
 import msf_jax
-from msf_jax import ConfigError, ground_truth, shapes
+from msf_jax import ConfigError, shapes
 from msf_jax.skeleton.framing import fitting
 from msf_jax.skeleton.framing.frame import Frame
 from msf_jax.skeleton.framing.joints import wires_of
@@ -120,14 +121,6 @@ def portal() -> tuple[np.ndarray, np.ndarray]:
     return np.array([[0.0, 0, 0], [0, 0, 4], [5, 0, 4], [5, 0, 0]]), np.array([[0, 1], [1, 2], [2, 3]])
 
 
-def truss() -> tuple[np.ndarray, np.ndarray]:
-    """Five joints below, four above, with 15 members; and two ends, with 17."""
-    below, above = [(3.0 * k, 0, 0) for k in range(5)], [(1.5 + 3 * k, 0, 3.0) for k in range(4)]
-    members = [(k, k + 1) for k in range(4)] + [(k, k + 1) for k in range(5, 8)]
-    members += [(k, 5 + k) for k in range(4)] + [(k + 1, 5 + k) for k in range(4)] + [(0, 9), (4, 10)]
-    return np.array([*below, *above, (-2.5, 0, -1.0), (14.5, 0, -1.0)]), np.array(members)
-
-
 def octet() -> tuple[np.ndarray, np.ndarray]:
     corners = 6.0 * np.array(list(product((0.0, 1.0), repeat=3)))
     faces = 6.0 * np.array([[0.5, 0.5, 0], [0.5, 0.5, 1], [0.5, 0, 0.5], [0.5, 1, 0.5], [0, 0.5, 0.5], [1, 0.5, 0.5]])
@@ -152,9 +145,9 @@ def of_disc(radius: float) -> tuple[float, float]:
     return found.area, float(found.moments[0, 0])
 
 
-@pytest.mark.parametrize("make", [portal, pytest.param(truss, marks=pytest.mark.slow)])
-def test_frames_of_round_bars_in_long_triangles(make):
-    points, members = make()
+@pytest.mark.slow  # short bars, and a single one, are quick
+def test_a_frame_of_round_bars_in_long_triangles():
+    points, members = portal()
     skeleton = msf_jax.skeletonize(bars(points, members, 0.3))
     assert skeleton.report.is_sound and skeleton.report.are_limbs
     frame = skeleton.frame()
@@ -278,5 +271,5 @@ def test_joints_nearer_than_the_tolerance_are_one_and_others_are_not(cantilever)
     with pytest.raises(ConfigError, match="tolerance is -1"):
         cantilever.frame(-1)
     with pytest.raises(ConfigError, match="no branch is longer"):
-        msf_jax.skeletonize(ground_truth.make("y_coarse").mesh).frame(10.0)
+        flow_of("y_coarse").skeleton.frame(10.0)
     assert repr(cantilever.frame()).startswith("Frame(1 members, 2 joints, length 6")

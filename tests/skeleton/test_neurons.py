@@ -162,6 +162,7 @@ def test_a_root_in_no_soma_is_told_first_and_cut_loops_are_as_asked_for():
     assert "NOT SURE" not in neuron(2.0).to_tree("soma").report.lines()[0]
 
 
+@pytest.mark.slow  # units and labels of a file are below
 def test_navis_knows_the_units_and_the_labels(tmp_path):
     navis = pytest.importorskip("navis")
     curve = replace(neuron(2.0).to_tree("soma"), units="um")

@@ -216,6 +216,7 @@ def test_plot_is_the_matplotlib_figure(hand):
     assert len(skeleton.plot(mesh).axes) == 2
 
 
+@pytest.mark.slow  # a page is above, and what a command takes in test_cli
 def test_view_and_completion_on_the_command_line(tmp_path, capsys):
     mesh = tmp_path / "limb.off"
     ground_truth.make("straight_coarse").mesh.export(mesh)

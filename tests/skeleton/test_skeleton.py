@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import torus
+from run_cases import flow_of
 
 import msf_jax
 from msf_jax import ConfigError, Skeleton, ground_truth
@@ -22,8 +23,7 @@ def whole():
 
 @pytest.fixture(scope="module")
 def ring():
-    mesh = ground_truth.make("theta").mesh
-    return mesh, msf_jax.skeletonize(mesh)
+    return ground_truth.make("theta").mesh, flow_of("theta").skeleton
 
 
 def num_leaves(skeleton):
@@ -56,6 +56,7 @@ def test_a_slid_threshold_takes_spurs_first_and_limbs_later(whole):
     assert len(skeleton.prune(0).vertices) == len(skeleton.vertices)
 
 
+@pytest.mark.slow  # afterwards is above
 def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
     """And the report counts them."""
     mesh, skeleton = whole
@@ -66,6 +67,7 @@ def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
     assert later.prune(100.0).report.pruned == later.report.pruned + 1
 
 
+@pytest.mark.slow  # so it is in test_pruning
 def test_cycles_are_never_pruned(ring):
     mesh, skeleton = ring
     check(mesh, skeleton.prune(1e9), skeleton)
@@ -85,25 +87,24 @@ def test_branches_cover_the_curve_and_the_surface(whole):
 
 
 @pytest.mark.parametrize("spacing", [0.02, 0.1, 0.5])
-def test_resampled_edges_are_as_long_as_asked(whole, ring, spacing):
-    for mesh, skeleton in (whole, ring):
-        size = np.ptp(mesh.vertices)
-        resampled = skeleton.resample(spacing * size)
-        check(mesh, resampled, skeleton)
-        length = np.linalg.norm(np.diff(resampled.vertices[resampled.edges], axis=1)[:, 0], axis=1)
-        assert length.max() < 1.5 * spacing * size
-        if spacing < 0.05:
-            assert np.median(length) == pytest.approx(spacing * size, rel=0.25)
-        degree, before = (np.bincount(s.edges.ravel()) for s in (resampled, skeleton))
-        assert (degree != 2).sum() == (before != 2).sum()
-        away = np.linalg.norm(resampled.vertices[resampled.mesh_map] - skeleton.vertices[skeleton.mesh_map], axis=1)
-        assert away.max() < 0.76 * spacing * size
+def test_resampled_edges_are_as_long_as_asked(whole, spacing):
+    mesh, skeleton = whole
+    size = np.ptp(mesh.vertices)
+    resampled = skeleton.resample(spacing * size)
+    check(mesh, resampled, skeleton)
+    length = np.linalg.norm(np.diff(resampled.vertices[resampled.edges], axis=1)[:, 0], axis=1)
+    assert length.max() < 1.5 * spacing * size
+    if spacing < 0.05:
+        assert np.median(length) == pytest.approx(spacing * size, rel=0.25)
+    degree, before = (np.bincount(s.edges.ravel()) for s in (resampled, skeleton))
+    assert (degree != 2).sum() == (before != 2).sum()
+    away = np.linalg.norm(resampled.vertices[resampled.mesh_map] - skeleton.vertices[skeleton.mesh_map], axis=1)
+    assert away.max() < 0.76 * spacing * size
 
 
 def test_a_larger_spacing_never_gives_more_nodes():
     """In a helix, which a long edge leaves: it is bisected, and not all that it skips comes back."""
-    shape = ground_truth.make("helix_coarse")
-    skeleton = msf_jax.skeletonize(shape.mesh)
+    shape, skeleton = ground_truth.make("helix_coarse"), flow_of("helix_coarse").skeleton
     found = [skeleton.resample(spacing * np.ptp(shape.mesh.vertices)) for spacing in np.linspace(0.02, 1.0, 15)]
     count = [len(one.vertices) for one in found]
     assert (np.diff(count) <= 0).all() and count[-1] < 0.25 * len(skeleton.vertices)
@@ -177,6 +178,7 @@ def test_arguments_out_of_range_are_refused(whole, call, message):
         call(whole[1])
 
 
+@pytest.mark.slow  # one loop is in the test of a pure one
 def test_branches_with_the_same_ends_stay_apart_when_resampled(ring):
     mesh, skeleton = ring
     resampled = skeleton.resample(100.0)

@@ -65,7 +65,7 @@ slope = R * np.cos(2 * np.pi * np.arange(AROUND) / AROUND)
         pytest.param(tube(15.0, low=np.tan(np.radians(70)) * slope), 15.0, 1.0, marks=SLOW),  # cut off at 70 degrees
         (tube(15.0, low=slope, flat=5.0), 15.0, 5.0),
         pytest.param(tube(15.0, low=JAGGED), 15.0, 1.0, marks=SLOW),
-        (tube(2.2, rows=12), 2.2, 1.0),  # shorter than wide: its curve would lie across
+        pytest.param(tube(2.2, rows=12), 2.2, 1.0, marks=SLOW),  # shorter than wide: its curve would lie across
     ],
     ids=["oblique70", "flattened5_oblique45", "jagged", "short"],
 )
@@ -89,7 +89,7 @@ def test_a_tube_that_was_cut_off_is_whole_up_to_its_openings(mesh, length, flat)
 
 
 @pytest.mark.slow  # the ends of a tube are quick
-@pytest.mark.parametrize(("radius", "height"), [(0.9, 1.8), (0.6, 0.1)])
+@pytest.mark.parametrize(("radius", "height"), [(0.6, 0.1)])
 def test_a_short_outlet_ends_in_its_opening(radius, height):
     """However short: without a limb on the surface, too, and though its radius is below half of the trunk's."""
     skeleton = msf_jax.skeletonize(with_outlet(radius, height), repair=True)

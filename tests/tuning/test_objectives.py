@@ -7,9 +7,10 @@ import pytest
 import trimesh
 
 import msf_jax
-from msf_jax import ConfigError, objectives
+from msf_jax import Config, ConfigError, objectives
 from msf_jax.tuning.objectives import Objective, Replayed
 
+pytestmark = pytest.mark.usefixtures("few_rows")
 SPOTS = np.array([[0.0, 0.5, 0.0], [1.0, 0.0, 0.3]])
 
 
@@ -162,7 +163,7 @@ def test_sums_and_multiples():
 def flow():
     mesh = trimesh.creation.icosphere(2)
     mesh.apply_scale([1.0, 0.4, 0.4])
-    return msf_jax.contract(mesh)
+    return msf_jax.contract(mesh, config=Config(max_iterations=2))
 
 
 def test_value_of_a_run(flow):
