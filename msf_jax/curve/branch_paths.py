@@ -155,7 +155,9 @@ def crossed_again(
             place = x[nodes]
             for part in np.array_split(np.arange(len(nodes) - 1), len(nodes) // CHUNK + 1):
                 own = nodes[part]
-                height = tangent[own] @ place.T - np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
+                # A product of matrices would wake a thread on every core, for less than one has to do.
+                height = np.einsum("ni,mi->nm", tangent[own], place)
+                height -= np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
                 height[np.arange(len(own)), part] = 0.0
                 is_over = height > 0
                 is_crossing = is_over[:, :-1] != is_over[:, 1:]  # flat indices are found many times faster than pairs
