@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from msf_jax.solid.geometry import arc_length, at, repeated
+from msf_jax.solid.geometry import arc_length, at
 from msf_jax.topology import graphs
 
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
-CHUNK = 500  # nodes of a loop at a time that are held against all of its edges
+CHUNK = 100  # nodes of a branch at a time that are held against the others: a table of them stays in the cache
 UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
 STIFFEST = 1e5  # limit on the stiffness
 FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
@@ -116,14 +116,12 @@ def sizes(
             along = arc_length(x[nodes])
             usual = np.average(size[nodes], weights=own)
             farthest = usual * np.sqrt(-2 * np.log(FLOOR * np.finfo(float).eps))  # beyond, rounding hides the bell
-            first = np.searchsorted(along, along - farthest)
-            count = np.searchsorted(along, along + farthest, side="right") - first
-            start = np.cumsum(count) - count
-            here, place = repeated(count)
-            there = first[here] + place
-            near = np.exp(-0.5 * ((along[here] - along[there]) / usual) ** 2) * own[there]
-            part = np.add.reduceat(near * size[nodes[there]], start) + FLOOR * (own @ size[nodes])
-            mean = part / (np.add.reduceat(near, start) + FLOOR * own.sum())
+            both, sums = np.stack([own * size[nodes], own]), np.empty((2, len(nodes)))
+            for part in np.array_split(np.arange(len(nodes)), len(nodes) // CHUNK + 1):
+                first, last = np.searchsorted(along, along[part[[0, -1]]] + (-farthest, farthest))
+                bell = np.exp(-0.5 * ((along[part, None] - along[first:last]) / usual) ** 2)
+                sums[:, part] = np.einsum("nm,bm->bn", bell, both[:, first:last])
+            mean = (sums[0] + FLOOR * both[0].sum()) / (sums[1] + FLOOR * own.sum())
             is_own = (degree[nodes] <= 1) | is_loop
             is_own[1:-1] = True
             found[nodes[is_own]] = mean[is_own]
@@ -153,9 +151,12 @@ def crossed_again(
     for nodes, is_loop, _, _ in paths:
         if is_loop:
             place = x[nodes]
+            axes = np.ascontiguousarray(place.T)
             for part in np.array_split(np.arange(len(nodes) - 1), len(nodes) // CHUNK + 1):
                 own = nodes[part]
-                height = tangent[own] @ place.T - np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
+                # A product of matrices would wake a thread on every core, for less than one has to do.
+                height = np.einsum("ni,im->nm", tangent[own], axes)
+                height -= np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
                 height[np.arange(len(own)), part] = 0.0
                 is_over = height > 0
                 is_crossing = is_over[:, :-1] != is_over[:, 1:]  # flat indices are found many times faster than pairs

@@ -34,7 +34,7 @@ from msf_jax.solid.geometry import unit
 from msf_jax.solid.handles import Handles
 
 # These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
-CENTRING_ROUNDS = 12  # limit on the rounds of a centring
+CENTRING_ROUNDS = 6  # limit on the rounds of a centring: in sheets, where it ends most, more bring nothing
 TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l

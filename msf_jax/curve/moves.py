@@ -49,7 +49,7 @@ def taken(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, 
     part = is_free.astype(float)
     goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
     changed = np.flatnonzero(is_free)
-    edges = edges[np.isin(edges, changed).any(axis=1)]
+    edges = edges[is_free[edges].any(axis=1)]
     edges = edges[_is_open(shape, x, x, clearance, clearance, edges)]
     class_of = handles.classes(x[edges[:, 0]], x[edges[:, 1]]) if handles.genus else np.zeros(len(edges), np.int64)
     trial = 0
@@ -59,12 +59,13 @@ def taken(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, 
         close = changed[new_clearance[changed] < CLOSE]
         new_clearance[close] = shape.distances(goal[close])
         moved = changed[part[changed] > 0]
-        is_bad = np.zeros(len(x), dtype=bool)
+        is_bad, is_tried = np.zeros((2, len(x)), dtype=bool)
+        is_tried[changed] = True
         is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
         moved = moved[~is_bad[moved]]
         pairs = np.stack([moved, moved], axis=1)
         is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, pairs)
-        rows = np.flatnonzero(~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1))
+        rows = np.flatnonzero(~is_bad[edges].any(axis=1) & is_tried[edges].any(axis=1))
         at_stake = edges[rows]
         is_kept = _is_open(shape, goal, goal, new_clearance, new_clearance, at_stake)
         is_kept[is_kept] = _keeps_class(handles, x, goal, clearance, at_stake[is_kept], class_of[rows[is_kept]])

@@ -65,7 +65,8 @@ def init(
         meso = clock.call(_refined, meso, shape, config, clock)
         max_rows = max(max_rows, limits.growth * meso.num_rows)
     meso, num_coarsened = clock.call(_coarsened, meso, config, clock)
-    is_coarsened = num_coarsened > meso.num_rows and not (options.reconstruct_mesh or options.resample)
+    # A surface that was refined before has more triangles than the solid's own, and is no nearer to it.
+    is_coarsened = len(shape.vertices) > 2 * meso.num_rows and not (options.reconstruct_mesh or options.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with clock.stage("poles"):
         clock.call(lambda: coarse.mesh)  # made here, before two threads ask for it

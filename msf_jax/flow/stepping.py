@@ -17,6 +17,7 @@ from msf_jax.flow.state import LIMITS, Iteration, Limits, State
 from msf_jax.meso import collapse, fixing, packing, split
 from msf_jax.meso.meso import Meso
 from msf_jax.recording.records import Step
+from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 LARGEST_FACTOR = 2.0**100  # the largest factor on w_L, without unit: its square is finite in float64
 BLOW_UP = 1.0  # diagonals: a larger coordinate means that a step diverged; corners of the box have at most half
@@ -53,7 +54,7 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
     num_collapses, num_splits = _edited(state, config, clock) if config.flow.edit_connectivity else (0, 0)
     meso = state.meso
 
-    solves, num = moved.solves, len(order)
+    solves, num, faces = moved.solves, len(order), meso.faces()
     left = solves.left[:, :num].copy()
     free, pull = (np.array(values[:num]) for values in (packed.buffers.free, packed.buffers.pull))
     unit = max(float(free.sum()), 1.0) ** 0.5 * float(packed.buffers.t_c)  # norm of an error whose RMS is that t_c
@@ -68,8 +69,8 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
             fixed=int(meso.is_fixed.sum()),
             collapses=num_collapses,
             splits=num_splits,
-            volume=meso.volume() / state.first_volume,
-            area=meso.area() / state.first_area,
+            volume=signed_volume(meso.positions, faces) / state.first_volume,
+            area=float(triangle_areas(meso.positions[faces]).sum()) / state.first_area,
             steps=int(solves.steps[0]),
             residual=float(solves.residual[0]),
             is_solved=bool(solves.is_solved.all()),

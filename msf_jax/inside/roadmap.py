@@ -18,6 +18,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import distinct
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import along_forest, down_forest, shortest_forest
 
@@ -308,7 +309,7 @@ def inner_balls(
     points, normals = shape.surface_points(balls.MOST_SAMPLES)
     if places is not None:
         near = spatial.KDTree(points).query_ball_point(places, reach)
-        asked = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))
+        asked = distinct(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))
         points, normals = points[asked], normals[asked]
     tree = shape.sample_tree()
     radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, 1.0).radius
@@ -362,7 +363,7 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.
         smaller = np.flatnonzero(level < size)
         pairs.append(_nearest(centre[smaller], smaller, centre, np.flatnonzero(level == size), LARGER))
     tail, head = np.concatenate(pairs).T
-    both = np.unique(np.minimum(tail, head) * num + np.maximum(tail, head))
+    both = distinct(np.minimum(tail, head) * num + np.maximum(tail, head))
     tail, head = both // num, both % num
     return tail[tail < head], head[tail < head]
 
@@ -373,7 +374,7 @@ def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, cle
     pairs = [_nearest(ends, number, centre, np.arange(len(centre)), NEIGHBOURS)]
     pairs += [_nearest(ends, number, centre, np.flatnonzero(level == size), LARGER) for size in np.unique(level)]
     num, (end, ball) = len(centre), np.concatenate(pairs).T
-    both = np.unique(end * num + ball)
+    both = distinct(end * num + ball)
     return _links(np.concatenate([centre, ends]), np.concatenate([radius, clearance]), both % num, both // num)
 
 

@@ -77,14 +77,11 @@ def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
 
 def faces_from_rings(rings: np.ndarray) -> np.ndarray:
     """Every face (F, 3) once, its smallest vertex first."""
-    n, capacity = rings.shape
+    vertex, slot = np.divmod(np.flatnonzero(rings > np.arange(len(rings))[:, None]), rings.shape[1])
     degree = ring_degrees(rings)
-    following = np.concatenate([rings[:, 1:], np.full((n, 1), -1)], axis=1)
-    live = np.flatnonzero(degree)
-    following[live, degree[live] - 1] = rings[live, 0]
-    vertex = np.broadcast_to(np.arange(n)[:, None], (n, capacity))
-    smallest = (rings > vertex) & (following > vertex)
-    return np.stack([vertex[smallest], rings[smallest], following[smallest]], axis=1)
+    following = rings[vertex, np.where(slot + 1 < degree[vertex], slot + 1, 0)]
+    faces = np.stack([vertex, rings[vertex, slot], following], axis=1)
+    return faces[following > vertex]
 
 
 def euler_characteristic(rings: np.ndarray) -> int:

@@ -122,10 +122,10 @@ def _cosine(laplacian: sparse.csc_matrix, top: float) -> sparse.csr_matrix:
 
 def _chebyshev(matrix: sparse.csr_matrix, start: np.ndarray, num: int) -> Iterator[np.ndarray]:
     """T_0(A) x, T_1(A) x, ... , by T_j = 2 A T_{j-1} - T_{j-2}."""
-    before, now = np.asarray(matrix @ start), start  # T_{-1} = T_1
+    before, now, twice = np.asarray(matrix @ start), start, 2 * matrix  # T_{-1} = T_1
     for _ in range(num):
         yield now
-        before, now = now, np.asarray(2 * (matrix @ now) - before)
+        before, now = now, twice @ now - before
 
 
 def _edge_of(cosine: sparse.csr_matrix, k: int, guess: float) -> float:

@@ -8,7 +8,7 @@ from curve_cases import bow, none_held, path, tube, turns_of, unit_shape
 
 import msf_jax
 from msf_jax import ground_truth
-from msf_jax.curve import centring
+from msf_jax.curve import centring, moves
 from msf_jax.inside import containment
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit
@@ -156,3 +156,20 @@ def test_a_place_outside_does_not_hold_a_junction(is_far):
     radius = shape.distances(plain[[junction]])[0]
     assert np.linalg.norm(found[junction] - plain[junction]) < 0.05 * radius
     assert shape.distances(found[[junction]])[0] > 0.9 * radius
+
+
+def test_a_centring_in_a_plate_ends_after_six_rounds(monkeypatch):
+    """There its steps get no shorter: the limit on the rounds ends it. One of 40 rounds does not end by itself."""
+    shape, scale = unit_shape(trimesh.creation.box((4, 3, 0.03)).subdivide_to_size(0.5))
+    t = np.linspace(-1, 1, 60)
+    bent = scale * np.stack([t, 0.8 * np.cos(3 * t), 0 * t], axis=1)
+    seen = []
+
+    def counted(*given):
+        seen.append(given)
+        return taken(*given)
+
+    taken = moves.taken
+    monkeypatch.setattr(moves, "taken", counted)
+    centring.centre(shape, *path(bent), none_held(bent))
+    assert len(seen) == 6

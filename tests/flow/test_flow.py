@@ -291,6 +291,16 @@ def test_a_plate_whose_edges_are_all_short_or_long_is_no_error():
     assert skeleton.report.inside == 1.0
 
 
+def test_a_part_with_long_faces_is_centred_in_its_own_surface():
+    """It is refined and then coarsened, and more triangles are left than it had. Of a fine torus fewer are left."""
+    ring = trimesh.creation.annulus(0.5, 2, 0.2, sections=64)
+    for mesh, coarsen in ((ring, Config().coarsen), (torus(around=80, across=28), 0.03)):
+        config = Config(max_iterations=1, coarsen=coarsen)
+        state = loop.init(checking.prepare(mesh).components[0], 0, config, Clock())
+        assert state.num_coarsened > state.meso.num_rows
+        assert len(state.coarse.vertices) == min(len(mesh.vertices), state.meso.num_rows)
+
+
 def test_coarsening_takes_short_edges_and_leaves_the_shape():
     """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
     mesh = torus(around=80, across=28)
