@@ -37,7 +37,7 @@ TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is o
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads through one that is nearer to it
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
-FLAT = 6 / 7  # of a limb's usual ring: so long at least is one around a flat part of it, a foot; in a corner 0.8
+FLAT = 0.9  # of the next ring's length: so long at least is one around a flat part of a limb, a foot; in a corner 0.89
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -259,6 +259,11 @@ def centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.
     return np.where(is_better[:, None], found.centroid, places)
 
 
+def _apart(middles: np.ndarray, following: np.ndarray) -> np.ndarray:
+    """(k,) how far each of ``middles`` (k, 3) is from that with the number ``following`` (k,)."""
+    return np.linalg.norm(middles[following] - middles, axis=1)
+
+
 def to_end(
     shape: Enclosure,
     middles: np.ndarray,
@@ -273,29 +278,33 @@ def to_end(
     (k,), ``step`` apart, that ends `GAP` before the surface. No ball deeper than ``deep`` is at its end.
 
     It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
-    it, is shorter than the next one, and one in a hole in the end is not inside."""
+    it, is shorter than the one half a step on, and one in a hole in the end is not inside."""
     ball, last = shape.clearance(middles), len(middles) - 1
-    is_around = (ball > TOUCHING * size) & (perimeter >= WHOLE * np.append(perimeter[1:], 0.0))
-    # On triangles that are longer than the limb is wide, many rings lie in one corner of the end: beside their middles.
-    part = ball / np.maximum(size, 1e-300)
-    is_flat = (part >= GAP) & (perimeter >= FLAT * np.median(perimeter))
-    is_around &= is_flat | (part >= WHOLE * min(float(np.median(part)), 1.0))
+    following = np.minimum(np.arange(1, last + 2), last)
+    # On triangles that are longer than the limb is wide, many rings crowd in a corner of the end.
+    while (is_crowded := (following < last) & (_apart(middles, following) < HALF * step)).any():
+        following = following + is_crowded
+    growing, part = perimeter / perimeter[following], ball / np.maximum(size, 1e-300)
+    # Their middles are beside those of the limb, and have smaller balls. So have those of a flat part of it, a foot.
+    is_deep = part >= WHOLE * min(float(np.median(part)), 1.0)
+    is_flat = (part >= GAP) & (growing >= FLAT)
+    is_around = (ball > TOUCHING * size) & (growing >= WHOLE) & (is_deep | is_flat)
     is_around[: min(whole, last)] = False
     if not is_around.any():  # the middles of a channel are outside
         return middles
     first = outer = int(is_around.argmax())
     # So does one on the line ahead: the rings of a cone are shorter and shorter, and those of a corner are beside it.
-    heading = middles[first] - middles[first + 1] if first < last else middles[first - 1] - middles[first]
-    heading = heading if np.linalg.norm(heading) >= NEAR * step else -normals[first]
-    while outer > whole and part[outer - 1] >= WHOLE * min(float(part[first]), 1.0):
-        ahead, heading = middles[outer - 1] - middles[first], unit(heading)
-        if np.linalg.norm(ahead - (ahead @ heading) * heading) > NEAR * step:
+    heading = middles[first] - middles[following[first]] if first < last else middles[first - 1] - middles[first]
+    heading = unit(heading if np.linalg.norm(heading) >= NEAR * step else -normals[first])
+    while is_deep[first] and outer > whole and part[outer - 1] >= WHOLE * min(float(part[first]), 1.0):
+        ahead = middles[outer - 1] - middles[first]
+        if np.linalg.norm(ahead - (ahead @ heading) * heading) > NEAR * np.linalg.norm(ahead):
             break
-        outer, heading = outer - 1, ahead
+        outer -= 1
     first = outer
     # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
     # hole in the end is alone: there it is ahead across the ring.
-    heading, middles, pair = -normals[first], middles.copy(), [first, min(first + 1, last)]
+    heading, middles, pair = -normals[first], middles.copy(), [first, int(following[first])]
     is_apart = np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * step
     for _ in range(LINE_ROUNDS if is_apart else 0):
         middles[pair] = centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
