@@ -63,7 +63,7 @@ def test_a_flat_disc_has_none_and_the_middle_of_its_curve_is_its_tip():
     "change", ["permuted", *(pytest.param(name, marks=pytest.mark.slow) for name in ("moved", "split"))]
 )
 def test_limbs_belong_to_the_surface(change):
-    shape = solid(fingers(), 0.25)
+    shape = solid(fingers(), 0.15)
     x, faces = shape.vertices, shape.faces
     rng = np.random.default_rng(1)
     if change == "moved":
@@ -204,7 +204,7 @@ def bumpy_ball(has_hole: bool) -> Enclosure:
     ball = manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(0.8, 48), *bumps], manifold3d.OpType.Add)
     if has_hole:
         ball -= manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
-    return solid(ball, 0.3)
+    return solid(ball, 0.22)
 
 
 @pytest.mark.slow  # limbs that are slender have the tests above
