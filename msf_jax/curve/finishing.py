@@ -26,6 +26,8 @@ SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
+# Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
+ASTRAY = 0.05
 FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
 
 
@@ -90,12 +92,13 @@ def finish(
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    A solid that is too coarse for the flow gets a Reeb curve instead (see `limbs.reeb_curve`), if no more of that
-    is outside, ``centre`` and ``extend`` are True, and no node is held.
+    A solid that is too coarse for the flow gets a Reeb curve instead (see `limbs.reeb_curve`), if it has thin limbs or
+    `ASTRAY` of the flow's curve is outside, no more of the Reeb curve is, ``centre`` and ``extend`` are True, and no
+    node is held.
 
     ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
     (see `Caps`); ``centre`` and ``extend`` switch those steps.
-    ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
+    ``is_thin`` says that the solid has thin limbs. ``is_tangle`` says that the flow ended in
     a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
     surface with fewer triangles, fine enough for centring, ``outside`` the surface without cavities, and ``caps``
     returns its caps. ``first`` is a pass that comes before all others, and may set the places of the flow's nodes. If
@@ -107,8 +110,8 @@ def finish(
     clock, is_cut = clock or Clock(), False
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
     try:
-        if is_thin and centre and extend and not is_held.any():
-            done = clock.call(_by_wavefronts, outside or shape, nodes, edges, job, is_tangle)
+        if centre and extend and not is_held.any():
+            done = clock.call(_by_wavefronts, outside or shape, nodes, edges, job, is_thin, is_tangle)
             if done is not None:
                 return done
         wanted = [] if is_tangle else [*([] if first is None else [first]), *passes(centre, extend)]
@@ -139,13 +142,15 @@ def finish(
 
 
 def _by_wavefronts(
-    outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_tangle: bool
+    outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_thin: bool, is_tangle: bool
 ) -> Finished | None:
-    """The finished Reeb curve of a solid, if it has one that is no more outside than the flow's curve."""
-    laid = reeb_curve.reeb_curve(outside, containment.is_inside)
-    if laid is None or not (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
+    """The finished Reeb curve of a coarse solid that ``is_thin``, or whose curve by the flow is astray, if it has one
+    that is no more outside."""
+    astray = 1.0 if is_tangle else _outside(job, nodes, edges)
+    if not (is_thin or astray > ASTRAY):
         return None
-    return _of_reeb_curve(laid, nodes, job)
+    laid = reeb_curve.reeb_curve(outside, containment.is_inside, only_thin=astray <= ASTRAY)
+    return None if laid is None or _outside(job, *laid[:2]) > astray else _of_reeb_curve(laid, nodes, job)
 
 
 def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:

@@ -6,7 +6,7 @@ The tip is r(0) beyond the leaf, at the depth d(s) = s + r(0). As long as the la
 round end up to that depth has the area A(s) = 2 pi r d (Archimedes); from there on, the integral of 2 pi r ds is added.
 The curve that cuts the cap off has the length P(s) = 2 pi r(s), so its slenderness is 2 pi A / P^2 - 1 / 2, as on a
 surface. The slenderness of the branch is the largest one outside of the ball at its junction: h / r - 1 / 2 of a tube
-with a round end that sticks out by h.
+with a round end that sticks out by h. A branch in one ball, which holds its leaf and its junction, does not stick out.
 """
 
 import heapq
@@ -104,6 +104,8 @@ def by_balls(vertices: np.ndarray, radii: np.ndarray) -> Worth:
         is_out[-1] = False
         if not is_known or not is_out.any():
             return 0.0 if is_known else np.inf
+        if (np.maximum(np.linalg.norm(x - x[0], axis=1), np.linalg.norm(x - x[-1], axis=1)) <= r).any():
+            return 0.0
         along = arc_length(x)
         depth, added = along + r[0], np.concatenate([[0.0], np.cumsum(np.diff(along) * (r[1:] + r[:-1]) / 2)])
         end = int(np.argmin(np.append(r >= TOUCHES * depth, False))) - 1  # the last node whose ball touches the tip

@@ -34,15 +34,17 @@ class ReebCurve(NamedTuple):
     node_of_vertex: np.ndarray
 
 
-def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
-    """The curve of a connected solid of diagonal 1; None if the solid is not thin, not coarse, or a plate."""
+def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> ReebCurve | None:
+    """The curve of a connected solid of diagonal 1; None if the solid is not coarse, a plate, or, with ``only_thin``,
+    not thin."""
     x, faces = shape.vertices, shape.faces
     normals = unit(vertex_normals(x, faces))
     asked = x, normals, spatial.KDTree(x), balls.FIRST
     # Whether the solid is thin is decided by balls of limited size, which are found fast.
-    if np.median(balls.shrinking_balls(*asked, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
+    every, thin = np.arange(len(x)), thickness.THIN
+    if only_thin and np.median(balls.shrinking_balls(*asked, 2 * thin, every).radius) >= thin:
         return None
-    radius = balls.shrinking_balls(*asked, 1.0, np.arange(len(x))).radius
+    radius = balls.shrinking_balls(*asked, 1.0, every).radius
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from msf_jax.limbs import pruning
 from msf_jax.limbs.pruning import by_balls, measure
+from msf_jax.topology.graphs import trace
 
 Balls = tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -83,6 +84,15 @@ def test_where_no_radius_is_known_all_stays_and_what_is_outside_goes(radius):
 def test_a_leaf_in_the_ball_of_its_junction_has_none():
     vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
     radii[0] = 0.8
+    assert by_leaf(vertices, edges, radii)[len(vertices) - 1] == 0
+
+
+def test_a_branch_in_the_ball_of_one_of_its_nodes_has_none():
+    """Its junction is aside, near the surface, as where wavefronts meet in a corner."""
+    vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
+    assert by_leaf(vertices, edges, radii)[len(vertices) - 1] > 1
+    own = next(path for path in trace(len(vertices), edges) if len(vertices) - 1 in (path[0], path[-1]))
+    radii[own[len(own) // 2]] = 0.6
     assert by_leaf(vertices, edges, radii)[len(vertices) - 1] == 0
 
 
@@ -250,7 +260,9 @@ def plain_slenderness(balls: Balls, graph: nx.Graph) -> dict[int, tuple[list, fl
             if radii[node] > 0 and np.linalg.norm(x[node] - x[onward]) >= radii[onward]:
                 values.append(2 * np.pi * area / (2 * np.pi * radii[node]) ** 2 - 0.5)
             last = node
-        most = max(values, default=0.0) if (radii > 0).any() else np.inf
+        far = [max(np.linalg.norm(x[k] - x[leaf]), np.linalg.norm(x[k] - x[onward])) for k in [*own, onward]]
+        held = any(each <= radii[k] for k, each in zip([*own, onward], far, strict=True))
+        most = (0.0 if held else max(values, default=0.0)) if (radii > 0).any() else np.inf
         found[leaf] = own, most
     return found
 
