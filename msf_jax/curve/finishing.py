@@ -168,7 +168,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
     topology = (contain, remove_excess_cycles, straighten, enforce_topology)
-    for each in (*topology, prune_by_balls, intersect_axes, round_corners):
+    for each in (*topology, prune_by_balls, partial(centre_nodes, hold_leaves=True), intersect_axes, round_corners):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
