@@ -148,7 +148,7 @@ def test_a_cluster_gives_the_same_table(folder, in_processes, tmp_path):
     here, out = in_processes
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its own, on closing
-        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
             asked = [path for path in paths_in(folder) if path.stem in ("0", "3", "open")]
             there = batch.run(asked, tmp_path / "there", scheduler=cluster.scheduler_address)
     assert there.num_done == 3

@@ -306,7 +306,7 @@ def test_a_file_without_a_report_is_told(name, content, tmp_path, capsys):
 def test_nothing_on_standard_error_where_there_is_no_terminal(tmp_path):
     """No progress bar; and, the second time, nothing about the compiled steps that come from the cache."""
     limb = tmp_path / "limb.off"
-    trimesh.creation.capsule(6.0, 1.0).export(limb)  # of a ball, it would say that it has no limbs
+    trimesh.creation.capsule(6.0, 1.0, [12, 12]).export(limb)  # of a ball, it would say that it has no limbs
     for _ in range(2):
         done = subprocess.run(
             [sys.executable, "-m", "msf_jax", "skeletonize", str(limb), "-o", str(tmp_path / "a.json"), "--float32"],

@@ -158,7 +158,7 @@ def topology_variants() -> dict[str, Any]:
         "inside out": (vertices, faces[:, ::-1]),
         "a fin": (np.concatenate([vertices, [[3.0, 3, 3]]]), np.concatenate([faces, [[*faces[9, :2], len(vertices)]]])),
         "a wall inside": (np.concatenate([cube[0], [[0, 0, 0]]]), np.concatenate([cube[1], wall])),
-        "random faces": (vertices, random.integers(0, len(vertices), (500, 3))),
+        "random faces": (vertices, random.integers(0, len(vertices), (300, 3))),
         "a sphere and random faces": (
             vertices,
             np.concatenate([faces, random.integers(0, len(vertices), (60, 3))]),

@@ -300,10 +300,12 @@ def test_a_lower_threshold_never_prunes_more(with_fingers):
 
 
 @pytest.mark.slow  # of a budget that is spent, a quick test is below
-def test_many_components_have_a_budget_each():
-    """`MOST_TIPS`, `MOST_AREA` are those of a component."""
+def test_many_components_have_a_budget_each(monkeypatch):
+    """`MOST_TIPS`, `MOST_AREA` are those of a component: here a third of each, so that few components are many."""
+    monkeypatch.setattr(caps, "MOST_TIPS", caps.MOST_TIPS // 3)
+    monkeypatch.setattr(caps, "MOST_AREA", caps.MOST_AREA / 3)
     one = solid(block() + LIMB["long cylinder"][0], 0.4)
-    num, size = 30, len(one.vertices)
+    num, size = 10, len(one.vertices)
     assert num * len(Caps(one).tips()) > 1.5 * caps.MOST_TIPS
     x = np.concatenate([one.vertices + [5.0 * k, 0, 0] for k in range(num)])
     many = Caps(Enclosure(x, np.concatenate([one.faces + k * size for k in range(num)])))

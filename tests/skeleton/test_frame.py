@@ -122,10 +122,10 @@ def portal() -> tuple[np.ndarray, np.ndarray]:
 
 
 def octet() -> tuple[np.ndarray, np.ndarray]:
-    corners = 6.0 * np.array(list(product((0.0, 1.0), repeat=3)))
-    faces = 6.0 * np.array([[0.5, 0.5, 0], [0.5, 0.5, 1], [0.5, 0, 0.5], [0.5, 1, 0.5], [0, 0.5, 0.5], [1, 0.5, 0.5]])
+    corners = 4.5 * np.array(list(product((0.0, 1.0), repeat=3)))
+    faces = 4.5 * np.array([[0.5, 0.5, 0], [0.5, 0.5, 1], [0.5, 0, 0.5], [0.5, 1, 0.5], [0, 0.5, 0.5], [1, 0.5, 0.5]])
     points = np.concatenate([corners, faces])
-    return points, spatial.KDTree(points).query_pairs(6.0 / np.sqrt(2) + 1e-6, output_type="ndarray")
+    return points, spatial.KDTree(points).query_pairs(4.5 / np.sqrt(2) + 1e-6, output_type="ndarray")
 
 
 def check(frame: Frame, points: np.ndarray, members: np.ndarray, share: float, away: float) -> None:
@@ -162,7 +162,7 @@ def test_a_frame_of_round_bars_in_long_triangles():
 @pytest.mark.slow
 def test_an_octet_cell_of_thirty_six_members():
     points, members = octet()
-    mesh = shapes.solid_around(points, members, np.full(14, 0.254), 0.1)  # triangles are chords
+    mesh = shapes.solid_around(points, members, np.full(14, 0.255), 0.11)  # triangles are chords
     frame = msf_jax.skeletonize(mesh).frame()
     check(frame, points, members, share=0.01, away=0.05)
     np.testing.assert_allclose(frame.moments, np.pi * 0.25**4 / 4, rtol=0.05)
