@@ -37,7 +37,7 @@ TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is o
 NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads through one that is nearer to it
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
-FLAT = 0.9  # of the next ring's length: so long at least is one around a flat part of a limb, a foot; in a corner 0.89
+STEADY = 0.9  # of the next ring's length: so long at least is one around a flat part of a limb, a foot; in a corner 0.89
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -287,7 +287,7 @@ def to_end(
     growing, part = perimeter / perimeter[following], ball / np.maximum(size, 1e-300)
     # Their middles are beside those of the limb, and have smaller balls. So have those of a flat part of it, a foot.
     is_deep = part >= WHOLE * min(float(np.median(part)), 1.0)
-    is_flat = (part >= GAP) & (growing >= FLAT)
+    is_flat = (part >= GAP) & (growing >= STEADY)
     is_around = (ball > TOUCHING * size) & (growing >= WHOLE) & (is_deep | is_flat)
     is_around[: min(whole, last)] = False
     if not is_around.any():  # the middles of a channel are outside

@@ -304,7 +304,7 @@ def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed)
 
 @pytest.mark.parametrize(("length", "thick", "wide"), [(3, 1, 1.2), (3, 0.8, 1.5), (2.5, 0.7, 1)])
 def test_a_limb_with_a_foot_ends_at_its_toes(length, thick, wide):
-    """`FLAT`: the foot's sections are flat, so their balls are smaller than those of the leg."""
+    """`STEADY`: the foot's sections are flat, so their balls are smaller than those of the leg."""
     foot = Solid.cube((length + 1, 2 * wide, thick)).translate((-1, -wide, 0))
     body = Solid.cube((6, 6, 6), True).translate((0, 0, 10))
     found = ends_of(as_shape(Solid.cylinder(8, 1, 0.9, 32) + foot + body, 0.5))
