@@ -7,11 +7,10 @@ from msf_jax.app.cli import main
 from tests.benchmarks import faults, fuzz
 
 SLOW = pytest.mark.slow  # some of it is below
-LONG = {  # a second or more each, or the like of another; `python -m tests.benchmarks.faults` runs these, too
+IN_BENCHMARK_ONLY = {  # a second or more each, or the like of another
     "two boxes that share a vertex",  # taken apart, in test_repair; along an edge, here
     "two boxes that share a face",  # test_sheets
     "two boxes that overlap",  # test_joining; of two components that are nested, here
-    "twice the same box",  # everything twice, here
     "a cube",  # of 8 vertices, here
     "scale 1e-06",
     "scale 1e+06",
@@ -23,8 +22,8 @@ LONG = {  # a second or more each, or the like of another; `python -m tests.benc
 @SLOW  # voids are in test_hollow; that an open mesh is refused without repair is in test_checking
 @pytest.mark.parametrize(("kind", "repair"), [("arrays", False), ("topology", True), ("geometry", False)])
 def test_arrays_of_every_kind(kind, repair):
-    meshes = faults.KINDS[kind]()
-    found = {name: faults.outcome(mesh, repair=repair) for name, mesh in meshes.items() if name not in LONG}
+    meshes = {name: mesh for name, mesh in faults.KINDS[kind]().items() if name not in IN_BENCHMARK_ONLY}
+    found = {name: faults.outcome(mesh, repair=repair) for name, mesh in meshes.items()}
     assert not [f"{name}: {text}" for name, text in found.items() if text.startswith("FAILED")]
     assert len(found) > 20 and {"a curve", "refused"} <= set(found.values())
     if kind == "topology":  # more of the test below
