@@ -21,7 +21,7 @@ from msf_jax.solid.geometry import arc_length, at, repeated, unit, vertex_normal
 from msf_jax.topology import graphs
 
 COARSE = 1.0  # radii: edges of a limb with six sides; a surface is coarse if more than half, by length, are longer
-FRAME = 4.0  # radii: the same of a solid that is not thin, such as a frame of bars; an animal has a fifth of them
+FRAME = 8.0  # radii: the same of a solid that is not thin: nine tenths of a frame of bars are longer, half of a slab's
 ROUND = 2.0  # largest median of the rings' perimeters over those of circles of their size: a bar of 4 : 1 has it
 MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
 OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
@@ -42,14 +42,15 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
     normals = unit(vertex_normals(x, faces))
     asked = x, normals, spatial.KDTree(x), balls.FIRST
     # Whether the solid is thin is decided by balls of limited size, which are found fast.
-    every, thin = np.arange(len(x)), thickness.THIN
-    if only_thin and np.median(balls.shrinking_balls(*asked, 2 * thin, every).radius) >= thin:
+    every, most = np.arange(len(x)), thickness.THIN
+    is_thin = np.median(balls.shrinking_balls(*asked, 2 * most, every).radius) < most
+    if only_thin and not is_thin:
         return None
     radius = balls.shrinking_balls(*asked, 1.0, every).radius
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)
-    is_long = length > (COARSE if only_thin else FRAME) * np.minimum(radius[tail], radius[head])
+    is_long = length > (COARSE if is_thin else FRAME) * np.minimum(radius[tail], radius[head])
     if 2 * length[is_long].sum() <= length.sum():
         return None
     # A ball between few vertices can be too large, so the clearances of all middles are asked for.
