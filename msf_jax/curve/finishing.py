@@ -93,8 +93,8 @@ def finish(
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
     A solid that is too coarse for the flow gets a Reeb curve instead (see `limbs.reeb_curve`), if it has thin limbs or
-    `ASTRAY` of the flow's curve is outside, no more of the Reeb curve is, ``centre`` and ``extend`` are True, and no
-    node is held.
+    more than `ASTRAY` of the flow's curve is outside, and the Reeb curve is no more astray. ``centre`` and ``extend`` must
+    be True, and no node held.
 
     ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
     (see `Caps`); ``centre`` and ``extend`` switch those steps.
@@ -145,12 +145,13 @@ def _by_wavefronts(
     outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_thin: bool, is_tangle: bool
 ) -> Finished | None:
     """The finished Reeb curve of a coarse solid that ``is_thin``, or whose curve by the flow is astray, if it has one
-    that is no more outside."""
+    that is not more astray. The flow's can be inside because it lost limbs."""
     astray = 1.0 if is_tangle else _outside(job, nodes, edges)
     if not (is_thin or astray > ASTRAY):
         return None
     laid = reeb_curve.reeb_curve(outside, containment.is_inside, only_thin=astray <= ASTRAY)
-    return None if laid is None or _outside(job, *laid[:2]) > astray else _of_reeb_curve(laid, nodes, job)
+    is_worse = laid is not None and _outside(job, *laid[:2]) > max(astray, ASTRAY)
+    return None if laid is None or is_worse else _of_reeb_curve(laid, nodes, job)
 
 
 def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:

@@ -136,6 +136,14 @@ def test_a_curve_of_the_flow_that_is_outside_gives_way():
     assert off.max() < 0.2 * 0.02  # two coordinates are 0 or 1
 
 
+@pytest.mark.slow
+def test_a_plant_of_many_branches_keeps_them():
+    """The flow's curve is inside, but has lost most of the limbs."""
+    vertices, faces, axes = plant(200)
+    found = msf_jax.skeletonize((vertices, faces))
+    assert found.num_leaves == len(axes) + 1
+
+
 def test_a_finer_wire_a_plate_and_a_thick_one_are_left_to_the_flow():
     assert laid(*wire(snake(301), 0.02, sides=12)) is None
     plate = trimesh.creation.box((0.5, 0.08, 0.004)).subdivide_to_size(0.006)
