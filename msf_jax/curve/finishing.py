@@ -92,9 +92,9 @@ def finish(
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    A solid that is too coarse for the flow gets a Reeb curve instead (see `limbs.reeb_curve`), if it has thin limbs or
-    more than `ASTRAY` of the flow's curve is outside, and the Reeb curve is no more astray. ``centre`` and ``extend`` must
-    be True, and no node held.
+    A solid that is too coarse for the flow gets a Reeb curve (see `limbs.reeb_curve`), if it has thin limbs, or more
+    than `ASTRAY` of the flow's curve is outside, and that is no more astray. ``centre`` and ``extend`` must be True,
+    and no node held.
 
     ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
     (see `Caps`); ``centre`` and ``extend`` switch those steps.
