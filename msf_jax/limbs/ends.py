@@ -284,7 +284,7 @@ def to_end(
     # On triangles that are longer than the limb is wide, many rings crowd in a corner of the end.
     while (is_crowded := (following < last) & (_apart(middles, following) < HALF * step)).any():
         following = following + is_crowded
-    growing, part = perimeter / perimeter[following], ball / np.maximum(size, 1e-300)
+    growing, part = perimeter / np.maximum(perimeter[following], 1e-300), ball / np.maximum(size, 1e-300)
     # Their middles are beside those of the limb, and have smaller balls. So have those of a flat part of it, a foot.
     is_deep = part >= WHOLE * min(float(np.median(part)), 1.0)
     is_flat = (part >= GAP) & (growing >= STEADY)
