@@ -302,6 +302,16 @@ def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed)
     np.testing.assert_allclose(found, [[0.3 - half, 0, 0], [half - 0.3, 0, 0]], atol=0.1)
 
 
+@pytest.mark.parametrize("sides", [4, 12])
+def test_a_long_rod_of_few_vertices_ends_on_its_axis(sides):
+    """Rings crowd in a corner of its end, in a line, as those of a cone do."""
+    turn = Rotation.random(rng=np.random.default_rng(5)).as_matrix()
+    rod = Solid.cube((2, 2, 250)).translate((-1, -1, 0)) if sides == 4 else Solid.cylinder(250, 1, 1, sides)
+    mesh = rod.to_mesh()
+    found = msf_jax.skeletonize((np.array(mesh.vert_properties[:, :3], dtype=float) @ turn.T, np.array(mesh.tri_verts)))
+    assert np.linalg.norm((found.vertices @ turn)[:, :2], axis=1).max() < 0.3
+
+
 @pytest.mark.parametrize(("length", "thick", "wide"), [(3, 1, 1.2), (3, 0.8, 1.5), (2.5, 0.7, 1)])
 def test_a_limb_with_a_foot_ends_at_its_toes(length, thick, wide):
     """`STEADY`: the foot's sections are flat, so their balls are smaller than those of the leg."""
