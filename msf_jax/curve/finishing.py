@@ -66,7 +66,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         complete_cycles,
         partial(prune_and_extend, extend=extend),
         partial(centre_and_merge, centre=centre, hold_leaves=extend),
-        *([partial(resample, hold_leaves=extend), straighten] if centre else []),
+        *([partial(resample, hold_leaves=extend)] if centre else []),
         enforce_topology,
         *([round_corners] if centre else []),
     ]
@@ -168,7 +168,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    topology = (contain, remove_excess_cycles, straighten, enforce_topology)
+    topology = (contain, remove_excess_cycles, enforce_topology)
     for each in (*topology, prune_by_balls, partial(centre_nodes, hold_leaves=True), intersect_axes, round_corners):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
@@ -219,11 +219,6 @@ def complete_cycles(draft: Draft, job: Job) -> Draft:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = handle_loops.completed(job.roadmap, x, edges, missing)
     return draft.changed(x, edges)
-
-
-def straighten(draft: Draft, job: Job) -> Draft:
-    """Branches turn by at most ``SHARPEST`` degrees at a node, where possible."""
-    return draft.changed(resampling.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
 def place_junctions(draft: Draft, job: Job) -> Draft:
@@ -378,7 +373,7 @@ def merge_coincident(draft: Draft, job: Job) -> Draft:
 
 
 def round_corners(draft: Draft, job: Job) -> Draft:
-    """Corners that could not be cut are rounded within their balls."""
+    """Corners are rounded within their balls."""
     return draft.changed(*resampling.round_corners(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 

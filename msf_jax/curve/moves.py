@@ -20,7 +20,6 @@ from msf_jax.solid.handles import Handles
 
 LEAST_CLEARANCE = 0.25  # share of its first clearance that a move leaves to a node: the coarse surface is not exact
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
-CLOSE = 0.005  # diagonals: clearances below are measured exactly
 
 
 class Places(NamedTuple):
@@ -56,8 +55,6 @@ def taken(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, 
     while True:
         goal[changed] = x[changed] + part[changed, None] * step[changed]
         new_clearance[changed], triangle[changed] = shape.approximate_closest(goal[changed])
-        close = changed[new_clearance[changed] < CLOSE]
-        new_clearance[close] = shape.distances(goal[close])
         moved = changed[part[changed] > 0]
         is_bad, is_tried = np.zeros((2, len(x)), dtype=bool)
         is_tried[changed] = True

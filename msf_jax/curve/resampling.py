@@ -5,7 +5,6 @@ import itertools
 
 import numpy as np
 
-from msf_jax.curve import moves
 from msf_jax.inside import containment
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, unit
@@ -114,31 +113,6 @@ def smooth(
         return x, edges
     entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
     return np.concatenate([x, solid.leave(entered[len(x) :])]), edges
-
-
-def straighten(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
-) -> np.ndarray:
-    """Cut sharp corners: a node where its branch turns by more than ``most`` degrees moves to the middle of its
-    neighbours, or as near as the rule of `moves` allows. Returns the nodes (N, 3).
-
-    Sharp corners are spikes at nodes that came in from outside or lie in a fold of the surface.
-    """
-    at = moves.places_of(shape, vertices)
-    inner, before, after = containment.between(len(vertices), edges)
-    for _ in range(MOST_ROUNDS):
-        turn = np.where(is_held, 0.0, turns(at.x, edges))[inner]
-        # Of two neighbours, the sharper one moves: both would swap the corner.
-        beside = np.zeros(len(vertices))
-        beside[inner] = turn
-        is_sharp = (turn > most) & (turn >= np.maximum(beside[before], beside[after]))
-        step = np.zeros_like(vertices)
-        step[inner[is_sharp]] = ((at.x[before] + at.x[after]) / 2 - at.x[inner])[is_sharp]
-        found = moves.taken(shape, shape.handles, at, step, edges)
-        if (found.x == at.x).all():  # no corner is sharp, or none can be cut
-            break
-        at = found
-    return at.x
 
 
 def round_corners(

@@ -183,10 +183,10 @@ class Caps:
         """The limbs of at least that slenderness, but `ROUND_END`.
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
-        bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
-        ears. A component without limbs and handles has its blunt ends instead. If a component without handles has one
-        or two limbs, and a direction, it has one branch, and its halves are the limbs (see `ends.halves`): in a sheet,
-        discs around tips find its corners. The same goes for one without limbs, such as a cube.
+        bunny is the other end of its ears. A component without limbs and handles has its blunt ends instead. If a
+        component without handles has one or two limbs, and a direction, it has one branch, and its halves are the limbs
+        (see `ends.halves`): in a sheet, discs around tips find its corners. The same goes for one without limbs, such
+        as a cube. Last come limbs that only stand out.
         """
         if least not in self._found:
             self._found[least] = self._search(max(least, ROUND_END))
@@ -202,7 +202,6 @@ class Caps:
         if limbs:
             found = self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)
             limbs += [(tip, least, cap) for tip, cap in found]
-            limbs += self._blunt(tips[owner[tips] == 0], owner, least)
         blunt = max(BLUNT * least, ROUND_END)
         is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
         rest = tips[is_whole[self._component[tips]]]
@@ -336,29 +335,6 @@ class Caps:
         of_face, member = self._component[self.surface.faces[:, 0]] == number, np.flatnonzero(self._component == number)
         faces = np.searchsorted(member, self.surface.faces[of_face])
         return meeting.Patch(member, self.surface.points[member], faces, self.area[of_face])
-
-    def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float, None]]:
-        """The tips of blunt ends that are not small, and their slenderness up to the limbs that ``owner`` (V,) numbers.
-        It numbers theirs.
-
-        Together with these limbs, the part that ends there is slender enough.
-        """
-        others, nothing, found = (owner > 0).astype(np.int64), np.zeros_like(owner), []
-        for tip in tips.tolist():
-            if self._left[self._component[tip]] < 0:
-                continue
-            best, rows, region = self._slenderest(tip, others, least, 0.5)
-            own = float(rows[rows[:, 2] >= SMALL_CAP * self._total[tip], 0].max(initial=0.0))
-            is_end = own >= BLUNT * least and self.grown(best, nothing, least)[0][:, 0].max(initial=0.0) >= least
-            if is_end and not self._is_apex(best, region, least):
-                found.append((own, best))
-        limbs = []
-        for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
-            rows, region = self.grown(tip, (owner > 0).astype(np.int64), own)
-            if len(rows) and rows[-1, 0] >= own:
-                limbs.append((tip, own, None))
-                owner[region] = owner.max() + 1
-        return limbs
 
     def _slenderest(
         self, tip: int, others: np.ndarray, least: float, share: float

@@ -91,7 +91,6 @@ FACTS = [
     ("branches.md", f"has at least `Config(least_slenderness={CONFIG.least_slenderness})` is a limb"),
     ("branches.md", f"less than {percent(caps.SMALL_CAP)} of the surface"),
     ("branches.md", f"must be {WORDS[1 / fronts.SMALLER]} as slender"),
-    ("branches.md", f"from {caps.BLUNT} of `least_slenderness` on, of a part that is slender"),
     ("branches.md", f"keeps the parts from {caps.BLUNT} of `least_slenderness` on"),
     ("branches.md", f"a `least_slenderness` below {caps.ROUND_END} acts as {caps.ROUND_END}"),
     ("branches.md", f"a mesh with fewer than {caps.SPLIT_BELOW:,} vertices are split"),
