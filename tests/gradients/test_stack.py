@@ -106,7 +106,8 @@ slope = jax.value_and_grad(weighed, argnums=1, has_aux=True)
 slope = jax.jit(slope)
 for k, (vertices, skeleton) in enumerate(curves):
     own = unpadded(skeleton.binding)
-    twice = own.live._replace(**{name: 2 * capacity for name, capacity in skeleton.binding.capacity._asdict().items()})
+    shared = batch.bindings.capacity._asdict()  # one program for both
+    twice = own.live._replace(**{name: 2 * capacity for name, capacity in shared.items()})
     num, nodes = len(vertices), len(skeleton.vertices)
     binding = padded(own, twice)
     rows = np.zeros((binding.num_vertices, 3))
