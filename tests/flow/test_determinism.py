@@ -1,7 +1,7 @@
 """The same bits in fresh processes: whatever the hash seed and the threads, and after any number of kills.
 
-``MSF_JAX_PROCESSES`` processes are compared, 2 if it is not set, and ``MSF_JAX_KILLS`` runs killed, 2 if it is not. They
-compute in float32, JAX's own choice.
+``MSF_JAX_PROCESSES`` processes are compared, 2 if it is not set, and ``MSF_JAX_KILLS`` runs killed, 2 if it is not.
+They compute in float32, JAX's own choice.
 """
 
 import os
