@@ -1,13 +1,14 @@
-"""How much of a curve is in limbs: its length in sheets, beyond what the solid explains, and where radii jump; and how
-slender the limbs are.
+"""How much of a curve is in limbs: its length in sheets, and beyond what the solid explains; and how slender the limbs
+are.
 
 For a branch of length l outside the balls of its junctions, in a part of the solid of volume V (see
-`centrelines.profiles.swept_volumes`) with cross-sections of median area A,
+`centrelines.profiles.swept_volumes`) with cross-sections of area A,
 
     unexplained = max(l - V / A, 0),
 
 because a limb of that cross-section and volume is V / A long. A curve that winds, runs to and fro, or has two strands
-in one limb is longer. On the axis of a limb, radii change slowly: by the sine of half of a cone's angle.
+in one limb is longer. A is the median of the areas, or their mean along the branch if that is less: planes near a
+junction cut the trunk, too, and in an ellipsoid most areas are above the mean.
 """
 
 from typing import NamedTuple
@@ -26,17 +27,16 @@ SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a r
 # Mean radius of a sheet's section, over twice its area over its edge: 1 for a disc, 1.1 for a square, 1.4 for the
 # rectangle above
 FLAT_SECTION = 1.35
-STEEP = 0.7  # change of the radius over the length of an edge; a cone with an angle of 89 degrees at its tip has it
+THINNEST = 1e-9  # diagonals: a branch whose balls are smaller is in a part without volume, and has no elongation
 
 
 class Shares(NamedTuple):
     """Shares of a curve's length, 0 to 1. in_sheets: in sheets, or in the wall around a void. unexplained: more than a
-    limb of the same cross-sections and volume has. jumping: where radii change faster than on the axis of a limb.
-    elongation is not a share: the length of a branch in its median diameters, the largest."""
+    limb of the same cross-sections and volume has. elongation is not a share: the length of a branch in its median
+    diameters, the largest."""
 
     in_sheets: float
     unexplained: float
-    jumping: float
     elongation: float
 
 
@@ -70,33 +70,27 @@ def shares_of(
     if node_of_vertex is None:
         node_of_vertex = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1])
     volume = volumes_of(shape, vertices, edges, radius, node_of_vertex)
-    unexplained, jumping, elongation = _of_branches(vertices, edges, radius, area, volume)
+    unexplained, elongation = _of_branches(vertices, edges, radius, area, volume)
     total = max(float(length.sum()), 1e-300)
-    return Shares(in_sheets, unexplained / total, jumping / total, elongation)
+    return Shares(in_sheets, unexplained / total, elongation)
 
 
 def _of_branches(
     vertices: np.ndarray, edges: np.ndarray, radius: np.ndarray, area: np.ndarray, volume: np.ndarray
-) -> tuple[float, float, float]:
-    """The unexplained length, and the length of edges along which the radius jumps, both outside the junctions' balls;
-    and the elongation.
-
-    A ball within a radius of a tip touches the end of the limb, so its radius is left out."""
+) -> tuple[float, float]:
+    """The unexplained length, outside the junctions' balls, and the elongation."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    unexplained = jumping = elongation = 0.0
+    unexplained = elongation = 0.0
     for number, branch in enumerate(graphs.trace(len(vertices), edges)):
         nodes = np.array(branch)
-        along, size = arc_length(vertices[nodes]), radius[nodes]
+        along, size, areas = arc_length(vertices[nodes]), radius[nodes], area[nodes]
         begin, end = (float(size[k]) if degree[nodes[k]] > 2 else 0.0 for k in (0, -1))
-        is_own = (along >= begin) & (along <= along[-1] - end)
-        areas = area[nodes][is_own]
-        areas = areas[areas > 0]
-        if len(areas):
-            unexplained += max(along[-1] - begin - end - float(volume[number] / np.median(areas)), 0.0)
-        usual = float(np.median(size))
-        elongation = max(elongation, float(along[-1]) / max(2 * usual, 1e-300))
-        first, last = (usual if degree[nodes[k]] == 1 else 0.0 for k in (0, -1))
-        is_inner = is_own & (along >= first) & (along <= along[-1] - last)
-        step = np.diff(along)
-        jumping += float(step[is_inner[1:] & is_inner[:-1] & (np.abs(np.diff(size)) > STEEP * step)].sum())
-    return unexplained, jumping, elongation
+        is_known = (along >= begin) & (along <= along[-1] - end) & (areas > 0)
+        if is_known.any():
+            mean = np.average(areas[is_known], weights=np.gradient(along)[is_known])
+            usual = min(float(np.median(areas[is_known])), float(mean))
+            # Where parts overlap, the volume beside a branch may be negative: nothing of it is explained.
+            unexplained += max(float(along[-1] - begin - end - max(volume[number], 0.0) / usual), 0.0)
+        thickness = 2 * float(np.median(size))
+        elongation = max(elongation, float(along[-1]) / thickness if thickness > THINNEST else 0.0)
+    return unexplained, elongation

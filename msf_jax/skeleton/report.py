@@ -33,7 +33,6 @@ LEAST_ELONGATION = 1.0  # diameters: the longest branch of a ball or a cube is s
 # Of the curve's length between two places a radius before and after a node: their distance is less where it turns back.
 # So it turns by 166 degrees or more. In the corner of bars that meet at 25 degrees it rightly turns by 155: it is 0.22.
 FOLDED = 0.125
-MOST_JUMPING = 0.1  # the same for radii that jump: 0.04 where limbs begin at a thick body, 0.14 where walls cross
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
 UNMEASURED = "not measured, as the mesh or the finished curve is not known"
@@ -57,7 +56,6 @@ class Report:
             void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
         unexplained: fraction of the curve's length that is longer than limbs of its cross-sections with the solid's
             volume are: the curve winds, runs to and fro, or has two strands in one limb; None if not known.
-        jumping: fraction of the curve's length where radii change faster than on the axis of a limb; None if not known.
         elongation: length of a branch in its median diameters, the largest; None if not known.
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
         joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
@@ -116,7 +114,6 @@ class Report:
     loops: int | None = None
     in_sheets: float | None = None
     unexplained: float | None = None
-    jumping: float | None = None
     elongation: float | None = None
     left_out: int = 0
     joined_handles: int = 0
@@ -144,8 +141,8 @@ class Report:
     @property
     def not_limbs(self) -> tuple[str, ...]:
         """Why `are_limbs` is False, a sentence each. A curve without its mesh, and the flow's own, are not measured."""
-        measured = (self.in_sheets, self.unexplained, self.jumping, self.elongation)
-        in_sheets, unexplained, jumping, elongation = (np.nan if each is None else each for each in measured)
+        measured = (self.in_sheets, self.unexplained, self.elongation)
+        in_sheets, unexplained, elongation = (np.nan if each is None else each for each in measured)
         if None in measured:
             return (UNMEASURED,)
         parts, handles = (_count(self.left_out, "part"), _count(self.joined_handles, "handle"))
@@ -153,7 +150,6 @@ class Report:
             (elongation < LEAST_ELONGATION, "no part is longer than it is wide"),
             (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
             (unexplained > MOST_UNEXPLAINED, f"{unexplained:.0%} of the curve's length {EXCESS}"),
-            (jumping > MOST_JUMPING, f"radii jump along {jumping:.0%} of the curve's length"),
             (self.left_out > 0, f"repair left out {parts}, which {'has' if self.left_out == 1 else 'have'} no curve"),
             (self.joined_handles > 0, f"joining made {handles}, where parts touch in several places"),
         )

@@ -22,7 +22,7 @@ from msf_jax.gradients import holding, replay
 from msf_jax.inside import thickness
 from msf_jax.limbs import caps, ends, fronts
 from msf_jax.meshes import repair
-from msf_jax.skeleton import limbs, report
+from msf_jax.skeleton import report
 from msf_jax.skeleton.formats import swc
 
 ROOT = Path(__file__).parents[2]
@@ -80,8 +80,6 @@ FACTS = [
     ("report.md", f"with more than {WORDS[curves.MOST_VOLUME]} left, the curve is coarse"),
     ("report.md", f"over {WORDS[report.MOST_STUBS]} of the limbs, and at least {report.MANY}, are stubs"),
     ("report.md", f"{report.MOST_UNEXPLAINED} of the length (`unexplained`)"),
-    ("report.md", f"{WORDS[report.MOST_JUMPING]} of the length (`jumping`)"),
-    ("report.md", f"the radius changes by {limbs.STEEP} of the length"),
     ("report.md", f"{report.MOST_IN_SHEETS} of the length (`in_sheets`)"),
     ("report.md", f"at least {report.LEAST_ELONGATION:g} median diameter (`elongation`)"),
     ("weights.md", f"`w_L` ({WEIGHTS.w_L})"),

@@ -29,7 +29,7 @@ WITHOUT_DIGEST = 1  # older version of the format that can be read, too
 
 LARGEST_NUMBER = 1e150  # coordinate or radius: squares of larger ones overflow
 ROUNDED = 1e-9  # over 1 that a fraction may be
-FRACTIONS = ("inside", "in_sheets", "unexplained", "jumping")  # of a report
+FRACTIONS = ("inside", "in_sheets", "unexplained")  # of a report
 
 
 def npz(skeleton: "Skeleton") -> bytes:
