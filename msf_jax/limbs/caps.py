@@ -27,6 +27,7 @@ from msf_jax.limbs import ends, fronts, meeting, mitre, protrusion
 from msf_jax.limbs.meeting import Cap
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, largest_of_each
+from msf_jax.solid.reconnecting import reconnected
 from msf_jax.topology import graphs
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
@@ -83,6 +84,8 @@ class Caps:
 
     def __init__(self, shape: Enclosure, detail: float = 0.5):
         self.detail = detail
+        if ((faces := reconnected(shape.vertices, shape.faces)) != shape.faces).any():
+            shape = Enclosure(shape.vertices, faces)
         while len(shape.vertices) < SPLIT_BELOW:
             split = trimesh.remesh.subdivide(shape.vertices, shape.faces)
             shape = Enclosure(split[0], split[1])

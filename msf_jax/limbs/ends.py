@@ -26,7 +26,7 @@ from msf_jax.limbs.levels import Levels, levels
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import triangle_areas, unit
+from msf_jax.solid.geometry import cross, triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
@@ -38,6 +38,7 @@ NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
 STEADY = 0.9  # of the next ring's length: so long is one around a flat part of a limb, a foot; in a corner 0.89
+EVEN = 0.95  # of the next ring's length: so long is one of an even tube. Cosine of what normals of a plane spread by
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -203,6 +204,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         is_split |= bool(is_across[:-1].any())
         rings = rings[: int(is_across[:-1].argmax()) if is_across[:-1].any() else -1]
     middles = middles[: len(rings)]
+    whole = max(whole, _cut_off(vertices[near], local, away, middles, found.perimeter[rings], step))
     own = found.normal[rings], found.perimeter[rings], found.size[rings]
     reach = (len(rings) + 0.5) * step if is_split else np.inf
     return LimbAxis(to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width, reach)
@@ -247,6 +249,34 @@ def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int
     middles = middles.copy()
     middles[row] = np.where((is_own & (held != found.centroid).any(axis=1))[:, None], held, middles[row])
     return middles
+
+
+def _cut_off(
+    points: np.ndarray, faces: np.ndarray, away: np.ndarray, rings: np.ndarray, perimeter: np.ndarray, step: float
+) -> int:
+    """How many of the ``rings``, with middles (k, 3) and a ``perimeter`` (k,), ``step`` apart, are beside the axis of a
+    straight limb that is cut off obliquely: their middles lead to the acute edge. 0 if it is not.
+
+    Such a limb is even. Of its surface ``(points (v, 3), faces (f, 3))``, all that is nearer to the end than a far
+    ring, by d = ``away`` (v,), lies in the tube around the line there, and what faces ahead is a plane. A foot leaves
+    the tube, as do a hook and an arm of an elbow; a horn is not even, and a finger's end is round."""
+    deep = min(int(LAST / RING_SPACING), len(rings) - 2)
+    if deep <= NEAR_END or perimeter[deep] < EVEN * perimeter[deep + 1]:
+        return 0
+    line = unit(rings[deep] - rings[deep + 1])
+
+    def beside(places: np.ndarray) -> np.ndarray:
+        beyond = places - rings[deep]
+        return np.linalg.norm(beyond - (beyond @ line)[:, None] * line, axis=1)
+
+    here = (deep + 0.5) * step
+    tube = beside(points[(away >= here) & (away <= here + 2 * step)]).max(initial=0.0)
+    a, b, c = np.moveaxis(points[faces[(away[faces] < here).all(axis=1)]], 1, 0)
+    normal = cross(b - a, c - a)
+    normal = normal[normal @ line > NEAR * np.linalg.norm(normal, axis=1)]
+    is_plane = np.linalg.norm(normal.sum(axis=0)) > EVEN * np.linalg.norm(normal, axis=1).sum()
+    is_aside = beside(rings[NEAR_END:deep]).max() > NEAR * step
+    return deep if is_aside and is_plane and beside(points[away < here]).max() <= tube / STEADY else 0
 
 
 def centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:

@@ -438,6 +438,29 @@ def test_a_limb_ends_in_front_of_a_hole_through_it():
     assert places[0, 0] == pytest.approx(6 - 0.3 * 1.5, abs=0.05) and places[-1, 0] > 2 + 0.95
 
 
+@pytest.mark.parametrize(("solid", "angle"), [(round_bar(14), 50.0), (box(10, 2, 2), 45.0)])
+def test_a_bar_that_is_cut_off_obliquely_ends_on_its_axis(solid, angle):
+    """`ends._cut_off`: the middles of rings lead to the acute edge, the tangent of the angle ahead and one aside."""
+    a = np.radians(angle)
+    cut = solid.trim_by_plane((-np.cos(a), 0, -np.sin(a)), -2.0)
+    for shape in (as_shape(cut), as_shape(cut, 0.5)):
+        found = ends_of(shape)
+        assert len(found) == 2 and np.abs(found[:, 1:]).max() < 0.1
+        tip = found[found[:, 0].argmax(), 0] - 2.0 / np.cos(a)
+        assert -0.7 < tip < 0.0  # 0.3 to 0.5 before the plane
+
+
+@pytest.mark.parametrize("bend", [45.0, 60.0])
+def test_a_short_arm_of_an_elbow_keeps_its_end(bend):
+    """It leaves the tube of the long one, and its end is no plane across that: `NEAR`, `STEADY`."""
+    a = np.radians(bend)
+    arm = Solid.cylinder(2.5, 1, 1, 32).rotate((0, 90 - bend, 0))
+    both = round_bar(12).translate((-6, 0, 0)) + Solid.sphere(1, 32) + arm
+    found = ends_of(as_shape(both, 0.5))
+    away = np.linalg.norm(found - (2.2 * np.cos(a), 0, 2.2 * np.sin(a)), axis=1)
+    assert len(found) == 2 and away.min() < 0.3
+
+
 def test_triangles_of_a_lid_in_a_line_have_exit_times():
     """Of a tetrahedron, an edge has a vertex in its middle on one side only, and a triangle without area between."""
     vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.5, 0, 0]])
