@@ -31,6 +31,7 @@ from msf_jax.solid.reconnecting import reconnected
 from msf_jax.topology import graphs
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
+DIGITS = 6  # of distances that are compared: those of a symmetric solid differ by rounding
 SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
 FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
@@ -140,12 +141,16 @@ class Caps:
         share = np.bincount(faces.ravel(), np.repeat(self.area / 3, 3), len(x))
         whole = np.bincount(component, share)
         middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
-        source = largest_of_each(component, -np.linalg.norm(x - middle[component], axis=1))
-        source = largest_of_each(component, self._distances(source))
+
+        def farthest(distance: np.ndarray) -> np.ndarray:
+            """Of each component; of places that are equally far, the last one, however their distances are rounded."""
+            return largest_of_each(component, np.round(distance, DIGITS))
+
+        source = farthest(self._distances(farthest(-np.linalg.norm(x - middle[component], axis=1))))
         away = np.empty((SOURCES, len(x)))
         for row in range(SOURCES):
             away[row] = self._distances(source)
-            source = largest_of_each(component, away[: row + 1].min(axis=0))
+            source = farthest(away[: row + 1].min(axis=0))
         pair = away.argmin(axis=0) * len(whole) + component
         weight = np.bincount(pair, share, SOURCES * len(whole)).reshape(SOURCES, -1)
         found = np.einsum("sv,sv->v", (weight / whole)[:, component], away)

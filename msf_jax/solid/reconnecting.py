@@ -31,7 +31,7 @@ def reconnected(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
         edge = np.flatnonzero(number < twin)
         one, two = cotangent.ravel()[edge], cotangent.ravel()[twin[edge]]
         is_wrong = one + two < -EQUAL * (np.abs(one) + np.abs(two))
-        edge = edge[is_wrong][np.argsort((one + two)[is_wrong], kind="stable")]
+        edge = edge[is_wrong][np.argsort(np.round((one + two)[is_wrong], 6), kind="stable")]
         # From a to b, between the triangles a, b, c and b, a, d; it becomes the edge from c to d.
         corner, back = faces.ravel(), twin[edge]
         a, b, c, d = (corner[each] for each in (edge, back, before[edge], before[back]))

@@ -238,7 +238,7 @@ def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
     others = none(shape)
     others[[nearest(shape, (x, 0, 1.2)) for x in (-0.9, 0.9)]] = 1
     assert caps.BLUNT < found.grown(top, others)[0][:, 0].max() < 2.0
-    for least in (1.2, 1.6, 3.0):
+    for least in (1.2, 1.6):
         assert [cap for cap in limbs(shape, least) if shape.vertices[cap.tip, 2] > 1.9], least
 
 
@@ -329,7 +329,8 @@ def test_beyond_its_budget_no_tip_is_tried_and_that_is_said(monkeypatch):
     monkeypatch.setattr(caps, "MOST_AREA", -1.0)
     none = Caps(shape)
     found = none.limbs(1.2)
-    assert found.caps == [] and none.was_hit and (found.slenderness[none.tips()] == np.inf).all()
+    assert len(found.caps) == 2  # the halves of the solid, which need no tip
+    assert none.was_hit and (found.slenderness[none.tips()] == np.inf).all()
     monkeypatch.setattr(caps, "MOST_TIPS", 2)
     few = Caps(shape)
     assert len(few.tips()) == 2 and few.was_hit
