@@ -25,9 +25,9 @@ import trimesh
 
 from msf_jax.limbs import ends, fronts, meeting, mitre, protrusion
 from msf_jax.limbs.meeting import Cap
+from msf_jax.meshes.reconnecting import reconnected
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, largest_of_each
-from msf_jax.solid.reconnecting import reconnected
 from msf_jax.topology import graphs
 
 SOURCES = 16  # points, far from each other, whose distances are averaged

@@ -14,7 +14,7 @@ import numpy as np
 from msf_jax.solid.geometry import cross
 from msf_jax.topology.half_edges import half_edges
 
-FLAT = 1e-3  # sine of the angle between two triangles in one plane
+LEAST_BEND = 1e-3  # sine of the angle between two triangles that are not in one plane
 ROUNDED = 1e-6  # of the surface's extent: coordinates in single precision, not too far from the origin, are as exact
 MOST_ROUNDS = 100  # of flips: a cylinder of 17,000 needles took 36. After the last one the surface is right, too
 EQUAL = 1e-3  # of two cotangents: both diagonals of a rectangle are as good, and rounding does not choose one
@@ -35,7 +35,7 @@ def reconnected(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
         # From a to b, between the triangles a, b, c and b, a, d; it becomes the edge from c to d.
         corner, back = faces.ravel(), twin[edge]
         a, b, c, d = (corner[each] for each in (edge, back, before[edge], before[back]))
-        is_flat = _is_flat(*(vertices[each] for each in (a, b, c, d)), least)
+        is_flat = _is_flat(vertices[np.stack([a, b, c, d])], least)
         edge = edge[is_flat & _is_new(corner, corner[onward], c, d)]
         # Of the edges of a triangle, the worst one goes first.
         pair = np.stack([edge, twin[edge]], axis=1) // 3
@@ -69,15 +69,16 @@ def _cotangents(corners: np.ndarray) -> np.ndarray:
     return np.einsum("fkc,fkc->fk", one, other) / np.maximum(area, 1e-300)
 
 
-def _is_flat(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray, least: float) -> np.ndarray:
-    """(E,) whether the triangles a, b, c and b, a, d (E, 3) are in one plane, beside each other.
+def _is_flat(corners: np.ndarray, least: float) -> np.ndarray:
+    """(E,) whether the triangles a, b, c and b, a, d, of ``corners`` (4, E, 3), are in one plane, beside each other.
 
-    The lines from a to b and from c to d pass each other within ``least``, or `FLAT` of the lower triangle's height."""
+    The lines from a to b and from c to d pass each other within ``least``, or `LEAST_BEND` of the lower triangle's height."""
+    a, b, c, d = corners
     one, other, across = cross(b - a, c - a), cross(a - b, d - b), cross(b - a, d - c)
     height = np.minimum(np.linalg.norm(one, axis=1), np.linalg.norm(other, axis=1))
     height /= np.maximum(np.linalg.norm(b - a, axis=1), 1e-300)
     apart = np.abs(np.einsum("ei,ei->e", across, c - a))
-    is_near = apart <= np.maximum(FLAT * height, least) * np.linalg.norm(across, axis=1)
+    is_near = apart <= np.maximum(LEAST_BEND * height, least) * np.linalg.norm(across, axis=1)
     return is_near & (np.einsum("ei,ei->e", one, other) >= 0)
 
 
