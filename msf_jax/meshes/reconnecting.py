@@ -72,7 +72,8 @@ def _cotangents(corners: np.ndarray) -> np.ndarray:
 def _is_flat(corners: np.ndarray, least: float) -> np.ndarray:
     """(E,) whether the triangles a, b, c and b, a, d, of ``corners`` (4, E, 3), are in one plane, beside each other.
 
-    The lines from a to b and from c to d pass each other within ``least``, or `LEAST_BEND` of the lower triangle's height."""
+    The lines from a to b and from c to d pass each other within ``least``, or `LEAST_BEND` of the lower
+    triangle's height."""
     a, b, c, d = corners
     one, other, across = cross(b - a, c - a), cross(a - b, d - b), cross(b - a, d - c)
     height = np.minimum(np.linalg.norm(one, axis=1), np.linalg.norm(other, axis=1))

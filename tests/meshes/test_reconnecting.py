@@ -71,8 +71,8 @@ def test_a_solution_on_a_tube_of_needles_is_that_on_even_triangles():
 
 
 def test_edges_stay_where_a_surface_is_bent():
-    """`LEAST_BEND`: two long triangles that meet at 1 degree, though the angles opposite to their edge are obtuse. Nor does a
-    ball get other edges, or a box, whose diagonals are as good as others."""
+    """`LEAST_BEND`: two long triangles that meet at 1 degree, though the angles opposite to their edge are obtuse. Nor
+    does a ball get other edges, or a box, whose diagonals are as good as others."""
     for degrees, is_kept in ((0.0, False), (0.01, False), (0.2, True), (1.0, True), (90.0, True)):
         y, z = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
         points = np.array([[-9.0, 0, 0], [9, 0, 0], [0, 1, 0], [0, -y, z]])
