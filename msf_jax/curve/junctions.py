@@ -242,7 +242,9 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     middles = [(ends, between[0]) for ends, between in links.items() if len(between) == 1]
     middles += [((node, node), np.array([node])) for node in at_node if is_meeting[node]]
     for ends, middle in middles:
-        paths = [path for node in dict.fromkeys(ends) for path in at_node[node] if {*path[[0, -1]].tolist()} != {*ends}]
+        paths = [path for node in dict.fromkeys(ends) for path in at_node[node]]
+        if ends[0] != ends[1]:  # without the stretch between; a loop at one junction is two branches of it
+            paths = [path for path in paths if {*path[[0, -1]].tolist()} != {*ends}]
         if not is_done[list(ends)].any() and len(paths) == sum(degree[list({*ends})]) - 2 * (len(middle) > 1):
             is_done[middle] = _put(shape, x, middle, paths, is_meeting, is_held, radii)
     return x
