@@ -260,18 +260,18 @@ def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
 
 
 def test_a_rod_meets_the_middle_of_a_ring():
-    """Both branches of the loop begin at the one junction, and bend with a radius of four of theirs; in the flow's curve
+    """Both ends of the loop begin at the one junction, and bend with a radius of four of theirs. In the flow's curve
     it was half a radius out in the rod, and more."""
     angle = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     ring = 2 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     points = np.concatenate([ring, [[8.0, 0, 0]]])
     edges = np.concatenate([np.stack([np.arange(48), (np.arange(48) + 1) % 48], axis=1), [[0, 48]]])
     mesh = shapes.solid_around(points, edges, np.full(49, 0.5), 0.25)
-    # The curve: its junction is out at 2.4, and the ring comes there within half a radian.
+    # The curve: its junction is out at 2.4, and the ring comes there within a quarter of a radian.
     first = np.array([2.4, 0, 0])
-    angle = np.linspace(0.5, 2 * np.pi - 0.5, 60)
+    angle = np.linspace(0.25, 2 * np.pi - 0.25, 60)
     ring = 2 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    share = np.linspace(0, 1, 6)[1:-1, None]
+    share = np.linspace(0, 1, 4)[1:-1, None]
     loop = np.concatenate([first + share * (ring[0] - first), ring, ring[-1] + share * (first - ring[-1])])
     rod = first + np.linspace(0, 1, 30)[1:, None] * ([7.7, 0, 0] - first)
     x = np.concatenate([[first], loop, rod])
