@@ -38,7 +38,8 @@ NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads
 LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
 STEADY = 0.9  # of the next ring's length: so long is one around a flat part of a limb, a foot; in a corner 0.89
-EVEN = 0.95  # of the next ring's length: so long is one of an even tube. Cosine of what normals of a plane spread by
+EVEN = 0.95  # of the next ring's length: so long is one of an even tube
+PLANE_END = 0.95  # length of the mean normal of an end that is a plane, or nearly; 1 / 2 for half a ball
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -274,7 +275,7 @@ def _cut_off(
     a, b, c = np.moveaxis(points[faces[(away[faces] < here).all(axis=1)]], 1, 0)
     normal = cross(b - a, c - a)
     normal = normal[normal @ line > NEAR * np.linalg.norm(normal, axis=1)]
-    is_plane = np.linalg.norm(normal.sum(axis=0)) > EVEN * np.linalg.norm(normal, axis=1).sum()
+    is_plane = np.linalg.norm(normal.sum(axis=0)) > PLANE_END * np.linalg.norm(normal, axis=1).sum()
     is_aside = beside(rings[NEAR_END:deep]).max() > NEAR * step
     return deep if is_aside and is_plane and beside(points[away < here]).max() <= tube / STEADY else 0
 
