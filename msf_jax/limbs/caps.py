@@ -191,7 +191,7 @@ class Caps:
         """The limbs of at least that slenderness, but `ROUND_END`.
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
-        bunny is the other end of its ears. A component without limbs and handles has its blunt ends instead. If a
+        bunny is the other end of its ears. A component without limbs has its blunt ends instead. If a
         component without handles has one or two limbs, and a direction, it has one branch, and its halves are the limbs
         (see `ends.halves`): in a sheet, discs around tips find its corners. The same goes for one without limbs, such
         as a cube. Last come limbs that only stand out.
@@ -211,7 +211,7 @@ class Caps:
             found = self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)
             limbs += [(tip, least, cap) for tip, cap in found]
         blunt = max(BLUNT * least, ROUND_END)
-        is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
+        is_whole = np.bincount(self._component, owner) == 0
         rest = tips[is_whole[self._component[tips]]]
         limbs += [(tip, np.inf, cap) for tip, cap in self._slender(rest, owner, most, blunt, 0.5)]
         caps = [
