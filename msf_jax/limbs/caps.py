@@ -191,10 +191,10 @@ class Caps:
         """The limbs of at least that slenderness, but `ROUND_END`.
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
-        bunny is the other end of its ears. A component without limbs has its blunt ends instead: with handles, at
-        least two, such as a mug, but not a kettlebell. If a component without handles has one or two limbs, and a direction, it has one branch, and its halves are the limbs
-        (see `ends.halves`): in a sheet, discs around tips find its corners. The same goes for one without limbs, such
-        as a cube. Last come limbs that only stand out.
+        bunny is the other end of its ears. A component without limbs has its blunt ends instead; one with handles has
+        two, as a mug, or none, as a kettlebell. If a component without handles has one or two limbs, and a
+        direction, it has one branch, and its halves are the limbs (see `ends.halves`): in a sheet, discs around tips
+        find its corners. The same goes for one without limbs, such as a cube. Last come limbs that only stand out.
         """
         if least not in self._found:
             self._found[least] = self._search(max(least, ROUND_END))
@@ -219,8 +219,8 @@ class Caps:
             for number, (tip, enough, cap) in enumerate(limbs, 1)
         ]
         count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
-        is_lone = is_whole & ~self._is_ball & (count == 1)
-        caps = [cap for cap in caps if not is_lone[self._component[cap.tip]]]
+        has_loops = is_whole & ~self._is_ball & (count != 2)
+        caps = [cap for cap in caps if not has_loops[self._component[cap.tip]]]
         for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
             two, is_long = self._halves(number)
             if (is_long or not count[number]) and min(cap.slenderness for cap in two) >= blunt:

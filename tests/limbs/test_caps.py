@@ -121,6 +121,17 @@ def test_a_part_with_a_handle_is_no_limb():
     assert not limbs(shape, 1.2)
 
 
+def test_a_body_with_a_handle_has_two_ends():
+    """A mug: its ends are blunter than limbs."""
+    handle = manifold3d.Manifold.revolve(manifold3d.CrossSection.circle(0.4, 24).translate((1.8, 0)), 64)
+    shape = solid(
+        manifold3d.Manifold.cylinder(6, 1.5, 1.5, 32, True) + handle.rotate((90, 0, 0)).translate((1.3, 0, 0))
+    )
+    found = limbs(shape, 1.0)
+    assert sorted(np.sign(shape.vertices[cap.tip, 2]) for cap in found) == [-1, 1]
+    assert max(cap.slenderness for cap in found) < 1.0
+
+
 def test_a_small_limb_counts_half():
     """`SMALL_CAP`, `SMALLER`: of a finger on blocks of any size, and a finger of that share is a limb or none."""
     length, radius, refined = 0.75, 0.25, 0.1  # three radii long
