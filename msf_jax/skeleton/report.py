@@ -276,22 +276,28 @@ def assessed(
     """
     about = loops_of(shape, vertices, edges, node_of_vertex)
     shares = limbs.shares_of(shape, vertices, edges, node_of_vertex)
+    doubts = _stubs(shape, vertices, edges, is_tubular)
+    if shares.in_sheets > MOSTLY:
+        doubts.append(IN_SHEETS.format(shares.in_sheets))
+    doubts += _folds(shape, vertices, edges)
+    doubts += _overlaps(shape, vertices, edges, node_of_vertex)
+    return about | shares._asdict() | {"doubts": (*about["doubts"], *doubts)}
+
+
+def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_tubular: bool) -> list[str]:
+    """The doubt about a curve with many stubs. Limbs are only measured where so many branches end."""
+    if (np.bincount(edges.ravel()) == 1).sum() < MANY:
+        return []
     slenderness = (
         pruning.by_balls(vertices, shape.approximate_clearance(vertices)[0])
         if is_tubular
         else one_branch.slenderness(Caps(without_cavities(shape)), vertices, edges, STUB)
     )
     slender = [branch.slenderness for branch in pruning.measure(vertices, edges, slenderness)]
-    ending = sum(np.isfinite(slender))
-    stubs = sum(each < STUB for each in slender)
-    doubts = []
-    if stubs >= MANY and stubs > MOST_STUBS * ending:
-        doubts.append(f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough")
-    if shares.in_sheets > MOSTLY:
-        doubts.append(IN_SHEETS.format(shares.in_sheets))
-    doubts += _folds(shape, vertices, edges)
-    doubts += _overlaps(shape, vertices, edges, node_of_vertex)
-    return about | shares._asdict() | {"doubts": (*about["doubts"], *doubts)}
+    ending, stubs = sum(np.isfinite(slender)), sum(each < STUB for each in slender)
+    if stubs < MANY or stubs <= MOST_STUBS * ending:
+        return []
+    return [f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough"]
 
 
 def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[str]:
