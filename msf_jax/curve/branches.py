@@ -1,6 +1,5 @@
 """A curve as branches: the paths between nodes that do not have two edges; and edits of the graph."""
 
-import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -12,7 +11,6 @@ from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
 NEAR = 1.0  # radii, the larger of the two: junctions are merged that are joined by a shorter path
-STRAND = 0.5  # radii: two branches of a junction that are nearer run in the same limb, and begin at one place
 
 
 def nearest_on_branch(
@@ -87,70 +85,6 @@ def merge_junctions(
             if is_kept.all() and graphs.cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
                 target, moved = tried, added
     return target == every, target, _relabelled(edges, target)
-
-
-def zip_strands(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Two branches of a junction that run beside each other in one limb become one, up to where they part.
-
-    That happens if the flow's junction was outside of the solid, and was moved into a limb: the branches of the stem
-    then run out along the limb to it. Two strands are merged where one is within `STRAND` radii of the other, if that
-    stretch is longer than the junction's radius. A loop of two strands in one limb is removed.
-    Returns which nodes stay (N,), the target of each node (N,), and the edges. Nodes of ``is_held`` (N,) stay.
-    """
-    stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
-    left = {(min(edge), max(edge)) for edge in edges.tolist()}
-    known: dict[tuple[bytes, bytes], tuple[int, float]] = {}  # each round changes few of the branches
-    for _ in range(len(vertices)):
-        paths = [path for each in graphs.trace(len(vertices), np.array(sorted(left))) for path in (each, each[::-1])]
-        of_node: dict[int, list[np.ndarray]] = {}
-        for path in paths:
-            if len(path) > 2 and path[0] != path[-1]:
-                of_node.setdefault(path[0], []).append(np.array(path))
-        found = None
-        for node, strands in of_node.items():
-            if len(strands) < 3:  # no junction, as branches of one edge do not count
-                continue
-            for one, other in itertools.permutations(strands, 2):
-                key = one.tobytes(), other.tobytes()
-                if key not in known:
-                    known[key] = _beside(vertices, radii, one, other)
-                count, length = known[key]
-                if (
-                    length > radii[node]
-                    and not is_held[one[1 : count + 1]].any()
-                    and (found is None or length > found[0])
-                ):
-                    found = length, one, other, count
-        if found is None:
-            break
-        _, one, other, count = found
-        gone = one[1 : count + 1]
-        near = other[np.linalg.norm(vertices[gone][:, None] - vertices[other], axis=2).argmin(axis=1)]
-        stays[gone], target[gone] = False, near
-        left -= {(min(edge), max(edge)) for edge in itertools.pairwise(one[: count + 2].tolist())}
-        if near[-1] != one[count + 1]:  # else the strands have met again
-            left.add((min(int(near[-1]), int(one[count + 1])), max(int(near[-1]), int(one[count + 1]))))
-    while (target != target[target]).any():
-        target = target[target]
-    return stays, target, np.array(sorted(left), dtype=np.int64).reshape(-1, 2)
-
-
-def _beside(vertices: np.ndarray, radii: np.ndarray, one: np.ndarray, other: np.ndarray) -> tuple[int, float]:
-    """How many nodes of the path ``one``, after its first, are beside the path ``other`` from the same node, and the
-    length of that stretch. The last node of a path is never counted."""
-    ends = np.stack([vertices[other[:-1]], vertices[other[1:]]])
-    count = 0
-    while count < len(one) - 2:
-        point = vertices[one[count + 1]]
-        step = ends[1] - ends[0]
-        part = np.einsum("ei,ei->e", point - ends[0], step) / np.maximum(np.einsum("ei,ei->e", step, step), 1e-300)
-        foot = ends[0] + np.clip(part, 0, 1)[:, None] * step
-        if np.linalg.norm(foot - point, axis=1).min() > STRAND * radii[one[count + 1]]:
-            break
-        count += 1
-    return count, float(np.linalg.norm(np.diff(vertices[one[: count + 1]], axis=0), axis=1).sum())
 
 
 def merge_coincident(

@@ -278,13 +278,9 @@ def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) ->
 
 
 def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
-    """Nodes are about ``SPACING`` radii apart, in the middle of the solid. No two strands run in one limb, and the
-    junctions of tubes are where the axes of their branches meet."""
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and the junctions of tubes are where the
+    axes of their branches meet."""
     draft = centre_nodes(refine(draft, job), job, hold_leaves)
-    radii = job.coarse.approximate_clearance(draft.vertices)[0]
-    stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
-    if not stays.all():
-        draft = centre_nodes(reduced(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
     return merge_junctions(intersect_axes(draft, job), job)
 
 

@@ -17,7 +17,6 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.curve import branch_paths
-from msf_jax.curve.branches import STRAND
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, unit
@@ -36,6 +35,7 @@ AXIS_REACH = 4.0  # of the trunk's radius: from it, at most, to where a side bra
 # Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
+SHARED = 0.5  # radii of a side branch: if it begins that near to a junction of its trunk, it begins there
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
 LATER = 4.0  # radii: so much later at most that stretch begins; a branch of 35 degrees is bent over three
@@ -187,7 +187,7 @@ def attached(
         # Branches that begin at one place share its node.
         nodes = np.intersect1d(edges[is_trunk], np.flatnonzero(np.bincount(edges.ravel()) > 2))
         away = np.linalg.norm(x[nodes] - found.place, axis=1)
-        is_shared, new, meet = bool((away < STRAND * side.size).any()), len(x), found.place
+        is_shared, new, meet = bool((away < SHARED * side.size).any()), len(x), found.place
         if is_shared:
             new = int(nodes[away.argmin()])
             meet = x[new]
