@@ -235,10 +235,11 @@ def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
 
 def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int) -> np.ndarray:
     """The ``middles`` (k, 3) of rings of that ``size`` (k,), from ``whole`` on, in the material of an angle or channel:
-    see `sections.held_in`. Those that are outside say how the limb runs. That of a bent ring can be in a flange."""
+    see `sections.held_in`. Those that are outside, most of them, say how the limb runs. That of a bent ring can be in
+    a flange."""
     row = np.arange(min(whole, len(middles) - 1), len(middles))
     out = row[~shape.contains(middles[row])]
-    if len(out) < 2:
+    if 2 * len(out) <= len(row):  # those are in a hole in the end
         return middles
     near = np.searchsorted(out, row)
     heading = unit(middles[out[np.minimum(near + 1, len(out) - 1)]] - middles[out[np.clip(near - 1, 0, len(out) - 2)]])
@@ -262,7 +263,7 @@ def _cut_off(
     ring, by d = ``away`` (v,), lies in the tube around the line there, and what faces ahead is a plane. A foot leaves
     the tube, as do a hook and an arm of an elbow; a horn is not even, and a finger's end is round."""
     deep = min(int(LAST / RING_SPACING), len(rings) - 2)
-    if deep <= NEAR_END or perimeter[deep] < EVEN * perimeter[deep + 1]:
+    if deep <= NEAR_END or (perimeter[deep - 1 : deep + 1] < np.array([WHOLE, EVEN]) * perimeter[deep + 1]).any():
         return 0
     line = unit(rings[deep] - rings[deep + 1])
 
@@ -333,9 +334,12 @@ def to_end(
             break
         outer -= 1
     first = outer
-    # The end is ahead on the line through two rings. Those on the underside of a head have one middle, and one behind a
+    # The end is ahead on the line through two rings, a radius apart if there are such: a section of a nail's head that
+    # is a little oblique has its middle far aside. Those on the underside of a head have one middle, and one behind a
     # hole in the end is alone: there it is ahead across the ring.
-    heading, middles, pair = -normals[first], middles.copy(), [first, int(following[first])]
+    is_far = np.linalg.norm(middles[first:] - middles[first], axis=1) >= size[first]
+    other = first + int(is_far.argmax()) if is_far.any() else int(following[first])
+    heading, middles, pair = -normals[first], middles.copy(), [first, other]
     is_apart = np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * step
     for _ in range(LINE_ROUNDS if is_apart else 0):
         middles[pair] = centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
