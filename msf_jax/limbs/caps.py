@@ -37,6 +37,7 @@ FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
 SMALL_CAP = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts half, see `fronts.SMALLER`
 BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
+BODY = 0.25  # of the surface of a solid with handles: its two blunt ends have more, corners of a truss have less
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
@@ -219,7 +220,9 @@ class Caps:
             for number, (tip, enough, cap) in enumerate(limbs, 1)
         ]
         count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
-        has_loops = is_whole & ~self._is_ball & (count != 2)
+        held = np.bincount(self._component[[cap.tip for cap in caps]], [cap.area for cap in caps], len(count))
+        whole = np.bincount(self._component[self.surface.faces[:, 0]], self.area, len(count))
+        has_loops = is_whole & ~self._is_ball & ((count != 2) | (held < BODY * whole))
         caps = [cap for cap in caps if not has_loops[self._component[cap.tip]]]
         for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
             two, is_long = self._halves(number)

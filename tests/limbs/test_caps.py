@@ -132,6 +132,16 @@ def test_a_body_with_a_handle_has_two_ends():
     assert max(cap.slenderness for cap in found) < 1.0
 
 
+def test_two_stubs_of_a_ring_are_no_ends():
+    """`BODY`: they are as slender as the ends of a mug, and hold little of the surface; so are corners of a truss."""
+    ring = manifold3d.Manifold.revolve(manifold3d.CrossSection.circle(0.5, 24).translate((3, 0)), 64)
+    stubs = manifold3d.Manifold.cylinder(7.8, 0.45, 0.45, 24, True).rotate((0, 90, 0))
+    stubs -= manifold3d.Manifold.cylinder(4, 3, 3, 64, True)
+    found = Caps(solid(ring + stubs, 0.1))
+    most = [found.grown(tip, none(found.shape))[0][:, 0].max(initial=0.0) for tip in found.tips()]
+    assert (np.array(most) > caps.BLUNT).sum() >= 2 and max(most) < 1.0 and not found.limbs(1.0).caps
+
+
 def test_a_small_limb_counts_half():
     """`SMALL_CAP`, `SMALLER`: of a finger on blocks of any size, and a finger of that share is a limb or none."""
     length, radius, refined = 0.75, 0.25, 0.1  # three radii long
