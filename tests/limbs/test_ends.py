@@ -471,3 +471,29 @@ def test_triangles_of_a_lid_in_a_line_have_exit_times():
         vertices[:4], np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]), np.array([1, 1, 1, 0])
     )
     np.testing.assert_allclose(time[:3], plain[:3], rtol=0.2)  # other triangles, so another discretisation
+
+
+def along_z(places: list) -> np.ndarray:
+    return np.array([(x, y, z) for x, y, z in places], dtype=float)
+
+
+def test_uneven_rings_of_a_flange_lead_to_the_middle_of_its_end():
+    """Rings on the underside of a flange crowd, and their middles are a little aside. Across the line through two of
+    them the section of the flange is oblique, with its middle far aside; a ring a radius on shows the axis."""
+    body = Solid.cylinder(9, 0.8, 0.8, 32) + box(3, 3, 0.7).translate((0, 0, 0.35))
+    deep = [(0, 0, 0.93), (0, 0, 1.24), (0, 0, 1.58), (0, 0, 1.95), (0, 0, 2.33)]
+    middles = along_z([(0, 0, 0.1), (-0.01, 0.01, 0.65), (-0.02, 0.02, 0.7), (-0.02, 0.03, 0.7), *deep])
+    perimeter = np.array([12.08, 10.61, 7.81, 5.57, 5.03, 5.03, 5.03, 5.03, 5.03])
+    size = np.array([1.51, 1.58, 1.23, 0.88, 0.8, 0.8, 0.8, 0.8, 0.8])
+    places = ends.to_end(as_shape(body), middles, np.tile([0.0, 0, 1], (9, 1)), perimeter, size, 1, 0.4, 1.4)
+    assert np.linalg.norm(places[0, :2]) < 0.05 and 0.1 < places[0, 2] < 0.4
+
+
+def test_a_shaft_before_a_cam_is_not_cut_off_obliquely():
+    """`WHOLE`: the length of rings jumps where the cam begins; towards an acute edge it falls step by step."""
+    cam = Solid.cylinder(1.2, 1.25, 1.25, 32).translate((0.45, 0, 2.5))
+    shape = as_shape(Solid.cylinder(14, 0.8, 0.8, 32) + cam, 0.3)
+    rings = along_z([*((0, 0, z) for z in (0.05, 0.2, 0.75, 1.25, 1.75, 2.3)), (0.45, 0, 2.55), (0.45, 0, 3.2)])
+    length = np.array([2.2, 5.0, 5.0, 5.0, 5.0, 5.0, 7.7, 7.9])
+    near = (shape.vertices[shape.faces, 2] < 4).all(axis=1)
+    assert ends._cut_off(shape.vertices, shape.faces[near], shape.vertices[:, 2], rings, length, 0.5) == 0
