@@ -251,13 +251,15 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
 
 
 def _bends(x: np.ndarray, path: np.ndarray, radii: np.ndarray) -> list[int]:
-    """The nodes of ``path`` (k,) at which it turns back, between the places `CLEAR` radii before and behind."""
+    """The nodes of ``path`` (k,) at which it turns back, between the places `CLEAR` radii before and behind. A fat ring
+    does so all along, and has no bend."""
     along, reach = arc_length(x[path]), CLEAR * float(np.median(radii[path]))
     before, behind = (at(x[path], along, along + side) - x[path] for side in (-reach, reach))
     cosine = -np.einsum("ki,ki->k", unit(before), unit(behind))
-    is_back = (cosine < 0) & (along > reach) & (along < along[-1] - reach)
-    first = np.flatnonzero(np.diff(is_back, prepend=False, append=False)).reshape(-1, 2)
-    return [int(path[start + cosine[start:stop].argmin()]) for start, stop in first]
+    is_known = (along > reach) & (along < along[-1] - reach)
+    runs = np.flatnonzero(np.diff((cosine < 0) & is_known, prepend=False, append=False)).reshape(-1, 2)
+    runs = runs[is_known[runs - [1, 0]].all(axis=1)]
+    return [int(path[start + cosine[start:stop].argmin()]) for start, stop in runs]
 
 
 def _put(

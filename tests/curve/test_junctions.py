@@ -288,3 +288,11 @@ def test_axes_that_pass_each_other_far_off_do_not_meet(aside, is_met):
     shape, x, edges, chains = fork(120, 0.3)
     x[chains[1][1:], 1] += aside
     assert (moved(shape, x, edges)[0] != x[0]).any() == is_met
+
+
+@pytest.mark.parametrize("radius", [0.3, 0.65])
+def test_a_fat_ring_has_no_bend(radius):
+    """Its curve turns back between the places three radii before and behind each node."""
+    angle = np.linspace(0, 2 * np.pi, 61)
+    x = np.stack([np.cos(angle), np.sin(angle), np.zeros(61)], axis=1)
+    assert not junctions._bends(x, np.arange(61), np.full(61, radius))
