@@ -219,10 +219,10 @@ class Caps:
             cap or self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
             for number, (tip, enough, cap) in enumerate(limbs, 1)
         ]
-        count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
-        held = np.bincount(self._component[[cap.tip for cap in caps]], [cap.area for cap in caps], len(count))
-        whole = np.bincount(self._component[self.surface.faces[:, 0]], self.area, len(count))
-        has_loops = is_whole & ~self._is_ball & ((count != 2) | (held < BODY * whole))
+        around = [cap.tip for cap in caps]
+        count = np.bincount(self._component[around], minlength=len(self._is_ball))
+        held = np.bincount(self._component[around], [cap.area for cap in caps] / self._total[around], len(count))
+        has_loops = is_whole & ~self._is_ball & ((count != 2) | (held < BODY))
         caps = [cap for cap in caps if not has_loops[self._component[cap.tip]]]
         for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
             two, is_long = self._halves(number)

@@ -286,7 +286,7 @@ def assessed(
 
 def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_tubular: bool) -> list[str]:
     """The doubt about a curve with many stubs. Limbs are only measured where so many branches end."""
-    if (np.bincount(edges.ravel()) == 1).sum() < MANY:
+    if len(one_branch.leaves_of(edges)) < MANY:
         return []
     slenderness = (
         pruning.by_balls(vertices, shape.approximate_clearance(vertices)[0])
