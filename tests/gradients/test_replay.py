@@ -261,23 +261,34 @@ from msf_jax.base import layout
 from conftest import blob
 
 assert jax.device_count() == 4
-layout.SMALLEST_CAPACITY, layout.RAGGED_TAIL = 64, 8
-tape = msf_jax.contract(blob(1, 1), config=Config(max_iterations=1)).tape
-weights = Weights(np.ones(4), np.linspace(0.1, 0.4, 4), np.full(4, 0.4), np.full(4, 0.001))
-many = jax.vmap(jax.value_and_grad(lambda weights: (msf_jax.replay(tape, weights) ** 2).sum()))
-spread = jax.shard_map(
+layout.SMALLEST_CAPACITY = 64
+flow = msf_jax.contract(blob(1, 1), config=Config(max_iterations=1))
+many = jax.vmap(jax.value_and_grad(lambda weights: (msf_jax.replay(flow.tape, weights, tolerance=1e-14) ** 2).sum()))
+spread = jax.jit(jax.shard_map(
     many, mesh=Mesh(np.array(jax.devices()), ("w",)), in_specs=PartitionSpec("w"), out_specs=PartitionSpec("w")
-)
-for one, other in zip(*(jax.tree.leaves(jax.jit(each)(weights)) for each in (spread, many))):
-    assert len(one.sharding.device_set) == 4 and np.abs(other).max() > 0
-    np.testing.assert_allclose(one, other, rtol=1e-6, atol=1e-9 * np.abs(other).max())
+))
+
+def found(logarithms):
+    values, slopes = spread(Weights(*np.exp(logarithms)))
+    assert len(values.sharding.device_set) == 4
+    return np.array(values), np.exp(logarithms) * np.array(jax.tree.leaves(slopes))
+
+start = np.log(np.tile(jax.tree.leaves(flow.weights), (4, 1)).T)
+start[1] += np.linspace(0.0, 1.0, 4)
+values, slopes = found(start)
+np.testing.assert_allclose(values[0], (flow.curve.vertices**2).sum(), rtol=1e-6)
+step = 1e-5 * np.random.default_rng(0).normal(size=start.shape)
+(ahead, _), (behind, _) = found(start + step), found(start - step)
+np.testing.assert_allclose((slopes * 2 * step).sum(axis=0), ahead - behind, rtol=1e-4)
+assert np.ptp(values) > 1e-3 * values[0]
 print("spread over", jax.device_count())
 """
 
 
 @pytest.mark.system
 def test_replays_are_spread_over_devices(tmp_path):
-    """And checked: what differs between devices is declared so, loops inside the solves included."""
+    """And checked: what differs between devices is declared so, loops inside the solves included. The first device has
+    the run's own weights, and its value; slopes of each are those of central differences of its own values."""
     (tmp_path / "sharded.py").write_text(SHARDED)
     tests = Path(__file__).parents[1]
     flags = os.environ.get("XLA_FLAGS", "") + " --xla_force_host_platform_device_count=4"
