@@ -1,7 +1,7 @@
 """The same bits in fresh processes: whatever the hash seed and the threads, and after any number of kills.
 
-``MSF_JAX_PROCESSES`` processes are compared, 2 if it is not set, and ``MSF_JAX_KILLS`` runs killed, 2 if it is not. In
-float64, one of the processes is the one that goes on from what killed ones left.
+``MSF_JAX_PROCESSES`` processes are compared, 2 if it is not set, and ``MSF_JAX_KILLS`` runs killed, 2 if it is not.
+They compute in float32, which is what JAX does unless it is told.
 """
 
 import os
@@ -28,12 +28,11 @@ if hasattr(os, "sched_setaffinity"):  # before XLA counts them
     os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:threads])
 import jax
 import numpy as np
-jax.config.update("jax_enable_x64", sys.argv[2] == "float64")
 import msf_jax
 from msf_jax.flow import loop
 from msf_jax.flow.state import Limits
 from msf_jax import shapes
-checkpoint = sys.argv[3] if len(sys.argv) > 3 else None
+checkpoint = sys.argv[2] if len(sys.argv) > 2 else None
 often = Limits(checkpoint_every=1)
 config = msf_jax.Config().replace(flow={"threshold_min": 0.003})
 run = loop.contract(shapes.hand(0.1), config=config, checkpoint=checkpoint, limits=often)
@@ -74,7 +73,7 @@ def test_limbs_from_another_thread_are_the_same(monkeypatch):
     assert pool.names[2:] == ["prepare"]
 
 
-def start(threads, precision="float64", *checkpoint, seed="0"):
+def start(threads, *checkpoint, seed="0"):
     """The program in a process of its own, which prints how many iterations it took and a hash of everything."""
     environment = os.environ | {
         "PYTHONHASHSEED": seed,
@@ -82,7 +81,7 @@ def start(threads, precision="float64", *checkpoint, seed="0"):
         "TF_CPP_MIN_LOG_LEVEL": "3",
         "XLA_FLAGS": "",  # with all optimisations
     }
-    command = [sys.executable, "-c", PROGRAM, str(threads), precision, *map(str, checkpoint)]
+    command = [sys.executable, "-c", PROGRAM, str(threads), *map(str, checkpoint)]
     return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, cwd=ROOT)
 
 
@@ -92,31 +91,25 @@ def result(process):
     return output
 
 
-def results(precision, count):
+def results(count):
     """What the program printed with other hash seeds, one thread or two, two processes at a time."""
     found = set()
     for number in range(0, count, 2):
-        pair = [start(1 + k % 2, precision, seed=str(k)) for k in range(number, min(number + 2, count))]
+        pair = [start(1 + k % 2, seed=str(k)) for k in range(number, min(number + 2, count))]
         found |= {result(process) for process in pair}
     return found
 
 
-@pytest.mark.system  # in float64: below
-def test_the_same_bits_in_every_process_in_float32():
-    (found,) = results("float32", PROCESSES)
-    assert int(found.split()[0]) > 5
-
-
-@pytest.mark.system  # in one process: in test_checkpoint
-def test_a_run_that_is_killed_again_and_again_ends_in_the_same_bits(tmp_path):
+@pytest.mark.system  # in float64 in one process: in test_checkpoint; in others, the files of a curve: in test_batch
+def test_the_same_bits_in_every_process_and_after_kills(tmp_path):
     """kill -9 at random moments; each time the next one goes on from what is in the file. Expected is what others print
-    that are not killed, with another number of threads and another hash seed."""
+    that are not killed, each of which compiles what it needs, with one thread or two."""
     path, random = tmp_path / "run.npz", np.random.default_rng(0)
-    (expected,) = results("float64", max(PROCESSES - 1, 1))
+    (expected,) = results(PROCESSES)
     assert int(expected.split()[0]) > 5
     num_killed = 0
     for _ in range(10 * KILLS):
-        with start(2, "float64", path, seed="1") as process:
+        with start(2, path, seed="1") as process:
             wait_for_writes(process, path, int(random.integers(1, 5)))
             time.sleep(random.uniform(0, 0.05))
             if process.poll() is None:
@@ -127,7 +120,7 @@ def test_a_run_that_is_killed_again_and_again_ends_in_the_same_bits(tmp_path):
         if num_killed == KILLS:
             break
     assert num_killed == KILLS
-    assert result(start(2, "float64", path, seed="1")) == expected
+    assert result(start(2, path, seed="1")) == expected
 
 
 def wait_for_writes(process, path, count):
