@@ -167,7 +167,7 @@ def topology_variants() -> dict[str, Any]:
         "two boxes that share an edge": welded(joined(box(), box((1, 1, 0)))),
         "two boxes that share a face": welded(joined(box(), box((1, 0, 0)))),
         "two boxes that overlap": joined(box(), box((0.5, 0.3, 0.2))),
-        "twice the same box": joined(box(), box()),
+        "twice the same limb": joined((vertices, faces), (vertices, faces)),
         "nested, both outwards": joined((vertices, faces), inner),
         "nested, a cavity": joined((vertices, faces), (inner[0], faces[:, ::-1])),
         "two spheres that touch": welded(joined(pair(sphere), pinch)),
