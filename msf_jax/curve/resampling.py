@@ -11,7 +11,7 @@ from msf_jax.solid.geometry import arc_length, at, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
-MOST_ROUNDS = 20  # each over all corners that are left
+MOST_ROUNDS = 8  # each over all corners that are left; in later ones, one corner of 20 that are left is rounded
 
 
 def resample(
