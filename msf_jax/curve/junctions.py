@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from scipy import spatial
 
 from msf_jax.curve import branch_paths
 from msf_jax.inside.containment import is_inside
@@ -27,11 +28,10 @@ BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight;
 OFF = 0.2  # radii: a branch that is farther from its axis, or an axis from its trunk, is not on it
 APART = 0.35  # radii: axes meet if one point is that near to all; on a plant's stem, they pass each other by a third
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
-THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
-CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
+CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch: it keeps its radius so far, and the length that gives its axis
 # of its usual radius: with less, a branch is not on its axis; triangles as long as the radius make 0.85 of it
 KEPT = 0.75
-AXIS_REACH = 4.0  # of the trunk's radius: from it, at most, to where a side branch is on its axis, 15 degrees from it
+AXIS_REACH = 4.0  # of the trunk's radius: so far a branch runs in it from where their axes meet, at 15 degrees
 # Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
@@ -45,11 +45,12 @@ SPREAD = 0.05
 
 class Side(NamedTuple):
     """A thin side branch. path: its nodes from its junction to its leaf or, if it forks itself, to its fork. size: its
-    usual radius. begin: the position in ``path`` where it is on its axis. place, heading: (3,) that node, and the unit
-    vector of its axis away from the trunk."""
+    usual radius. exit: (3,) its last node in a ball of the trunk. begin: the position in ``path`` where it is on its
+    axis. place, heading: (3,) that node, and the unit vector of its axis away from the trunk."""
 
     path: np.ndarray
     size: float
+    exit: np.ndarray
     begin: int
     place: np.ndarray
     heading: np.ndarray
@@ -84,7 +85,7 @@ def thin_sides(
     paths, thickest = graphs.trace(len(x), edges), radii.copy()  # of each junction, also in front of a crotch
     for path in paths:
         thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
-    in_side, sides = np.zeros(len(x), dtype=bool), []
+    in_side, thin, sides = np.zeros(len(x), dtype=bool), [], []
     for each in sorted(paths, key=lambda path: bool((degree[[path[0], path[-1]]] == 1).any())):  # those that fork first
         is_onward = (degree[each[-1]] == 1, thickest[each[0]]) > (degree[each[0]] == 1, thickest[each[-1]])
         path = np.array(each if is_onward else each[::-1])
@@ -93,11 +94,23 @@ def thin_sides(
         if not ((is_leaf or is_link) and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
             continue
         in_side[path[1:]] |= is_leaf  # a side branch that forks is a trunk, too
-        along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
+        thin.append((path, size, is_link))
+    at_node: dict[int, list[int]] = {}  # of each junction, the nodes of its branches, but of thin ones that end there
+    for path in paths:
+        if not in_side[path[1]]:
+            for end in {path[0], path[-1]}:
+                at_node.setdefault(end, []).extend(path)
+    for path, size, is_link in thin:
+        trunk = np.setdiff1d(at_node.get(int(path[0]), []), path[1:]).astype(np.int64)
+        if not len(trunk):
+            continue
+        away, nearest = spatial.KDTree(x[trunk]).query(x[path])
+        along, inner = arc_length(x[path]), np.flatnonzero(away <= radii[trunk[nearest]])
+        inner = inner[inner < len(path) / 2]
         # On its axis a branch has its usual radius, and keeps it: nodes on a bend are nearer to the surface.
-        thin = np.append(along[radii[path] < KEPT * size], np.inf)
-        is_on_axis = along >= along[thick[-1] if len(thick) else 0] + CLEAR * size
-        is_on_axis &= thin[np.searchsorted(thin, along)] > along + CLEAR * size
+        narrow = np.append(along[radii[path] < KEPT * size], np.inf)
+        is_on_axis = along >= along[inner[-1]] + size
+        is_on_axis &= narrow[np.searchsorted(narrow, along)] > along + CLEAR * size
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
         last = along[-1] - is_link * CLEAR * size
         if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
@@ -109,7 +122,7 @@ def thin_sides(
             off = np.linalg.norm(np.cross(x[path] - near, unit(far - near)), axis=1)
             begin = int(np.flatnonzero((along <= beyond[0]) & (off > OFF * size)).max(initial=begin - 1)) + 1
             place = x[path[begin]]
-            sides.append(Side(path, size, begin, place, unit(far - place)))
+            sides.append(Side(path, size, x[path[inner[-1]]], begin, place, unit(far - place)))
     return sides, ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
 
 
@@ -119,9 +132,10 @@ def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, 
     part = graphs.labels(len(x), *edges[~_is_first(edges, side)].T)
     numbers = np.flatnonzero(is_trunk & (part[edges[:, 0]] != part[side.path[1]]))
     trunk = edges[numbers]
-    share, place, off, back = _nearest_on(x[trunk], side.place, -side.heading)
+    share, place, off = _nearest_on(x[trunk], side.place, -side.heading)
     ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
-    is_near = (side.size < THIN * ball) & (off < OFF * ball) & (back < AXIS_REACH * ball)
+    along = np.linalg.norm(place - side.exit, axis=1)
+    is_near = (side.size < THIN * ball) & (off < OFF * ball) & (along < AXIS_REACH * ball)
     if not is_near.any():  # also where all branches end at one junction, and there is no trunk
         return None
     best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
@@ -206,10 +220,9 @@ def attached(
 
 def _nearest_on(
     segment: np.ndarray, place: np.ndarray, heading: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of each ``segment`` (S, 2, 3), where it is nearest to the ray from ``place`` (3,) along the unit vector
-    ``heading`` (3,): the share (S,) of its length, the point (S, 3), its distance (S,) from the ray, and from
-    ``place`` along the ray (S,)."""
+    ``heading`` (3,): the share (S,) of its length, the point (S, 3), and its distance (S,) from the ray."""
     start, span = segment[:, 0] - place, segment[:, 1] - segment[:, 0]
     # Without the component along the ray, the nearest point of the segment to the origin.
     flat, flat_span = (each - np.outer(each @ heading, heading) for each in (start, span))
@@ -217,7 +230,7 @@ def _nearest_on(
     meet = segment[:, 0] + share[:, None] * span
     back = (meet - place) @ heading
     off = np.linalg.norm(meet - place - np.maximum(back, 0.0)[:, None] * heading, axis=1)
-    return share, meet, off, back
+    return share, meet, off
 
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:

@@ -65,6 +65,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
     found = levels(x, faces, away, step)
     if not len(found.centre) or np.median(found.perimeter / np.maximum(found.size, 1e-300)) > ROUND * 2 * np.pi:
         return None
+    found = _ending_once(found, step)
     # A piece with one ring is the end of a limb.
     num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
     end = np.flatnonzero(num_rings == 1)
@@ -73,6 +74,25 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
     centre, tip = _to_ends(shape, found, end, num_rings, step)
     vertices, edges = _joined(shape, found._replace(centre=centre), tip, end, is_inside)
     return ReebCurve(vertices, edges, ring_of[found.piece])
+
+
+def _ending_once(found: Levels, step: float) -> Levels:
+    """Where a limb that is thicker than a ``step`` ends in several pieces of one ring each, it ends in the piece that
+    they stand on: they are corners of its end."""
+    num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
+    is_above = num_rings[found.above] == 1
+    end, base = np.where(is_above, (found.above, found.below), (found.below, found.above))
+    is_corner = num_rings[end] == 1
+    corners = np.bincount(base[is_corner], minlength=found.num_pieces)
+    thickest = np.zeros(found.num_pieces)
+    for side in (found.below, found.above):
+        np.maximum.at(thickest, side, np.where(is_corner, 0.0, found.size))
+    is_end = (corners > 1) & (num_rings == corners + 1) & (thickest > step)
+    is_gone = is_corner & is_end[base]
+    to = np.arange(found.num_pieces)
+    to[end[is_gone]] = base[is_gone]
+    rings = (each[~is_gone] for each in found[:-2])
+    return Levels(*rings, to[found.piece], found.num_pieces)
 
 
 def _to_ends(
