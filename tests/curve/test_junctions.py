@@ -187,7 +187,7 @@ def side_branch(astray, num=60):
 
 @pytest.mark.parametrize("astray", [-8.0, 8.0])
 def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
-    """`THIN`, `THICK`, `CLEAR`, `STRETCH`, `AXIS_REACH`: wherever it ran along the trunk."""
+    """`THIN`, `STRETCH`: wherever it ran along the trunk."""
     shape, x, edges, first = side_branch(astray)
     held = np.zeros(len(x), dtype=bool)
     found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
@@ -196,6 +196,36 @@ def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
     assert np.linalg.norm(found[degree > 2]) < 0.1
     assert len(found) == len(x) + 1 and len(found_edges) == len(edges) + 1
     np.testing.assert_array_equal(found[:60], x[:60])  # the trunk stays
+
+
+def led(x, edges, first, places):
+    """The curve of `side_branch` with the side branch from its ``first`` node through ``places`` to its axis."""
+    stays = np.arange(len(x)) < 60
+    stays[60:] = x[60:, 1] >= places[-1][1]
+    chain = np.r_[first, len(x) + np.arange(len(places)), np.flatnonzero(stays)[60:]]
+    trunk = edges[(edges < 60).all(axis=1)]
+    x, edges = np.concatenate([x, places]), np.concatenate([trunk, np.stack([chain[:-1], chain[1:]], axis=1)])
+    nodes, edges = np.unique(edges, return_inverse=True)
+    return x[nodes], edges.reshape(-1, 2)
+
+
+@pytest.mark.parametrize(
+    ("places", "is_attached"),
+    [
+        ([[1.5, 0.0, z] for z in np.linspace(8, -2, 20)] + [[0.0, 2.5, 2.5]], True),  # beside the trunk's axis
+        ([[0.5, 0.0, 6.0], [0.0, 1.0, 2.0], [0.0, 10.0, 10.0]], True),  # no node for 14 radii after it left the trunk
+        ([[0.0, 2.0, 10.0], [0.0, 10.0, 10.0]], True),  # it leaves the trunk 3 of its radii from where the axes meet
+        ([[0.0, 2.0, 20.0], [0.0, 5.0, 20.0], [0.0, 10.0, 10.0]], False),  # 7 of them
+    ],
+)
+def test_a_side_branch_is_in_its_trunk_where_it_is_in_its_balls(places, is_attached):
+    """`AXIS_REACH`: a stretch in the trunk is no axis, however straight, and it has at most four radii there."""
+    shape, x, edges, first = side_branch(8.0)
+    x, edges = led(x, edges, first, np.array(places))
+    found, found_edges = junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))
+    (junction,) = np.flatnonzero(np.bincount(found_edges.ravel()) > 2)
+    assert (np.linalg.norm(found[junction]) < 0.1) == is_attached
+    assert len(found) == len(x) + is_attached
 
 
 @pytest.mark.parametrize("bend", [0.0, 2.0])

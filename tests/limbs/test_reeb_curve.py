@@ -105,6 +105,13 @@ def test_the_limbs_of_a_plant_of_long_triangles_end_on_their_axes():
         assert ((aside < 0.25 * radius) & (np.abs(away @ way + 0.3 * radius) < 0.3 * radius)).sum() == 1
 
 
+@pytest.mark.parametrize("num", [16, 34])
+def test_a_thick_stem_that_ends_in_a_plane_has_one_end_there(num):
+    """The distance along the surface is largest at several corners of the plane, one step of a thin branch apart."""
+    found = laid(*plant(num)[:2])
+    assert found is not None and (np.bincount(found[1].ravel()) == 1).sum() == num + 2
+
+
 @pytest.mark.parametrize("first", [1.0, 2.0, 4.0])
 def test_a_limb_shorter_than_it_is_wide_has_an_end(first):
     """The stem's base, which has a ring or two before branches leave it."""
