@@ -107,10 +107,7 @@ def thin_sides(
         away, nearest = spatial.KDTree(x[trunk]).query(x[path])
         along, inner = arc_length(x[path]), np.flatnonzero(away <= radii[trunk[nearest]])
         inner = inner[inner < len(path) / 2]
-        # On its axis a branch has its usual radius, and keeps it: nodes on a bend are nearer to the surface.
-        narrow = np.append(along[radii[path] < KEPT * size], np.inf)
-        is_on_axis = along >= along[inner[-1]] + size
-        is_on_axis &= narrow[np.searchsorted(narrow, along)] > along + CLEAR * size
+        is_on_axis = _keeps_radius(along, radii[path], size) & (along >= along[inner[-1]] + size)
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
         last = along[-1] - is_link * CLEAR * size
         if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
@@ -124,6 +121,13 @@ def thin_sides(
             place = x[path[begin]]
             sides.append(Side(path, size, x[path[inner[-1]]], begin, place, unit(far - place)))
     return sides, ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
+
+
+def _keeps_radius(along: np.ndarray, radius: np.ndarray, size: float) -> np.ndarray:
+    """(k,) the nodes ``along`` (k,) a branch from which on it keeps its usual radius, ``size``, for `CLEAR` of it. On
+    its axis it does; nodes on a bend are nearer to the surface."""
+    narrow = np.append(along[radius < KEPT * size], np.inf)
+    return narrow[np.searchsorted(narrow, along)] > along + CLEAR * size
 
 
 def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, radii: np.ndarray) -> Meeting | None:
@@ -289,7 +293,9 @@ def _put(
     usual = np.array([float(np.median(radii[path[1:]])) for path in paths])
     own, lines = [], []  # of each branch
     for path, size in zip(paths, usual, strict=True):
-        along, is_own = arc_length(x[path]), radii[path] >= KEPT * size
+        along = arc_length(x[path])
+        is_own = _keeps_radius(along, radii[path], size)
+        is_own = is_own if is_own.any() else radii[path] >= KEPT * size  # a short one
         margin, is_link = BEGIN * size, bool(is_meeting[path[-1]])
         start, last = along[is_own.argmax()] + margin, along[-1] - is_link * margin
         length = min(AXIS * size, last - start)

@@ -289,27 +289,31 @@ def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
     assert len(junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))[0]) == len(x)
 
 
-def test_a_rod_meets_the_middle_of_a_ring():
-    """Both ends of the loop begin at the one junction, and bend with a radius of four of theirs. In the flow's curve
-    it was half a radius out in the rod, and more."""
-    angle = np.linspace(0, 2 * np.pi, 48, endpoint=False)
-    ring = 2 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    points = np.concatenate([ring, [[8.0, 0, 0]]])
+@pytest.mark.parametrize(("radius", "aside"), [(2.0, 0.0), (4.0, 0.22)])
+def test_a_rod_meets_the_middle_of_a_ring(radius, aside):
+    """Both ends of the loop begin at the one junction, and bend with a radius of four of theirs or more. In the flow's
+    curve it was half a radius out in the rod, and more. `KEPT`: where they are ``aside`` later, they are on no axis."""
+
+    def circle(angle, radius):
+        return np.asarray(radius).reshape(-1, 1) * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+
+    points = np.concatenate([circle(np.linspace(0, 2 * np.pi, 48, endpoint=False), radius), [[radius + 6, 0, 0]]])
     edges = np.concatenate([np.stack([np.arange(48), (np.arange(48) + 1) % 48], axis=1), [[0, 48]]])
     mesh = shapes.solid_around(points, edges, np.full(49, 0.5), 0.25)
-    # The curve: its junction is out at 2.4, and the ring comes there within a quarter of a radian.
-    first = np.array([2.4, 0, 0])
-    angle = np.linspace(0.25, 2 * np.pi - 0.25, 60)
-    ring = 2 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    # The curve: its junction is 0.4 out, and the ring comes there within a length of 0.5.
+    first = np.array([radius + 0.4, 0, 0])
+    angle = np.linspace(0.5, 2 * np.pi * radius - 0.5, 60) / radius
+    beyond = radius * np.minimum(angle, 2 * np.pi - angle) - 1.0
+    ring = circle(angle, radius + aside * np.exp(-((beyond / 0.3) ** 2)))
     share = np.linspace(0, 1, 4)[1:-1, None]
     loop = np.concatenate([first + share * (ring[0] - first), ring, ring[-1] + share * (first - ring[-1])])
-    rod = first + np.linspace(0, 1, 30)[1:, None] * ([7.7, 0, 0] - first)
+    rod = first + np.linspace(0, 1, 30)[1:, None] * ([radius + 5.7, 0, 0] - first)
     x = np.concatenate([[first], loop, rod])
     chains = [[0, *range(1, len(loop) + 1), 0], [0, *range(len(loop) + 1, len(x))]]
     edges = np.concatenate([np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains])
     shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
     found = junctions.met(shape, x, edges, np.zeros(len(x), dtype=bool), shape.approximate_clearance(x)[0])
-    assert np.linalg.norm(found[0] - (2, 0, 0)) < 0.3 * 0.5 and np.linalg.norm(x[0] - found[0]) > 0.25
+    assert np.linalg.norm(found[0] - (radius, 0, 0)) < 0.3 * 0.5 and np.linalg.norm(x[0] - found[0]) > 0.25
 
 
 @pytest.mark.parametrize(("aside", "is_met"), [(0.3, True), (0.55, False)])
