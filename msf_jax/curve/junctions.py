@@ -20,7 +20,7 @@ from scipy import spatial
 from msf_jax.curve import branch_paths
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.geometry import arc_length, at, cross, unit
 from msf_jax.topology import graphs
 
 TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
@@ -31,7 +31,7 @@ THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that 
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch: it keeps its radius so far, and the length that gives its axis
 # of its usual radius: with less, a branch is not on its axis; triangles as long as the radius make 0.85 of it
 KEPT = 0.75
-AXIS_REACH = 4.0  # of the trunk's radius: so far a branch runs in it from where their axes meet, at 15 degrees
+AXIS_REACH = 4.0  # of the trunk's radius: so far a branch runs in it from where their axes meet, at 15 degrees or more
 # Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
@@ -140,6 +140,8 @@ def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, 
     ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
     along = np.linalg.norm(place - side.exit, axis=1)
     is_near = (side.size < THIN * ball) & (off < OFF * ball) & (along < AXIS_REACH * ball)
+    # Legs that are nearly parallel to their trunk meet its axis anywhere.
+    is_near &= np.linalg.norm(cross(side.heading, unit(x[trunk[:, 1]] - x[trunk[:, 0]])), axis=1) > 1 / AXIS_REACH
     if not is_near.any():  # also where all branches end at one junction, and there is no trunk
         return None
     best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())

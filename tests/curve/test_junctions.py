@@ -228,6 +228,28 @@ def test_a_side_branch_is_in_its_trunk_where_it_is_in_its_balls(places, is_attac
     assert len(found) == len(x) + is_attached
 
 
+@pytest.mark.parametrize(("degrees", "is_attached"), [(11.0, False), (18.0, True)])
+def test_legs_that_are_nearly_parallel_to_the_body_are_no_side_branches(degrees, is_attached):
+    """`AXIS_REACH`: the axis of each meets the body's anywhere, one here and one there."""
+    above = np.array([0, 0, 1.2 / np.tan(np.radians(degrees))])  # where the axes meet, above the end of the body
+    feet = above + 40.0 * np.array(
+        [[0, side * np.sin(np.radians(degrees)), -np.cos(np.radians(degrees))] for side in (-1, 1)]
+    )
+    points = np.array([[0, 0, 0], [0, 0, 40], above, *feet])
+    mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3], [2, 4]]), np.array([3.0, 3.0, 1.0, 1.0, 1.0]), 1.0)
+    line = np.linspace(0, 1, 60)[:, None]
+    body = line * points[1]
+    legs = [above + line * (foot - above) for foot in feet]
+    legs = [leg[leg[:, 2] < -1] for leg in legs]
+    x = np.concatenate([body, *legs])
+    first = 60 + len(legs[0]) * np.arange(2)
+    chains = [np.arange(60), *(np.r_[0, start + np.arange(len(leg))] for start, leg in zip(first, legs, strict=True))]
+    edges = np.concatenate([np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains])
+    shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    found, _ = junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))
+    assert (len(found) > len(x)) == is_attached
+
+
 @pytest.mark.parametrize("bend", [0.0, 2.0])
 def test_a_side_branch_that_forks_itself_begins_where_its_axis_meets_the_trunk(bend):
     """Only a straight one: a limb that bends, such as an arm with a hand, stays as it was centred. `BENT`."""
