@@ -108,6 +108,8 @@ def thin_sides(
         along, inner = arc_length(x[path]), np.flatnonzero(away <= radii[trunk[nearest]])
         inner = inner[inner < len(path) / 2]
         is_on_axis = _keeps_radius(along, radii[path], size) & (along >= along[inner[-1]] + size)
+        gap = np.diff(along)  # an edge that is twice as long as usual leads through a fork to the first ring beyond
+        is_on_axis[:-1] &= gap <= 2 * np.median(gap)
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
         last = along[-1] - is_link * CLEAR * size
         if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():

@@ -9,6 +9,7 @@ from msf_jax import shapes
 from msf_jax.curve import junctions
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology import graphs
+from tests.benchmarks import plants
 
 
 def ways(degrees):
@@ -226,6 +227,17 @@ def test_a_side_branch_is_in_its_trunk_where_it_is_in_its_balls(places, is_attac
     (junction,) = np.flatnonzero(np.bincount(found_edges.ravel()) > 2)
     assert (np.linalg.norm(found[junction]) < 0.1) == is_attached
     assert len(found) == len(x) + is_attached
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [2, 3])
+def test_the_branches_of_a_plant_of_long_triangles_are_on_their_axes(seed):
+    """Each of the two, of 35 axes, had one that was not: knots in the stem, where branches wander to the first ring
+    outside of it, by an edge that is five of their radii long."""
+    made = plants.plant(seed, 35)
+    angle, winding, radius = plants.measured(msf_jax.skeletonize(made.mesh), made)
+    assert len(angle) == 35
+    assert angle.max() < 5 and winding.max() < 1.05 and np.abs(radius - 1).max() < 0.2
 
 
 @pytest.mark.parametrize(("degrees", "is_attached"), [(11.0, False), (18.0, True)])
