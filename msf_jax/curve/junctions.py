@@ -20,7 +20,7 @@ from scipy import spatial
 from msf_jax.curve import branch_paths
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, cross, unit
+from msf_jax.solid.geometry import ROUNDING, arc_length, at, cross, unit
 from msf_jax.topology import graphs
 
 TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
@@ -28,7 +28,7 @@ BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight;
 OFF = 0.2  # radii: a branch that is farther from its axis, or an axis from its trunk, is not on it
 APART = 0.35  # radii: axes meet if one point is that near to all; on a plant's stem, they pass each other by a third
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
-CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch: it keeps its radius so far, and the length that gives its axis
+CLEAR, STRETCH = 3.0, 6.0  # radii of a branch: on its axis it keeps its radius so far; the length that gives the axis
 # of its usual radius: with less, a branch is not on its axis; triangles as long as the radius make 0.85 of it
 KEPT = 0.75
 AXIS_REACH = 4.0  # of the trunk's radius: so far a branch runs in it from where their axes meet, at 15 degrees or more
@@ -36,7 +36,7 @@ AXIS_REACH = 4.0  # of the trunk's radius: so far a branch runs in it from where
 # have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
 BULGE = 2.0
 SHARED = 0.5  # radii of a side branch: if it begins that near to a junction of its trunk, it begins there
-BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
+BEGIN = 1.5  # radii from the place from which on it keeps its usual radius: there a branch is on its axis
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
 LATER = 4.0  # radii: so much later at most that stretch begins; a branch of 35 degrees is bent over three
 # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
@@ -95,21 +95,23 @@ def thin_sides(
             continue
         in_side[path[1:]] |= is_leaf  # a side branch that forks is a trunk, too
         thin.append((path, size, is_link))
-    at_node: dict[int, list[int]] = {}  # of each junction, the nodes of its branches, but of thin ones that end there
-    for path in paths:
-        if not in_side[path[1]]:
-            for end in {path[0], path[-1]}:
-                at_node.setdefault(end, []).extend(path)
+    is_trunk = ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
+    nodes = np.unique(edges[is_trunk])
+    # Points within a ball of the trunk: |p - x| <= r, as |p - x|^2 + R^2 - r^2 <= R^2, where R is the largest radius.
+    largest = float(radii[nodes].max(initial=0.0))
+    balls = np.column_stack([x, np.sqrt(np.maximum(largest**2 - radii**2, 0.0))])
+    whole = spatial.KDTree(balls[nodes])
     for path, size, is_link in thin:
-        trunk = np.setdiff1d(at_node.get(int(path[0]), []), path[1:]).astype(np.int64)
-        if not len(trunk):
+        others = spatial.KDTree(balls[np.setdiff1d(nodes, path[1:])]) if is_link else whole
+        away = others.query(np.pad(x[path], ((0, 0), (0, 1))))[0]
+        along, inner = arc_length(x[path]), np.flatnonzero(away <= largest * (1 + ROUNDING))
+        inner = inner[inner < len(path) / 2]  # a side branch that forks may come to another trunk
+        if not len(inner):  # thin branches that meet have no trunk
             continue
-        away, nearest = spatial.KDTree(x[trunk]).query(x[path])
-        along, inner = arc_length(x[path]), np.flatnonzero(away <= radii[trunk[nearest]])
-        inner = inner[inner < len(path) / 2]
+        # A radius beyond, its ball has left the trunk.
         is_on_axis = _keeps_radius(along, radii[path], size) & (along >= along[inner[-1]] + size)
         gap = np.diff(along)  # an edge that is twice as long as usual leads through a fork to the first ring beyond
-        is_on_axis[:-1] &= gap <= 2 * np.median(gap)
+        is_on_axis[:-1] &= gap <= np.maximum(2 * np.median(gap), size)
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
         last = along[-1] - is_link * CLEAR * size
         if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
@@ -122,7 +124,7 @@ def thin_sides(
             begin = int(np.flatnonzero((along <= beyond[0]) & (off > OFF * size)).max(initial=begin - 1)) + 1
             place = x[path[begin]]
             sides.append(Side(path, size, x[path[inner[-1]]], begin, place, unit(far - place)))
-    return sides, ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
+    return sides, is_trunk
 
 
 def _keeps_radius(along: np.ndarray, radius: np.ndarray, size: float) -> np.ndarray:
@@ -134,7 +136,8 @@ def _keeps_radius(along: np.ndarray, radius: np.ndarray, size: float) -> np.ndar
 
 def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, radii: np.ndarray) -> Meeting | None:
     """Where the axis of the side branch meets the trunk, of those of ``edges`` (E, 2) that may be one and that it does
-    not lead to; ``x`` (N, 3), ``radii`` (N,): nodes. None if it passes all of them, or is as thick."""
+    not lead to; ``x`` (N, 3), ``radii`` (N,): nodes. None if it passes all of them, is as thick, leaves the trunk far
+    away, or is nearly parallel to it."""
     part = graphs.labels(len(x), *edges[~_is_first(edges, side)].T)
     numbers = np.flatnonzero(is_trunk & (part[edges[:, 0]] != part[side.path[1]]))
     trunk = edges[numbers]
@@ -183,7 +186,7 @@ def bulged(
         along = arc_length(x[nodes])
         start = along[first] + np.linalg.norm(found.place - x[nodes[first]])
         cosine = float(side.heading @ unit(x[nodes[first + 1]] - x[nodes[first]]))
-        sine = max(np.sqrt(max(1 - cosine**2, 0.0)), 1 / AXIS_REACH)
+        sine = np.sqrt(1 - cosine**2)  # at least 1 / AXIS_REACH, see `meeting`
         ball = float(radii[nodes[np.abs(along - start) <= AXIS_REACH * found.ball]].max(initial=found.ball))
         is_aside[nodes[np.abs(along - start - ball * cosine / sine) <= BULGE * side.size / sine]] = True
         is_part[nodes] |= is_aside[nodes].any()
@@ -298,8 +301,9 @@ def _put(
     own, lines = [], []  # of each branch
     for path, size in zip(paths, usual, strict=True):
         along = arc_length(x[path])
-        is_own = _keeps_radius(along, radii[path], size)
-        is_own = is_own if is_own.any() else radii[path] >= KEPT * size  # a short one
+        is_thick = radii[path] >= KEPT * size
+        is_own = _keeps_radius(along, radii[path], size) & (along <= along[is_thick.argmax()] + LATER * size)
+        is_own = is_own if is_own.any() else is_thick  # a short one, or one with a neck
         margin, is_link = BEGIN * size, bool(is_meeting[path[-1]])
         start, last = along[is_own.argmax()] + margin, along[-1] - is_link * margin
         length = min(AXIS * size, last - start)

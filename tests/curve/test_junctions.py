@@ -229,6 +229,19 @@ def test_a_side_branch_is_in_its_trunk_where_it_is_in_its_balls(places, is_attac
     assert len(found) == len(x) + is_attached
 
 
+@pytest.mark.parametrize("height", [-11.0, 7.0, 11.0])
+def test_a_side_branch_may_run_past_a_neighbour_in_its_trunk(height):
+    """Its junction is 12 radii from where it should be, and another branch leaves the trunk in between."""
+    shape, x, edges, _ = side_branch(12.0 * np.sign(height))
+    start = int(np.abs(x[:60, 2] - height).argmin())
+    other = x[start] - np.linspace(0, 20, 40)[1:, None] * [0.0, 1.0, 0.0]
+    chain = np.r_[start, len(x) + np.arange(len(other))]
+    radii = np.append(shape.clearance(x), np.where(other[:, 1] > -3, 2.0, 1.0))
+    x, edges = np.concatenate([x, other]), np.concatenate([edges, np.stack([chain[:-1], chain[1:]], axis=1)])
+    found, _ = junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), radii)
+    assert np.linalg.norm(found[len(x) :], axis=1).min() < 0.1
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [2, 3])
 def test_the_branches_of_a_plant_of_long_triangles_are_on_their_axes(seed):
