@@ -70,12 +70,6 @@ def test_finer_details_only_add_limbs():
     assert all(each.detail > 0.5 for each in found[0.5].finer)
 
 
-def test_the_finest_detail_has_what_is_half_a_limb_and_no_bump():
-    """`LEAST_RAISED`: feet of 0.17 radii of the ball have 0.47 of what a limb needs, those of 0.1 radii 0.32."""
-    assert len(limbs_of(ball_with_feet(0.17), 0.15, 1.0).caps) == 2
-    assert not limbs_of(ball_with_feet(0.1), 0.15, 1.0).caps
-
-
 @pytest.mark.parametrize(
     ("solid", "edge"),
     [
