@@ -91,8 +91,8 @@ def _ending_once(found: Levels, step: float) -> Levels:
     is_gone = is_corner & is_end[base]
     to = np.arange(found.num_pieces)
     to[end[is_gone]] = base[is_gone]
-    rings = (each[~is_gone] for each in found[:-2])
-    return Levels(*rings, to[found.piece], found.num_pieces)
+    centre, normal, perimeter, size, below, above = (each[~is_gone] for each in found[:6])
+    return Levels(centre, normal, perimeter, size, below, above, to[found.piece], found.num_pieces)
 
 
 def _to_ends(

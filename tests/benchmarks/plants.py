@@ -69,7 +69,8 @@ def row_of(seed: int, sides: int, finest: float | None) -> list[str]:
     made = plant(seed, num, sides)
     mesh = made.mesh
     if finest is not None:
-        mesh = trimesh.Trimesh(*trimesh.remesh.subdivide_to_size(mesh.vertices, mesh.faces, finest, max_iter=20))
+        split = trimesh.remesh.subdivide_to_size(mesh.vertices, mesh.faces, finest, max_iter=20)
+        mesh = trimesh.Trimesh(split[0], split[1])
     skeleton = msf_jax.skeletonize(mesh)
     angle, winding, radius = measured(skeleton, made)
     ends = skeleton.num_leaves
