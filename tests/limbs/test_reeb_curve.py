@@ -4,7 +4,6 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from scipy.spatial.transform import Rotation
 
 import msf_jax
 from msf_jax.flow import curves
@@ -13,6 +12,7 @@ from msf_jax.limbs.reeb_curve import reeb_curve
 from msf_jax.meshes import checking
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
+from tests.benchmarks import plants
 
 SIDES = 4
 
@@ -77,12 +77,10 @@ def plant(num: int, first: float = 15.0) -> tuple[np.ndarray, np.ndarray, list[n
         way = np.array([np.sin(slope) * np.cos(turn), np.sin(slope) * np.sin(turn), np.cos(slope)])
         start = np.array([0, 0, first + 12 * k])
         axes.append(np.stack([start, start + (25 + 3 * (k % 5)) * way]))
-    parts = []
-    for (start, stop), low in zip(axes, [3.9] + [1.5] * num, strict=True):
-        way = (stop - start) / np.linalg.norm(stop - start)
-        turn = Rotation.align_vectors(way[None], [[0, 0, 1]])[0].as_matrix()
-        cone = manifold3d.Manifold.cylinder(np.linalg.norm(stop - start), low, 0.55 * low, 16)
-        parts.append(cone.transform(np.column_stack([turn, start])))
+    parts = [
+        plants.cone(start, stop, low, plants.TAPER * low, 16)
+        for (start, stop), low in zip(axes, [3.9] + [1.5] * num, strict=True)
+    ]
     mesh = manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add).to_mesh()
     return np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts), axes
 
