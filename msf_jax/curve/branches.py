@@ -6,6 +6,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid.frame import RESOLUTION
+from msf_jax.solid.geometry import arc_length
 from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
@@ -66,12 +67,16 @@ def merge_junctions(
     moved = np.zeros(len(vertices), dtype=np.int64)  # class of the path from each node to its target
     cycles = graphs.cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
-    for path in graphs.trace(len(vertices), edges):
-        if min(degree[path[0]], degree[path[-1]]) < 3 or is_held[path[1:-1]].any():
+    paths = [path for path in graphs.trace(len(vertices), edges) if min(degree[path[0]], degree[path[-1]]) > 2]
+    lengths = [float(arc_length(vertices[path])[-1]) for path in paths]
+    # The nearest first, in radii, so that the order of the nodes does not decide.
+    near = [length / max(*radii[[path[0], path[-1]]], 1e-300) for path, length in zip(paths, lengths, strict=True)]
+    for number in np.argsort(near, kind="stable").tolist():
+        path, length = paths[number], lengths[number]
+        if is_held[path[1:-1]].any():
             continue
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
         a, b = target[path[0]], target[path[-1]]
-        length = np.linalg.norm(np.diff(vertices[path], axis=0), axis=1).sum()
         is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
         if a != b and is_near and not is_held[target == b].any():
             tried, added = target.copy(), moved.copy()

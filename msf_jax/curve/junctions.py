@@ -82,16 +82,25 @@ def thin_sides(
 
     One that forks is only taken if it is straight up to there: an arm with a hand stays as it was centred."""
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    paths, thickest = graphs.trace(len(x), edges), radii.copy()  # of each junction, also in front of a crotch
-    for path in paths:
-        thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
+    # Of each end of a branch: its node, and the usual radius in the half that is far from there.
+    paths = [np.array(path) for path in graphs.trace(len(x), edges)]
+    end = np.array([path[k] for path in paths for k in (0, -1)], dtype=np.int64)
+    usual = np.array(
+        [np.median(radii[half]) for path in paths for half in (path[len(path) // 2 :], path[: -(len(path) // 2)])]
+    )
+    # A trunk passes a junction, so two branches are as thick there: the second thickest counts.
+    order = np.lexsort([-usual, end])
+    rank = np.arange(len(end)) - np.searchsorted(end[order], end[order])
+    trunk = np.zeros(len(x))
+    trunk[end[order][rank == 1]] = usual[order][rank == 1]
     in_side, thin, sides = np.zeros(len(x), dtype=bool), [], []
-    for each in sorted(paths, key=lambda path: bool((degree[[path[0], path[-1]]] == 1).any())):  # those that fork first
-        is_onward = (degree[each[-1]] == 1, thickest[each[0]]) > (degree[each[0]] == 1, thickest[each[-1]])
-        path = np.array(each if is_onward else each[::-1])
-        size, is_leaf = float(np.median(radii[path[len(path) // 2 :]])), degree[path[-1]] == 1
-        is_link = degree[path[-1]] > 2 and THIN * thickest[path[-1]] <= size  # no bridge from trunk to trunk
-        if not ((is_leaf or is_link) and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
+    is_last = degree[end.reshape(-1, 2)] == 1
+    for k in np.argsort(is_last.any(axis=1), kind="stable").tolist():  # those that fork first
+        each = paths[k]
+        is_onward = (is_last[k, 1], trunk[each[0]]) > (is_last[k, 0], trunk[each[-1]])
+        path, size, is_leaf = each if is_onward else each[::-1], usual[2 * k + 1 - is_onward], is_last[k].any()
+        is_link = degree[path[-1]] > 2 and THIN * trunk[path[-1]] <= size  # no bridge from trunk to trunk
+        if not ((is_leaf or is_link) and degree[path[0]] > 2 and size < THIN * trunk[path[0]]):
             continue
         in_side[path[1:]] |= is_leaf  # a side branch that forks is a trunk, too
         thin.append((path, size, is_link))

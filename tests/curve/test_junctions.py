@@ -1,5 +1,7 @@
 """Junctions of tubes are where the axes of their branches meet."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 import trimesh
@@ -253,22 +255,22 @@ def test_the_branches_of_a_plant_of_long_triangles_are_on_their_axes(seed):
     assert angle.max() < 5 and winding.max() < 1.05 and np.abs(radius - 1).max() < 0.2
 
 
-@pytest.mark.parametrize(("degrees", "is_attached"), [(11.0, False), (18.0, True)])
-def test_legs_that_are_nearly_parallel_to_the_body_are_no_side_branches(degrees, is_attached):
-    """`AXIS_REACH`: the axis of each meets the body's anywhere, one here and one there."""
-    above = np.array([0, 0, 1.2 / np.tan(np.radians(degrees))])  # where the axes meet, above the end of the body
+@pytest.mark.parametrize(("degrees", "below", "is_attached"), [(11.0, 40, False), (18.0, 40, True), (18.0, 0, False)])
+def test_legs_are_side_branches_of_a_body_that_goes_on_at_an_angle(degrees, below, is_attached):
+    """`AXIS_REACH`: nearly parallel, the axis of each meets the body's anywhere, one here and one there. A body that
+    ends in two legs forks, and none of them is aside."""
+    above = np.array([0, 0, 1.2 / np.tan(np.radians(degrees))])  # where the axes meet, above the fork of the curve
     feet = above + 40.0 * np.array(
         [[0, side * np.sin(np.radians(degrees)), -np.cos(np.radians(degrees))] for side in (-1, 1)]
     )
-    points = np.array([[0, 0, 0], [0, 0, 40], above, *feet])
+    points = np.array([[0, 0, -below], [0, 0, 40], above, *feet])
     mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3], [2, 4]]), np.array([3.0, 3.0, 1.0, 1.0, 1.0]), 1.0)
     line = np.linspace(0, 1, 60)[:, None]
-    body = line * points[1]
     legs = [above + line * (foot - above) for foot in feet]
-    legs = [leg[leg[:, 2] < -1] for leg in legs]
-    x = np.concatenate([body, *legs])
-    first = 60 + len(legs[0]) * np.arange(2)
-    chains = [np.arange(60), *(np.r_[0, start + np.arange(len(leg))] for start, leg in zip(first, legs, strict=True))]
+    lines = [line * points[1], *(leg[leg[:, 2] < -1] for leg in legs), *([line[1:] * points[0]] if below else [])]
+    x = np.concatenate(lines)
+    first = np.cumsum([len(each) for each in lines])
+    chains = [np.arange(60), *(np.r_[0, range(start, stop)] for start, stop in pairwise(first.tolist()))]
     edges = np.concatenate([np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains])
     shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
     found, _ = junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))
