@@ -117,14 +117,18 @@ def thin_sides(
         inner = inner[inner < len(path) / 2]  # a side branch that forks may come to another trunk
         if not len(inner):  # thin branches that meet have no trunk
             continue
-        # A radius beyond, its ball has left the trunk.
-        is_on_axis = _keeps_radius(along, radii[path], size) & (along >= along[inner[-1]] + size)
+        # A radius beyond, its ball has left the trunk. In front of the crotch of its own fork, it is narrow again.
+        last = along[-1] - is_link * size
+        own = np.where(along <= last, radii[path], size)
+        is_on_axis = _keeps_radius(along, own, size) & (along >= along[inner[-1]] + size)
         gap = np.diff(along)  # an edge that is twice as long as usual leads through a fork to the first ring beyond
         is_on_axis[:-1] &= gap <= np.maximum(2 * np.median(gap), size)
         begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
-        last = along[-1] - is_link * CLEAR * size
-        if begin < len(path) and along[begin] + STRETCH * size <= last and not is_held[path[: begin + 1]].any():
-            half, beyond = (along[begin] + last) / 2, along[begin] + STRETCH * size * np.array([0.5, 1.0])
+        # A fork is on the axis, too: a radius of it is enough, where a thin limb of that length may end anywhere.
+        least = size if is_link else STRETCH * size
+        if begin < len(path) and along[begin] + least <= last and not is_held[path[: begin + 1]].any():
+            stretch = min(STRETCH * size, last - along[begin])
+            half, beyond = (along[begin] + last) / 2, along[begin] + stretch * np.array([0.5, 1.0])
             near, far, middle, end = at(x[path], along, np.array([*beyond, half, last]))
             if is_link and np.linalg.norm(middle - (x[path[begin]] + end) / 2) > BENT * size:
                 continue
