@@ -65,14 +65,14 @@ class Raised(NamedTuple):
 class Limbs(NamedTuple):
     """The limbs of a surface, see `Caps.limbs`.
 
-    caps: of the limbs. owner: (V,) the number of the limb of each vertex, from 1; 0 for none. time: (V,) the mean exit
-    time from the limb (see `ends`): how far a vertex is from the limb's base. slenderness: (V,) at each tip, the
-    largest of its caps, infinite for a tip that was not tried; 0 elsewhere. finer: the limbs of a finer detail.
+    caps: of the limbs. owner: (V,) the number of the limb of each vertex, from 1; 0 for none. times: of each limb, (V,)
+    the mean exit time from it (see `ends`): how far a vertex is from the limb's base. slenderness: (V,) at each tip,
+    the largest of its caps, infinite for a tip that was not tried; 0 elsewhere. finer: the limbs of a finer detail.
     """
 
     caps: list[Cap]
     owner: np.ndarray
-    time: np.ndarray
+    times: list[np.ndarray]
     slenderness: np.ndarray
     finer: list[Raised]
 
@@ -228,26 +228,37 @@ class Caps:
             two, is_long = self._halves(number)
             if (is_long or not count[number]) and min(cap.slenderness for cap in two) >= blunt:
                 caps = [cap for cap in caps if self._component[cap.tip] != number] + two
-        time = self._owned(caps, owner)
-        raised = self._raised(caps, owner, time, least)
+        times = self._owned(caps, owner)
+        raised = self._raised(caps, owner, times, least)
         added = [each.cap for each in raised if each.detail <= self.detail]
         if added:
             caps += added
-            time = self._owned(caps, owner)
+            times = self._owned(caps, owner)
         at_tips = np.where(np.bincount(tips, minlength=len(most)) > 0, most, 0.0)
-        return Limbs(caps, owner, time, at_tips, [each for each in raised if each.detail > self.detail])
+        return Limbs(caps, owner, times, at_tips, [each for each in raised if each.detail > self.detail])
 
-    def _owned(self, caps: list[Cap], owner: np.ndarray) -> np.ndarray:
-        """(V,) the mean exit times from the limbs ``caps``, which are numbered in ``owner`` (V,)."""
-        owner[:] = 0
-        for number, cap in sorted(enumerate(caps, 1), key=lambda each: -each[1].area):  # the smaller one last
-            owner[cap.region] = number
-        blunt = [number for number, cap in enumerate(caps, 1) if cap.slenderness < OBLIQUE]
-        return ends.times_across(self.surface.points, self.surface.faces, owner, blunt)
+    def _owned(self, caps: list[Cap], owner: np.ndarray) -> list[np.ndarray]:
+        """Of each of the limbs ``caps``, which are numbered in ``owner`` (V,), the mean exit times (V,) from it.
 
-    def _raised(self, caps: list[Cap], owner: np.ndarray, time: np.ndarray, least: float) -> list[Raised]:
+        A limb with its tip on another one is part of that, a heel of a leg: its base is no base of the leg."""
+        owner[:], order = 0, np.argsort([-cap.area for cap in caps], kind="stable").tolist()  # the smaller one last
+        below, times = np.zeros_like(owner), dict[int, np.ndarray]()
+        depth = np.zeros(len(caps), dtype=np.int64)  # how many larger limbs each stands on
+        for number in order:
+            region = caps[number].region
+            depth[number], owner[region] = below[caps[number].tip], number + 1
+            below[region] += 1
+        for level in np.unique(depth):
+            own, here = np.zeros_like(owner), [number for number in order if depth[number] == level]
+            for number in here:
+                own[caps[number].region] = number + 1
+            blunt = [number + 1 for number in here if caps[number].slenderness < OBLIQUE]
+            times |= dict.fromkeys(here, ends.times_across(self.surface.points, self.surface.faces, own, blunt))
+        return [times[number] for number in range(len(caps))]
+
+    def _raised(self, caps: list[Cap], owner: np.ndarray, times: list[np.ndarray], least: float) -> list[Raised]:
         """Limbs around tips where the surface stands out (see `protrusion`), besides the limbs ``caps``, and beyond
-        their ends, by their numbers ``owner`` (V,) and exit times (V,).
+        their ends, by their numbers ``owner`` (V,) and exit times (V,) of each.
 
         Of the caps around such a tip, up to the next tip of a limb, the slenderest one counts that is followed by a
         much less slender one: a foot ends where the body begins. It is more slender than the corner of a plate, or half
@@ -259,7 +270,8 @@ class Caps:
         for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
             near = np.flatnonzero(others)
             is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
-            if is_end or (owner[tip] and ends.is_near_end(time, *caps[owner[tip] - 1][2:], np.array([tip]))[0]):
+            own = owner[tip] - 1
+            if is_end or (own >= 0 and ends.is_near_end(times[own], *caps[own][2:], np.array([tip]))[0]):
                 continue
             if self._left[self._component[tip]] < 0:
                 self.was_hit = True
@@ -284,8 +296,7 @@ class Caps:
     def _is_apex(self, tip: int, region: np.ndarray, least: float) -> bool:
         """Whether the cap ``region`` (r,) around ``tip`` is the apex of a mitre (see `mitre`)."""
         if (tip, least) not in self._apexes:
-            away = self._distances(np.array([tip]))
-            self._apexes[tip, least] = mitre.is_apex(self.shape, away, region, least)
+            self._apexes[tip, least] = mitre.is_apex(self.shape, self._distances(np.array([tip])), region, least)
         return self._apexes[tip, least]
 
     def _halves(self, number: int) -> tuple[list[Cap], bool]:
@@ -296,7 +307,7 @@ class Caps:
 
     def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.LimbAxis:
         """The curve of one of the limbs in the solid ``shape``."""
-        return ends.axis(shape, self.surface.points, self.surface.faces, limbs.time, limbs.caps[number].region)
+        return ends.axis(shape, self.surface.points, self.surface.faces, limbs.times[number], limbs.caps[number].region)
 
     def _slender(
         self, tips: np.ndarray, owner: np.ndarray, most: np.ndarray, least: float, share: float

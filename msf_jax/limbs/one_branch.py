@@ -49,10 +49,10 @@ def choose(
     own = limbs.owner[foot]
     worth, leaf = np.zeros(len(vertices)), []
     worth[leaves] = np.where(own > 0, 0.0, limbs.slenderness[caps.tip_of[foot]])
-    for number, cap in enumerate(limbs.caps, 1):
+    for number, (cap, time) in enumerate(zip(limbs.caps, limbs.times, strict=True), 1):
         mine = np.flatnonzero(own == number)
-        away = np.sqrt(2 * (limbs.time[cap.region].max() - limbs.time[foot[mine]]))
-        is_end = is_held[leaves[mine]] & is_near_end(limbs.time, *cap[2:], foot[mine])
+        away = np.sqrt(2 * (time[cap.region].max() - time[foot[mine]]))
+        is_end = is_held[leaves[mine]] & is_near_end(time, *cap[2:], foot[mine])
         order = np.lexsort((away, ~is_end))
         first = mine[order[away[order] < axes[number - 1].reach][:1]]
         worth[leaves[first]] = np.inf

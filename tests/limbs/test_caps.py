@@ -298,6 +298,22 @@ def test_the_back_of_a_chair_ends_in_its_middle(edge):
     assert 4.3 < places[0, 2] < 4.6 and np.abs(places[:, 1]).max() < 0.1
 
 
+def test_a_limb_is_not_changed_by_what_stands_on_it():
+    """A heel was the leg's base, too, so that the leg's end was in the calf, and its toe was lost."""
+    post = manifold3d.Manifold.cylinder(8, 1, 1, 32)
+    stud = manifold3d.Manifold.cylinder(2, 0.3, 0.3, 16).rotate((0, 90, 0)).translate((0, 0, 7))
+    shape = solid(block() + post + stud, 0.2)
+    caps, (x, y, z) = Caps(shape), shape.vertices.T
+    region = np.flatnonzero((z > 0.5) & (np.hypot(x, y) < 3))
+    limb = Cap(nearest(shape, (0, 0, 8)), 4.0, 50.0, region)
+    small = Cap(nearest(shape, (2, 0, 7)), 3.0, 2.0, np.flatnonzero(x > 1.01))
+    small = small._replace(region=np.intersect1d(small.region, region))
+    owner = none(shape)
+    alone, both = caps._owned([limb], owner), caps._owned([limb, small], owner)
+    np.testing.assert_array_equal(both[0], alone[0])
+    assert (owner[small.region] == 2).all() and (both[1][small.region] < alone[0][small.region]).all()
+
+
 @pytest.mark.parametrize("name", ["tee", pytest.param("plus", marks=pytest.mark.slow)])
 def test_few_triangles_do_not_hide_limbs(name):
     """`SPLIT_BELOW`: solids of bars with 16 to 32 vertices."""
