@@ -68,15 +68,16 @@ def merge_junctions(
     cycles = graphs.cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
     paths = [path for path in graphs.trace(len(vertices), edges) if min(degree[path[0]], degree[path[-1]]) > 2]
-    lengths = [float(arc_length(vertices[path])[-1]) for path in paths]
-    # The nearest first, in radii, so that the order of the nodes does not decide.
-    near = [length / max(*radii[[path[0], path[-1]]], 1e-300) for path, length in zip(paths, lengths, strict=True)]
-    for number in np.argsort(near, kind="stable").tolist():
-        path, length = paths[number], lengths[number]
+
+    def apart(path: list[int]) -> float:
+        return float(arc_length(vertices[path])[-1] / max(radii[path[0]], radii[path[-1]], 1e-300))
+
+    for path in sorted(paths, key=apart):  # the nearest first, so that the order of the nodes does not decide
         if is_held[path[1:-1]].any():
             continue
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
         a, b = target[path[0]], target[path[-1]]
+        length = float(arc_length(vertices[path])[-1])
         is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
         if a != b and is_near and not is_held[target == b].any():
             tried, added = target.copy(), moved.copy()

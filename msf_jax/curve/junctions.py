@@ -82,23 +82,17 @@ def thin_sides(
 
     One that forks is only taken if it is straight up to there: an arm with a hand stays as it was centred."""
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    # Of each end of a branch: its node, and the usual radius in the half that is far from there.
     paths = [np.array(path) for path in graphs.trace(len(x), edges)]
-    end = np.array([path[k] for path in paths for k in (0, -1)], dtype=np.int64)
-    usual = np.array(
-        [np.median(radii[half]) for path in paths for half in (path[len(path) // 2 :], path[: -(len(path) // 2)])]
-    )
+    at_node: dict[int, list[float]] = {}  # of each branch there, the usual radius in the half that is far away
+    for each in (*paths, *(path[::-1] for path in paths)):
+        at_node.setdefault(int(each[0]), []).append(_far_radius(each, radii))
     # A trunk passes a junction, so two branches are as thick there: the second thickest counts.
-    order = np.lexsort([-usual, end])
-    rank = np.arange(len(end)) - np.searchsorted(end[order], end[order])
-    trunk = np.zeros(len(x))
-    trunk[end[order][rank == 1]] = usual[order][rank == 1]
+    trunk = {node: sorted(own)[-2] if len(own) > 1 else 0.0 for node, own in at_node.items()}
     in_side, thin, sides = np.zeros(len(x), dtype=bool), [], []
-    is_last = degree[end.reshape(-1, 2)] == 1
-    for k in np.argsort(is_last.any(axis=1), kind="stable").tolist():  # those that fork first
-        each = paths[k]
-        is_onward = (is_last[k, 1], trunk[each[0]]) > (is_last[k, 0], trunk[each[-1]])
-        path, size, is_leaf = each if is_onward else each[::-1], usual[2 * k + 1 - is_onward], is_last[k].any()
+    for each in sorted(paths, key=lambda path: bool((degree[path[[0, -1]]] == 1).any())):  # those that fork first
+        is_onward = (degree[each[-1]] == 1, trunk[each[0]]) > (degree[each[0]] == 1, trunk[each[-1]])
+        path = each if is_onward else each[::-1]
+        size, is_leaf = _far_radius(path, radii), degree[path[-1]] == 1
         is_link = degree[path[-1]] > 2 and THIN * trunk[path[-1]] <= size  # no bridge from trunk to trunk
         if not ((is_leaf or is_link) and degree[path[0]] > 2 and size < THIN * trunk[path[0]]):
             continue
@@ -138,6 +132,11 @@ def thin_sides(
             place = x[path[begin]]
             sides.append(Side(path, size, x[path[inner[-1]]], begin, place, unit(far - place)))
     return sides, is_trunk
+
+
+def _far_radius(path: np.ndarray, radii: np.ndarray) -> float:
+    """The usual radius of a branch ``path`` (k,) in the half that is far from its first node."""
+    return float(np.median(radii[path[len(path) // 2 :]]))
 
 
 def _keeps_radius(along: np.ndarray, radius: np.ndarray, size: float) -> np.ndarray:

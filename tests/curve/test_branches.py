@@ -30,6 +30,19 @@ def test_junctions_in_one_ball_are_one():
     assert np.flatnonzero(~merge_junctions(vertices, edges, radii, held, NO_HANDLES)[0]).tolist() == [1]
 
 
+@pytest.mark.parametrize("number", [[0, 1, 2], [2, 1, 0], [1, 0, 2], [1, 2, 0]])
+def test_the_nearest_junctions_merge_first_in_any_order_of_the_nodes(number):
+    """Three in a row. Each of the outer ones can take the middle one, and not both can: the nearer one does."""
+    vertices, legs = np.zeros((8, 3)), [(0, 3), (0, 4), (1, 5), (2, 6), (2, 7)]
+    vertices[number, 0], vertices[3:, 1] = (0.0, 0.9, 1.4), 3.0
+    radii = np.ones(8)
+    radii[number] = 1.0, 1.0, 1.05
+    at = np.r_[number, 3:8]
+    edges = at[as_edges([(0, 1), (1, 2), *legs])]
+    target = merge_junctions(vertices, edges, radii, np.zeros(8, dtype=bool), NO_HANDLES)[1]
+    assert target[number].tolist() == [number[0], number[2], number[2]]
+
+
 def test_a_loop_in_one_ball_stays():
     """Two paths between two junctions: one of them would be lost."""
     vertices = np.array([[0, 0, 0], [0.2, 0, 0], [0.1, 0.1, 0], [0.1, -0.1, 0], [-2, 0, 0], [2, 0, 0]], float)

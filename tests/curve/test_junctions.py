@@ -277,6 +277,15 @@ def test_legs_are_side_branches_of_a_body_that_goes_on_at_an_angle(degrees, belo
     assert (len(found) > len(x)) == is_attached
 
 
+def test_a_node_without_edges_is_no_side_branch():
+    """A curve of one node, of a ball. No median is taken of nothing."""
+    with np.errstate(all="raise"):
+        sides, is_trunk = junctions.thin_sides(
+            np.zeros((1, 3)), np.empty((0, 2), np.int64), np.zeros(1, bool), np.ones(1)
+        )
+    assert sides == [] and is_trunk.shape == (0,)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("degrees", "length"), [(45.0, 2.8), (45.0, 4.0), (60.0, 2.4), (60.0, 3.7)])
 def test_a_side_branch_may_fork_soon(degrees, length):
