@@ -9,6 +9,7 @@ import itertools
 from typing import NamedTuple
 
 import numpy as np
+from scipy import spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside.containment import is_inside
@@ -118,14 +119,17 @@ def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Cho
     """The curve in the solid ``shape`` with a branch in each limb without a leaf: nodes, new ones last, and edges.
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
-    finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
+    finger beside it. The way there must be inside: a hand at the hip does not begin in the body. Where a node's ball
+    holds the limb's axis before, the branch begins there: a toe that the leg ends in is no second strand of the leg.
     """
     x, radius = vertices, shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
     for leaf, axis in zip(choice.leaf, choice.axes, strict=True):
         if leaf < 0:
-            first = beginning(shape, vertices, radius, axis.places[-1])
-            places = np.concatenate([axis.places, vertices[[first]]])
+            away = spatial.distance.cdist(axis.places[1:-1], vertices) - radius
+            own = axis.places[: int(np.argmax(np.append((away <= 0).any(axis=1), True))) + 2]
+            first = beginning(shape, vertices, radius, own[-1])
+            places = np.concatenate([own, vertices[[first]]])
             x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
     return x, edges
 

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import trimesh
 from curve_cases import bow, none_held, path, tube, turns_of, unit_shape
+from scipy import spatial
 
 import msf_jax
 from msf_jax import ground_truth
@@ -34,6 +35,20 @@ def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
     curve = msf_jax.skeletonize(mesh)
     assert np.array(seen).shape == (2, 2) and np.array(seen).all()
     assert curve.report.loops == curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
+
+
+def test_loops_of_small_holes_are_in_a_plate_and_not_at_its_holes():
+    """The branches of such a loop with junctions are bent at rest, too: stiffness over the plate's width drew them to
+    the hole. Between a hole and the edge beside it the middle is 0.24 away from the hole's."""
+    places = [(x, y) for x in (-1.1, 1.1) for y in (-0.6, 0.6)]
+    plate = manifold3d.Manifold.cube([3.2, 2.2, 0.25], True)
+    for x, y in places:
+        plate -= manifold3d.Manifold.cylinder(1, 0.06, circular_segments=16, center=True).translate([x, y, 0])
+    found = plate.to_mesh()
+    curve = msf_jax.skeletonize(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    assert curve.report.loops == curve.report.cycles == 4
+    away = spatial.distance.cdist(places, curve.vertices[:, :2]).min(axis=1)
+    assert away.min() > 0.18 and np.abs(curve.vertices[:, 2]).max() < 0.03
 
 
 def test_a_shifted_axis_goes_back_to_the_middle():
@@ -103,25 +118,6 @@ def test_a_budget_that_is_spent_leaves_one_round():
     x = centring.centre(shape, *path(wavy), none_held(wavy), budget=budget)
     np.testing.assert_array_equal(x, centring.centre(shape, *path(wavy), none_held(wavy), rounds=1))
     assert budget.was_hit
-
-
-def test_a_step_that_goes_back_is_shortened(monkeypatch):
-    """Steps that go as far beyond the middle as they came from: the second one, halved, ends there."""
-    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
-    nodes, edges = path(scale * np.linspace([-0.5, 0, 0.02], [0.5, 0, 0.02], 9))
-    seen = []
-
-    class Overshooting:
-        def __init__(self, x, paths, span, limb, *rest):
-            seen.append(x)
-            self.off = np.zeros((len(limb), 3))
-
-        def step(self, weight):
-            return np.array([0, 0, -2]) * seen[-1]
-
-    monkeypatch.setattr(centring, "_System", Overshooting)
-    x = centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
-    np.testing.assert_allclose(np.array([*seen, x])[:, 4, 2], 0.02 * scale * np.array([1, -1, 0, 0]), atol=1e-12)
 
 
 @pytest.mark.parametrize(("num", "held"), [(48, []), (200, []), (200, [100])])

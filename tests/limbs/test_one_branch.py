@@ -15,6 +15,7 @@ from msf_jax import ground_truth
 from msf_jax.curve import finishing
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.ends import LimbAxis
 from msf_jax.topology.graphs import cycle_count
 
 LINE = np.linspace([-1.0, 0, 0], [1, 0, 0], 41)
@@ -213,6 +214,23 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     new = x[len(held) :]
     assert np.hypot(*new[:, :2].T).max() < 0.5 * RADIUS
     assert new[:, 2].max() == pytest.approx(1.5 - 0.3 * RADIUS, abs=0.03)
+
+
+def test_a_limb_that_ends_in_a_toe_is_no_second_strand_of_its_leg():
+    """The curve leads through the leg to a toe beside it; the axis of the leg goes on to its own toe."""
+    leg = manifold3d.Manifold.cylinder(4.0, 0.5, 0.5, 32)
+    toe = manifold3d.Manifold.cylinder(1.5, 0.15, 0.15, 16).translate((0, 0, -1.4))
+    body = manifold3d.Manifold.cube((4, 4, 2), True).translate((0, 0, 5))
+    parts = [leg, toe.translate((0.3, 0, 0)), toe.translate((-0.3, 0, 0)), body]
+    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
+    x, edges = legs([(0.0, 0, 5), (0, 0, 0.3), (0.3, 0, -0.2), (0.3, 0, -1.3)], step=0.25)
+    axis = LimbAxis(
+        np.array([(-0.3, 0, z) for z in (-1.3, -0.6, -0.1)] + [(0.0, 0, z) for z in (0.5, 2, 3.9)]), 0.15, 9
+    )
+    x, edges = one_branch.grown(shape, x, edges, one_branch.Choice(np.zeros(len(x)), [-1], [axis], False))
+    assert len(leaves_at(x, edges)) == 3 and np.bincount(edges.ravel()).max() == 3
+    fork = x[np.bincount(edges.ravel()).argmax()]
+    assert -0.2 < fork[2] < 1.0
 
 
 def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_body_nearby():
