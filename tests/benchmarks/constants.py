@@ -87,6 +87,7 @@ SHAPES: dict[str, Callable[[], Solid]] = {
     "octopus_low": partial(known, "octopus_low"),
     "hammer": partial(machined_solid, "hammer"),
     "spot-control": partial(shared, "wild/spot-control.obj"),  # a cow
+    "wolf": partial(shared, "answers/wolf.obj"),  # ears that only stand out
     "short-outlet": partial(shared, "cases/short-outlet.off"),  # three openings
     "plant": plant,
     "table": partial(machined_solid, "table"),
@@ -112,6 +113,8 @@ class Constant(NamedTuple):
     is_compiled: bool = False
 
     def by(self, factor: float) -> float:
+        if self.name == "RATIO":  # of radii that grow: its excess over 1, or they never would
+            return 1.0 + factor * (self.value - 1.0)
         return max(1, round(self.value * factor)) if isinstance(self.value, int) else self.value * factor
 
     @property
