@@ -5,18 +5,19 @@ The middle of a limb is the centroid c of its cross-section. The nodes x of a cu
     sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
 
 where P_i removes the component along the branch. This is a smoothing spline: its stiffness acts over a length l, a part
-of the limb's size, or of a sheet's half width, for any spacing h of the nodes. In a loop of n nodes (2 - 2 cos(2 pi /
-n)) (x_i - mean x) is added to the second difference, which is then 0 for a circle. The arcs of other loops in a sheet
-have the geometric mean of its size and half width. Nodes keep their shares of their branch's length, so they move
-across it only; those of a loop get equal shares. Near a junction a cross-section cuts several limbs and is no guide, so
-w falls to 0 there. The branches then continue straight, and the junction comes to where the axes of its limbs meet.
-That is right for tubes. If the clearance at y, the flow's place for a junction, is larger than that of its limbs (the
-rump of a horse, a shell on a back), a holds the junction at y.
+of the limb's size, or of a sheet's half width, for any spacing h of the nodes. In a loop of n nodes
+(2 - 2 cos(2 pi / n)) (x_i - mean x) is added to the second difference, which is then 0 for a circle. Arcs of other
+loops in a sheet, and branches between loops, have the geometric mean of its size and half width. Nodes keep their
+shares of their branch's length, so they move across it only; those of a loop get equal shares. Near a junction a cross-
+section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the junction
+comes to where the axes of its limbs meet. That is right for tubes. If the clearance at y, the flow's place for a
+junction, is larger than that of its limbs (the rump of a horse, a shell on a back), a holds the junction at y.
 
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
 (`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. The
-rounds end when the nodes hardly move any more.
+rounds end when the nodes hardly move any more. In a sheet, weight and section change each other, and nodes go back and
+forth: a step against the one before is shortened.
 """
 
 import itertools
@@ -51,6 +52,7 @@ DAMPING_ALONG = 0.3  # more damping of its component along the branch
 LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
+BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
 FINEST = 0.004  # clearances: step length at which the search ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
@@ -105,7 +107,7 @@ def centre(
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     at = moves.places_of(shape, x)
     size = at.clearance.copy()
-    known = _Known(x, budget)
+    known, before = _Known(x, budget), np.zeros_like(x)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
@@ -129,7 +131,7 @@ def centre(
         wide = np.full(num, np.nan)
         wide[limb] = found.radius
         wide = measures.usual(paths, wide)
-        # The arcs of a loop with junctions have no circle for rest: all the width would draw them to their hole.
+        # Arcs of a loop with junctions have no circle for rest: all the width would draw them to their hole.
         reach = np.where(is_arc, np.sqrt(wide * size), wide)
         span = np.where(wide > measures.WIDE * size, reach, size)
         if number < 0:
@@ -155,10 +157,12 @@ def centre(
             step[ring] -= (step[ring[0]] @ tangent[ring[0]]) * tangent[ring]
         step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
+        step[np.einsum("ni,ni->n", step, before) < 0] *= BACK
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
         is_last = float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         at = moves.taken(shape, handles or shape.handles, at, step, edges)
+        before = at.x - x
         if is_last:
             break
     return at.x

@@ -4,13 +4,14 @@ The points of the surface within a geodesic distance of a *tip* are a disc. Its 
 cuts off a *cap* of area A: the disc, and the smaller parts that its other boundary curves enclose. The cap's
 *slenderness* is
 
-    2 pi A / P^2 - 1 / 2.
+    2 pi A / P^2 - 1 / 2,
 
-It is 0 for a flat disc, 1 / 2 for half a ball, and h / radius for a cylinder that sticks out by h from a larger body.
-Unlike a measure along a curve, it does not depend on where the curve runs, and little on the size of the triangles. The
-smallest cap around a tip that is slender enough is a *limb*, unless it overlaps a smaller one and one has the other's
-tip: else the two share what they both have, and grow on together (see `meeting`). A disc of fewer than
-`fronts.LEAST_COUNT` vertices cuts off none: a limb needs triangles, and no share of the surface.
+and half of that if A is less than `SMALL_CAP` of the surface. It is 0 for a flat disc, 1 / 2 for half a ball, and
+h / radius for a cylinder that sticks out by h from a larger body. Unlike a measure along a curve, it does not depend on
+where the curve runs, and little on the size of the triangles. The smallest cap around a tip that is slender enough is a
+*limb*, unless it overlaps a smaller one and one has the other's tip: else the two share what they both have, and
+grow on together (see `meeting`). A very small limb must be twice as slender: it has too few triangles in most
+meshes, and its slenderness changes by a fifth with them.
 
 A tip is a vertex whose average geodesic distance from the surface is larger than that of its neighbours (Hilaga,
 Shinagawa, Kohmura, Kunii 2001).
@@ -34,17 +35,20 @@ DIGITS = 6  # of distances that are compared: those of a symmetric solid differ 
 SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
 FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
+SMALL_CAP = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts half, see `fronts.SMALLER`
 BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
 BODY = 0.25  # of the surface of a solid with handles: its two blunt ends have more, corners of a truss have less
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
 LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
+LARGEST_CAP = 0.25  # of the surface: caps of limbs that only stand out
 OBLIQUE = 3.5  # slenderness from which on a base can be oblique: at the end, rings are so by exp(-4) of that
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
 # Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
 # plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
 CORNER = (0.0, 0.083, 0.105, 0.13), (0.6, 0.5, 0.39, 0.6)
+TRIANGLES = 32  # fewest of a limb that only stands out, 16 vertices: 48 are as many as the ears of a horse have
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
@@ -114,18 +118,18 @@ class Caps:
         self._apexes: dict[tuple[int, float], bool] = {}
 
     def grown(
-        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5
+        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL_CAP
     ) -> tuple[np.ndarray, np.ndarray]:
         """The caps around ``tip``, one in each row (k, 7), and the vertices (r,) of the slenderest cap.
 
         A row is slenderness, radius of the disc, area, middle of the curve and volume. The last cap is the first one of
         ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
-        (V,).
+        (V,). A cap of less than the share ``least`` counts half.
         """
         total = float(self._total[tip])
-        first, most = FIRST_RADIUS * np.sqrt(total), share * total
+        first, small, most = FIRST_RADIUS * np.sqrt(total), least * total, share * total
         count = fronts.cap(
-            self.surface, self._front, int(tip), first, RATIO, enough, most, others, self._rows, self._region
+            self.surface, self._front, int(tip), first, RATIO, enough, small, most, others, self._rows, self._region
         )
         end = int(np.argmax(self._region == -1))
         self._left[self._component[tip]] -= self._rows[count - 1, 2] / total if count else 0.0
@@ -272,7 +276,7 @@ class Caps:
             if self._left[self._component[tip]] < 0:
                 self.was_hit = True
                 continue
-            rows, _ = self.grown(tip, others, np.inf)
+            rows, _ = self.grown(tip, others, np.inf, LARGEST_CAP, 0.0)
             if not len(rows):
                 continue
             value, after = rows[:, 0], np.minimum.accumulate(rows[::-1, 0])[::-1]
@@ -282,8 +286,8 @@ class Caps:
             score = min(height / RAISED, value[best] / need)
             if not is_counted[best] or score < LEAST_RAISED:
                 continue
-            region = self.grown(tip, others, float(value[best]))[1]
-            if not self._is_apex(tip, region, least):
+            region = self.grown(tip, others, float(value[best]), LARGEST_CAP, 0.0)[1]
+            if 2 * len(region) >= TRIANGLES and not self._is_apex(tip, region, least):
                 cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
                 raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
                 others[tip] = 1

@@ -5,9 +5,8 @@ from typing import NamedTuple
 
 from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
 
-# Vertices of a disc that cuts off a cap, or 48 triangles: as many as an ear of a horse of 89,000 has. With fewer, its
-# slenderness changes by a fifth with its triangles.
-LEAST_COUNT = 24
+SMALLER = 0.5  # factor on the slenderness of a cap below the area that is given: it must be twice as slender
+LEAST_COUNT = 6  # vertices in a disc: below it, a disc is noise of the tessellation
 # A disc that cuts off no cap while its radius grows by this factor goes around a handle or a large limb.
 HANDLE_GROWTH = 1.5
 
@@ -227,6 +226,7 @@ def cap(
     level: float,
     ratio: float,
     enough: float,
+    small: float,
     most: float,
     is_other: Ints,
     found: Points,
@@ -235,10 +235,11 @@ def cap(
     """Grow a disc around the vertex ``tip``, and measure the caps that it cuts off (see `caps`).
 
     Rows of ``found`` (k, 9): slenderness, radius, area and middle of each cap; the rest is scratch space. That of a cap
-    without volume, when a fan over its curve closes it, is 0: it is a pocket. Radii grow from ``level`` by the factor
-    ``ratio``, until a cap has ``enough`` slenderness, or more than the area ``most``, or holds a vertex of ``is_other``
-    (V,) besides the tip. The last four rows are scratch space. ``region`` (V + 1,) gets the vertices of the slenderest
-    cap, and -1 after them. Returns the number of rows.
+    below the area ``small`` is multiplied by `SMALLER`. That of a cap without volume, when a fan over its curve closes
+    it, is 0: it is a pocket. Radii grow from ``level`` by the factor ``ratio``, until a cap has ``enough`` slenderness,
+    or more than the area ``most``, or holds a vertex of ``is_other`` (V,) besides the tip. The last four rows are
+    scratch space. ``region`` (V + 1,) gets the vertices of the slenderest cap, and -1 after them. Returns the number of
+    rows.
     """
     rows, count, size_of_region, last, slenderest = 0, 0, 0, inf, -inf
     middle, best = found[len(found) - 1], found[len(found) - 2]
@@ -295,7 +296,8 @@ def cap(
                 for i in range(3):
                     found[rows, 3 + i] = best[1 + i] / best[0]
                     volume -= found[rows, 3 + i] * whole[1 + i] / 3
-                found[rows, 0] = slenderness if volume > 0 else 0.0
+                slenderness = slenderness if volume > 0 else 0.0
+                found[rows, 0] = slenderness if whole[0] >= small else SMALLER * slenderness
                 found[rows, 1], found[rows, 2], found[rows, 6] = level, whole[0], volume
                 goes_on = found[rows, 0] < enough
                 if found[rows, 0] > slenderest:

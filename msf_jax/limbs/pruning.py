@@ -27,9 +27,10 @@ class Branch(NamedTuple):
     """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
 
     slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
-    `limbs.caps`): a cylinder that sticks out by h has h / radius. Without the mesh, and for thin limbs in coarse
-    triangles, it is measured by the nodes' balls (see `by_balls`). Infinite for a branch without a junction or between
-    junctions: its removal would change the curve's components or cycles.
+    `limbs.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than 0.12 %
+    of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
+    `by_balls`). Infinite for a branch without a junction or between junctions: its removal would change the
+    curve's components or cycles.
 
     surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
     """

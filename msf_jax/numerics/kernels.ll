@@ -4686,1761 +4686,1759 @@ define i64 @msf_jax.limbs.fronts.cap(ptr readonly %0) local_unnamed_addr {
   %72 = getelementptr i8, ptr %0, i64 280
   %73 = load double, ptr %72, align 8
   %74 = getelementptr i8, ptr %0, i64 288
-  %75 = load ptr, ptr %74, align 8
+  %75 = load double, ptr %74, align 8
   %76 = getelementptr i8, ptr %0, i64 296
-  %77 = load i64, ptr %76, align 8
+  %77 = load ptr, ptr %76, align 8
   %78 = getelementptr i8, ptr %0, i64 304
-  %79 = load ptr, ptr %78, align 8
+  %79 = load i64, ptr %78, align 8
   %80 = getelementptr i8, ptr %0, i64 312
-  %81 = load i64, ptr %80, align 8
+  %81 = load ptr, ptr %80, align 8
   %82 = getelementptr i8, ptr %0, i64 320
   %83 = load i64, ptr %82, align 8
-  %84 = shl i64 %83, 3
-  %85 = getelementptr i8, ptr %0, i64 328
-  %86 = load ptr, ptr %85, align 8
+  %84 = getelementptr i8, ptr %0, i64 328
+  %85 = load i64, ptr %84, align 8
+  %86 = shl i64 %85, 3
   %87 = getelementptr i8, ptr %0, i64 336
-  %88 = load i64, ptr %87, align 8
-  %89 = add nsw i64 %81, -1
-  %90 = tail call i64 @llvm.smin.i64(i64 %81, i64 0)
-  %91 = add i64 %89, %90
-  %92 = mul i64 %91, %83
-  %93 = getelementptr double, ptr %79, i64 %92
-  %94 = add i64 %81, 2305843009213693950
-  %95 = icmp slt i64 %81, 2
-  %96 = select i1 %95, i64 %81, i64 0
-  %97 = add i64 %94, %96
-  %98 = add nsw i64 %81, -3
-  %99 = icmp slt i64 %81, 3
-  %100 = select i1 %99, i64 %81, i64 0
-  %101 = add i64 %98, %100
-  %102 = mul i64 %101, %83
-  %103 = getelementptr double, ptr %79, i64 %102
-  %104 = add nsw i64 %81, -4
-  %105 = icmp slt i64 %81, 4
-  %106 = select i1 %105, i64 %81, i64 0
-  %107 = add i64 %106, %104
-  %108 = mul i64 %107, %83
-  %109 = getelementptr double, ptr %79, i64 %108
-  %110 = icmp slt i64 %65, 0
-  %111 = select i1 %110, i64 %35, i64 0
-  %112 = getelementptr double, ptr %33, i64 %65
-  %113 = getelementptr double, ptr %112, i64 %111
-  store double 0.000000e+00, ptr %113, align 8
+  %88 = load ptr, ptr %87, align 8
+  %89 = getelementptr i8, ptr %0, i64 344
+  %90 = load i64, ptr %89, align 8
+  %91 = add nsw i64 %83, -1
+  %92 = tail call i64 @llvm.smin.i64(i64 %83, i64 0)
+  %93 = add i64 %91, %92
+  %94 = mul i64 %93, %85
+  %95 = getelementptr double, ptr %81, i64 %94
+  %96 = add i64 %83, 2305843009213693950
+  %97 = icmp slt i64 %83, 2
+  %98 = select i1 %97, i64 %83, i64 0
+  %99 = add i64 %96, %98
+  %100 = add nsw i64 %83, -3
+  %101 = icmp slt i64 %83, 3
+  %102 = select i1 %101, i64 %83, i64 0
+  %103 = add i64 %100, %102
+  %104 = mul i64 %103, %85
+  %105 = getelementptr double, ptr %81, i64 %104
+  %106 = add nsw i64 %83, -4
+  %107 = icmp slt i64 %83, 4
+  %108 = select i1 %107, i64 %83, i64 0
+  %109 = add i64 %108, %106
+  %110 = mul i64 %109, %85
+  %111 = getelementptr double, ptr %81, i64 %110
+  %112 = icmp slt i64 %65, 0
+  %113 = select i1 %112, i64 %35, i64 0
+  %114 = getelementptr double, ptr %33, i64 %65
+  %115 = getelementptr double, ptr %114, i64 %113
+  store double 0.000000e+00, ptr %115, align 8
   store double 0.000000e+00, ptr %53, align 8
   store i64 %65, ptr %57, align 8
-  %114 = shl i64 %35, 3
-  %115 = getelementptr i8, ptr %86, i64 24
-  %116 = mul i64 %84, %97
-  %117 = getelementptr i8, ptr %79, i64 %116
-  %118 = shl i64 %25, 3
-  %119 = getelementptr i8, ptr %109, i64 8
-  %120 = getelementptr i8, ptr %109, i64 16
-  %121 = getelementptr i8, ptr %109, i64 24
-  %122 = getelementptr i8, ptr %109, i64 32
-  %123 = getelementptr i8, ptr %93, i64 8
-  %124 = getelementptr i8, ptr %93, i64 16
-  %125 = getelementptr i8, ptr %93, i64 24
-  %126 = getelementptr i8, ptr %93, i64 32
-  %127 = getelementptr i8, ptr %93, i64 40
-  %128 = getelementptr i8, ptr %93, i64 48
-  %129 = getelementptr i8, ptr %93, i64 56
-  %130 = getelementptr i8, ptr %93, i64 64
-  %131 = getelementptr i8, ptr %117, i64 8
-  %132 = getelementptr i8, ptr %117, i64 16
-  %133 = getelementptr i8, ptr %117, i64 24
-  %134 = getelementptr i8, ptr %103, i64 8
-  %135 = getelementptr i8, ptr %103, i64 16
-  %136 = getelementptr i8, ptr %103, i64 24
-  %137 = getelementptr i8, ptr %103, i64 32
-  br label %138
-138:
-  %139 = phi i64 [ 1, %1 ], [ %478, %475 ]
-  %140 = phi double [ 0xFFF0000000000000, %1 ], [ %174, %475 ]
-  %141 = phi double [ 0x7FF0000000000000, %1 ], [ %173, %475 ]
-  %142 = phi i64 [ 0, %1 ], [ %172, %475 ]
-  %143 = phi i64 [ 0, %1 ], [ %476, %475 ]
-  %144 = phi i64 [ 0, %1 ], [ %171, %475 ]
-  %145 = phi double [ %67, %1 ], [ %170, %475 ]
-  %146 = icmp sgt i64 %143, 23
-  br i1 %146, label %147, label %154
-147:
-  %148 = and i64 %143, 3
-  %149 = and i64 %143, 9223372036854775804
-  %150 = shl i64 %143, 3
-  %151 = getelementptr i8, ptr %115, i64 %150
-  %152 = getelementptr i8, ptr %86, i64 %150
-  %153 = icmp eq i64 %148, 0
-  br label %161
-154:
-  %155 = load double, ptr %53, align 8
-  %156 = fcmp olt double %155, %145
-  br i1 %156, label %169, label %157
-157:
-  %158 = phi double [ %159, %157 ], [ %145, %154 ]
-  %159 = fmul double %69, %158
-  %160 = fcmp olt double %155, %159
-  br i1 %160, label %169, label %157
-161:
-  %162 = phi double [ %1461, %1455 ], [ %145, %147 ]
-  %163 = phi i64 [ %1456, %1455 ], [ %144, %147 ]
-  %164 = phi i64 [ %1457, %1455 ], [ %142, %147 ]
-  %165 = phi double [ %1458, %1455 ], [ %141, %147 ]
-  %166 = phi double [ %1459, %1455 ], [ %140, %147 ]
-  %167 = load double, ptr %53, align 8
-  %168 = fcmp olt double %167, %162
-  br i1 %168, label %169, label %481
-169:
-  %170 = phi double [ %162, %161 ], [ %145, %154 ], [ %159, %157 ]
-  %171 = phi i64 [ %163, %161 ], [ %144, %154 ], [ %144, %157 ]
-  %172 = phi i64 [ %164, %161 ], [ %142, %154 ], [ %142, %157 ]
-  %173 = phi double [ %165, %161 ], [ %141, %154 ], [ %141, %157 ]
-  %174 = phi double [ %166, %161 ], [ %140, %154 ], [ %140, %157 ]
-  %175 = load i64, ptr %57, align 8
-  %176 = add nsw i64 %139, -1
-  %177 = icmp slt i64 %139, 1
-  %178 = select i1 %177, i64 %55, i64 0
-  %179 = getelementptr double, ptr %53, i64 %176
-  %180 = getelementptr double, ptr %179, i64 %178
-  %181 = load double, ptr %180, align 8
-  %182 = select i1 %177, i64 %59, i64 0
-  %183 = getelementptr i64, ptr %57, i64 %176
-  %184 = getelementptr i64, ptr %183, i64 %182
-  %185 = load i64, ptr %184, align 8
-  %186 = icmp sgt i64 %139, 2
-  br i1 %186, label %187, label %1501
-187:
-  %188 = phi i64 [ %207, %214 ], [ 0, %169 ]
-  %189 = shl nsw i64 %188, 1
-  %190 = or disjoint i64 %189, 1
-  %191 = add nsw i64 %189, 2
-  %192 = icmp slt i64 %191, %176
-  br i1 %192, label %193, label %206
-193:
-  %194 = icmp slt i64 %188, -1
-  %195 = select i1 %194, i64 %55, i64 0
-  %196 = getelementptr double, ptr %53, i64 %191
-  %197 = getelementptr double, ptr %196, i64 %195
-  %198 = load double, ptr %197, align 8
-  %199 = icmp slt i64 %188, 0
-  %200 = select i1 %199, i64 %55, i64 0
-  %201 = getelementptr double, ptr %53, i64 %190
-  %202 = getelementptr double, ptr %201, i64 %200
-  %203 = load double, ptr %202, align 8
-  %204 = fcmp olt double %198, %203
-  br i1 %204, label %205, label %206
-205:
-  br label %206
-206:
-  %207 = phi i64 [ %191, %205 ], [ %190, %193 ], [ %190, %187 ]
-  %208 = icmp slt i64 %207, 0
-  %209 = select i1 %208, i64 %55, i64 0
-  %210 = getelementptr double, ptr %53, i64 %207
-  %211 = getelementptr double, ptr %210, i64 %209
-  %212 = load double, ptr %211, align 8
-  %213 = fcmp ult double %212, %181
-  br i1 %213, label %214, label %1501
-214:
-  %215 = select i1 %208, i64 %59, i64 0
-  %216 = getelementptr i64, ptr %57, i64 %207
-  %217 = getelementptr i64, ptr %216, i64 %215
-  %218 = load i64, ptr %217, align 8
-  %219 = icmp slt i64 %188, 0
-  %220 = select i1 %219, i64 %55, i64 0
-  %221 = getelementptr double, ptr %53, i64 %188
-  %222 = getelementptr double, ptr %221, i64 %220
-  store double %212, ptr %222, align 8
-  %223 = select i1 %219, i64 %59, i64 0
-  %224 = getelementptr i64, ptr %57, i64 %188
-  %225 = getelementptr i64, ptr %224, i64 %223
-  store i64 %218, ptr %225, align 8
-  %226 = shl nsw i64 %207, 1
-  %227 = or disjoint i64 %226, 1
-  %228 = icmp slt i64 %227, %176
-  br i1 %228, label %187, label %1501
-229:
-  %230 = shl i64 %1511, 3
-  %231 = getelementptr inbounds i8, ptr %1512, i64 %230
-  store i64 1, ptr %231, align 8
-  %232 = icmp slt i64 %143, 0
-  %233 = select i1 %232, i64 %43, i64 0
-  %234 = getelementptr i64, ptr %41, i64 %143
-  %235 = getelementptr i64, ptr %234, i64 %233
-  store i64 %175, ptr %235, align 8
-  %236 = add i64 %143, 1
-  %237 = icmp eq i64 %175, %65
-  br i1 %237, label %244, label %238
-238:
-  %239 = select i1 %1510, i64 %77, i64 0
-  %240 = getelementptr i64, ptr %75, i64 %175
-  %241 = getelementptr i64, ptr %240, i64 %239
-  %242 = load i64, ptr %241, align 8
-  %243 = icmp eq i64 %242, 0
-  br label %244
-244:
-  %245 = phi i1 [ true, %229 ], [ %243, %238 ]
-  %246 = select i1 %1510, i64 %21, i64 0
-  %247 = getelementptr i64, ptr %19, i64 %175
-  %248 = getelementptr i64, ptr %247, i64 %246
-  %249 = load i64, ptr %248, align 8
-  %250 = icmp slt i64 %175, -1
-  %251 = select i1 %250, i64 %21, i64 0
-  %252 = getelementptr i8, ptr %247, i64 8
-  %253 = getelementptr i64, ptr %252, i64 %251
-  %254 = load i64, ptr %253, align 8
-  %255 = sub i64 %254, %249
-  %256 = icmp slt i64 %255, 1
-  br i1 %256, label %475, label %257
-257:
-  %258 = getelementptr double, ptr %33, i64 %175
-  %259 = select i1 %1510, i64 %4, i64 0
-  %260 = add i64 %259, %175
-  %261 = select i1 %1510, i64 %114, i64 0
-  %262 = mul i64 %7, %260
-  %263 = getelementptr inbounds i8, ptr %258, i64 %261
-  %264 = getelementptr i8, ptr %2, i64 %262
-  %265 = getelementptr i8, ptr %264, i64 16
-  %266 = getelementptr i8, ptr %264, i64 8
-  %267 = mul i64 %260, %6
-  %268 = getelementptr double, ptr %2, i64 %267
-  %269 = getelementptr i8, ptr %268, i64 16
-  %270 = getelementptr i8, ptr %268, i64 8
-  br label %271
-271:
-  %272 = phi i64 [ %469, %471 ], [ %176, %257 ]
-  %273 = phi i64 [ %472, %471 ], [ %255, %257 ]
-  %274 = phi i64 [ %473, %471 ], [ %249, %257 ]
-  %275 = icmp slt i64 %274, 0
-  %276 = select i1 %275, i64 %25, i64 0
-  %277 = getelementptr i64, ptr %23, i64 %274
-  %278 = getelementptr i64, ptr %277, i64 %276
-  %279 = load i64, ptr %278, align 8
-  %280 = icmp slt i64 %279, 0
-  %281 = select i1 %280, i64 %11, i64 0
-  %282 = add i64 %281, %279
-  %283 = mul i64 %282, %13
-  %284 = getelementptr i64, ptr %9, i64 %283
-  %285 = getelementptr i8, ptr %284, i64 8
-  %286 = getelementptr i8, ptr %284, i64 16
-  br label %287
-287:
-  %288 = phi i64 [ %272, %271 ], [ %469, %468 ]
-  %289 = phi i64 [ 0, %271 ], [ %290, %468 ]
-  %290 = add nuw nsw i64 %289, 1
-  %291 = getelementptr i64, ptr %284, i64 %289
-  %292 = load i64, ptr %291, align 8
-  %293 = icmp eq i64 %292, %175
-  br i1 %293, label %468, label %294
-294:
-  %295 = icmp slt i64 %292, 0
-  %296 = select i1 %295, i64 %39, i64 0
-  %297 = getelementptr i64, ptr %37, i64 %292
-  %298 = getelementptr i64, ptr %297, i64 %296
-  %299 = load i64, ptr %298, align 8
-  %300 = icmp eq i64 %299, 1
-  br i1 %300, label %325, label %301
-301:
-  %302 = load double, ptr %263, align 8
-  %303 = select i1 %295, i64 %4, i64 0
-  %304 = add i64 %303, %292
-  %305 = mul i64 %304, %6
-  %306 = getelementptr double, ptr %2, i64 %305
-  %307 = getelementptr i8, ptr %306, i64 16
-  %308 = load double, ptr %307, align 8
-  %309 = load double, ptr %265, align 8
-  %310 = fsub double %308, %309
-  %311 = fmul double %310, %310
-  %312 = load double, ptr %306, align 8
-  %313 = load double, ptr %264, align 8
-  %314 = fsub double %312, %313
-  %315 = fmul double %314, %314
-  %316 = getelementptr i8, ptr %306, i64 8
-  %317 = load double, ptr %316, align 8
-  %318 = load double, ptr %266, align 8
-  %319 = fsub double %317, %318
-  %320 = fmul double %319, %319
-  %321 = fadd double %315, %320
-  %322 = fadd double %311, %321
-  %323 = tail call double @llvm.sqrt.f64(double %322)
-  %324 = fadd double %302, %323
-  br label %416
-325:
-  %326 = load i64, ptr %284, align 8
-  %327 = load i64, ptr %285, align 8
+  %116 = shl i64 %35, 3
+  %117 = getelementptr i8, ptr %88, i64 24
+  %118 = mul i64 %86, %99
+  %119 = getelementptr i8, ptr %81, i64 %118
+  %120 = shl i64 %25, 3
+  %121 = getelementptr i8, ptr %111, i64 8
+  %122 = getelementptr i8, ptr %111, i64 16
+  %123 = getelementptr i8, ptr %111, i64 24
+  %124 = getelementptr i8, ptr %111, i64 32
+  %125 = getelementptr i8, ptr %95, i64 8
+  %126 = getelementptr i8, ptr %95, i64 16
+  %127 = getelementptr i8, ptr %95, i64 24
+  %128 = getelementptr i8, ptr %95, i64 32
+  %129 = getelementptr i8, ptr %95, i64 40
+  %130 = getelementptr i8, ptr %95, i64 48
+  %131 = getelementptr i8, ptr %95, i64 56
+  %132 = getelementptr i8, ptr %95, i64 64
+  %133 = getelementptr i8, ptr %119, i64 8
+  %134 = getelementptr i8, ptr %119, i64 16
+  %135 = getelementptr i8, ptr %119, i64 24
+  %136 = getelementptr i8, ptr %105, i64 8
+  %137 = getelementptr i8, ptr %105, i64 16
+  %138 = getelementptr i8, ptr %105, i64 24
+  %139 = getelementptr i8, ptr %105, i64 32
+  br label %140
+140:
+  %141 = phi i64 [ 1, %1 ], [ %480, %477 ]
+  %142 = phi double [ 0xFFF0000000000000, %1 ], [ %176, %477 ]
+  %143 = phi double [ 0x7FF0000000000000, %1 ], [ %175, %477 ]
+  %144 = phi i64 [ 0, %1 ], [ %174, %477 ]
+  %145 = phi i64 [ 0, %1 ], [ %478, %477 ]
+  %146 = phi i64 [ 0, %1 ], [ %173, %477 ]
+  %147 = phi double [ %67, %1 ], [ %172, %477 ]
+  %148 = icmp sgt i64 %145, 5
+  br i1 %148, label %149, label %156
+149:
+  %150 = and i64 %145, 3
+  %151 = and i64 %145, 9223372036854775804
+  %152 = shl i64 %145, 3
+  %153 = getelementptr i8, ptr %117, i64 %152
+  %154 = getelementptr i8, ptr %88, i64 %152
+  %155 = icmp eq i64 %150, 0
+  br label %163
+156:
+  %157 = load double, ptr %53, align 8
+  %158 = fcmp olt double %157, %147
+  br i1 %158, label %171, label %159
+159:
+  %160 = phi double [ %161, %159 ], [ %147, %156 ]
+  %161 = fmul double %69, %160
+  %162 = fcmp olt double %157, %161
+  br i1 %162, label %171, label %159
+163:
+  %164 = phi double [ %1467, %1461 ], [ %147, %149 ]
+  %165 = phi i64 [ %1462, %1461 ], [ %146, %149 ]
+  %166 = phi i64 [ %1463, %1461 ], [ %144, %149 ]
+  %167 = phi double [ %1464, %1461 ], [ %143, %149 ]
+  %168 = phi double [ %1465, %1461 ], [ %142, %149 ]
+  %169 = load double, ptr %53, align 8
+  %170 = fcmp olt double %169, %164
+  br i1 %170, label %171, label %483
+171:
+  %172 = phi double [ %164, %163 ], [ %147, %156 ], [ %161, %159 ]
+  %173 = phi i64 [ %165, %163 ], [ %146, %156 ], [ %146, %159 ]
+  %174 = phi i64 [ %166, %163 ], [ %144, %156 ], [ %144, %159 ]
+  %175 = phi double [ %167, %163 ], [ %143, %156 ], [ %143, %159 ]
+  %176 = phi double [ %168, %163 ], [ %142, %156 ], [ %142, %159 ]
+  %177 = load i64, ptr %57, align 8
+  %178 = add nsw i64 %141, -1
+  %179 = icmp slt i64 %141, 1
+  %180 = select i1 %179, i64 %55, i64 0
+  %181 = getelementptr double, ptr %53, i64 %178
+  %182 = getelementptr double, ptr %181, i64 %180
+  %183 = load double, ptr %182, align 8
+  %184 = select i1 %179, i64 %59, i64 0
+  %185 = getelementptr i64, ptr %57, i64 %178
+  %186 = getelementptr i64, ptr %185, i64 %184
+  %187 = load i64, ptr %186, align 8
+  %188 = icmp sgt i64 %141, 2
+  br i1 %188, label %189, label %1507
+189:
+  %190 = phi i64 [ %209, %216 ], [ 0, %171 ]
+  %191 = shl nsw i64 %190, 1
+  %192 = or disjoint i64 %191, 1
+  %193 = add nsw i64 %191, 2
+  %194 = icmp slt i64 %193, %178
+  br i1 %194, label %195, label %208
+195:
+  %196 = icmp slt i64 %190, -1
+  %197 = select i1 %196, i64 %55, i64 0
+  %198 = getelementptr double, ptr %53, i64 %193
+  %199 = getelementptr double, ptr %198, i64 %197
+  %200 = load double, ptr %199, align 8
+  %201 = icmp slt i64 %190, 0
+  %202 = select i1 %201, i64 %55, i64 0
+  %203 = getelementptr double, ptr %53, i64 %192
+  %204 = getelementptr double, ptr %203, i64 %202
+  %205 = load double, ptr %204, align 8
+  %206 = fcmp olt double %200, %205
+  br i1 %206, label %207, label %208
+207:
+  br label %208
+208:
+  %209 = phi i64 [ %193, %207 ], [ %192, %195 ], [ %192, %189 ]
+  %210 = icmp slt i64 %209, 0
+  %211 = select i1 %210, i64 %55, i64 0
+  %212 = getelementptr double, ptr %53, i64 %209
+  %213 = getelementptr double, ptr %212, i64 %211
+  %214 = load double, ptr %213, align 8
+  %215 = fcmp ult double %214, %183
+  br i1 %215, label %216, label %1507
+216:
+  %217 = select i1 %210, i64 %59, i64 0
+  %218 = getelementptr i64, ptr %57, i64 %209
+  %219 = getelementptr i64, ptr %218, i64 %217
+  %220 = load i64, ptr %219, align 8
+  %221 = icmp slt i64 %190, 0
+  %222 = select i1 %221, i64 %55, i64 0
+  %223 = getelementptr double, ptr %53, i64 %190
+  %224 = getelementptr double, ptr %223, i64 %222
+  store double %214, ptr %224, align 8
+  %225 = select i1 %221, i64 %59, i64 0
+  %226 = getelementptr i64, ptr %57, i64 %190
+  %227 = getelementptr i64, ptr %226, i64 %225
+  store i64 %220, ptr %227, align 8
+  %228 = shl nsw i64 %209, 1
+  %229 = or disjoint i64 %228, 1
+  %230 = icmp slt i64 %229, %178
+  br i1 %230, label %189, label %1507
+231:
+  %232 = shl i64 %1517, 3
+  %233 = getelementptr inbounds i8, ptr %1518, i64 %232
+  store i64 1, ptr %233, align 8
+  %234 = icmp slt i64 %145, 0
+  %235 = select i1 %234, i64 %43, i64 0
+  %236 = getelementptr i64, ptr %41, i64 %145
+  %237 = getelementptr i64, ptr %236, i64 %235
+  store i64 %177, ptr %237, align 8
+  %238 = add i64 %145, 1
+  %239 = icmp eq i64 %177, %65
+  br i1 %239, label %246, label %240
+240:
+  %241 = select i1 %1516, i64 %79, i64 0
+  %242 = getelementptr i64, ptr %77, i64 %177
+  %243 = getelementptr i64, ptr %242, i64 %241
+  %244 = load i64, ptr %243, align 8
+  %245 = icmp eq i64 %244, 0
+  br label %246
+246:
+  %247 = phi i1 [ true, %231 ], [ %245, %240 ]
+  %248 = select i1 %1516, i64 %21, i64 0
+  %249 = getelementptr i64, ptr %19, i64 %177
+  %250 = getelementptr i64, ptr %249, i64 %248
+  %251 = load i64, ptr %250, align 8
+  %252 = icmp slt i64 %177, -1
+  %253 = select i1 %252, i64 %21, i64 0
+  %254 = getelementptr i8, ptr %249, i64 8
+  %255 = getelementptr i64, ptr %254, i64 %253
+  %256 = load i64, ptr %255, align 8
+  %257 = sub i64 %256, %251
+  %258 = icmp slt i64 %257, 1
+  br i1 %258, label %477, label %259
+259:
+  %260 = getelementptr double, ptr %33, i64 %177
+  %261 = select i1 %1516, i64 %4, i64 0
+  %262 = add i64 %261, %177
+  %263 = select i1 %1516, i64 %116, i64 0
+  %264 = mul i64 %7, %262
+  %265 = getelementptr inbounds i8, ptr %260, i64 %263
+  %266 = getelementptr i8, ptr %2, i64 %264
+  %267 = getelementptr i8, ptr %266, i64 16
+  %268 = getelementptr i8, ptr %266, i64 8
+  %269 = mul i64 %262, %6
+  %270 = getelementptr double, ptr %2, i64 %269
+  %271 = getelementptr i8, ptr %270, i64 16
+  %272 = getelementptr i8, ptr %270, i64 8
+  br label %273
+273:
+  %274 = phi i64 [ %471, %473 ], [ %178, %259 ]
+  %275 = phi i64 [ %474, %473 ], [ %257, %259 ]
+  %276 = phi i64 [ %475, %473 ], [ %251, %259 ]
+  %277 = icmp slt i64 %276, 0
+  %278 = select i1 %277, i64 %25, i64 0
+  %279 = getelementptr i64, ptr %23, i64 %276
+  %280 = getelementptr i64, ptr %279, i64 %278
+  %281 = load i64, ptr %280, align 8
+  %282 = icmp slt i64 %281, 0
+  %283 = select i1 %282, i64 %11, i64 0
+  %284 = add i64 %283, %281
+  %285 = mul i64 %284, %13
+  %286 = getelementptr i64, ptr %9, i64 %285
+  %287 = getelementptr i8, ptr %286, i64 8
+  %288 = getelementptr i8, ptr %286, i64 16
+  br label %289
+289:
+  %290 = phi i64 [ %274, %273 ], [ %471, %470 ]
+  %291 = phi i64 [ 0, %273 ], [ %292, %470 ]
+  %292 = add nuw nsw i64 %291, 1
+  %293 = getelementptr i64, ptr %286, i64 %291
+  %294 = load i64, ptr %293, align 8
+  %295 = icmp eq i64 %294, %177
+  br i1 %295, label %470, label %296
+296:
+  %297 = icmp slt i64 %294, 0
+  %298 = select i1 %297, i64 %39, i64 0
+  %299 = getelementptr i64, ptr %37, i64 %294
+  %300 = getelementptr i64, ptr %299, i64 %298
+  %301 = load i64, ptr %300, align 8
+  %302 = icmp eq i64 %301, 1
+  br i1 %302, label %327, label %303
+303:
+  %304 = load double, ptr %265, align 8
+  %305 = select i1 %297, i64 %4, i64 0
+  %306 = add i64 %305, %294
+  %307 = mul i64 %306, %6
+  %308 = getelementptr double, ptr %2, i64 %307
+  %309 = getelementptr i8, ptr %308, i64 16
+  %310 = load double, ptr %309, align 8
+  %311 = load double, ptr %267, align 8
+  %312 = fsub double %310, %311
+  %313 = fmul double %312, %312
+  %314 = load double, ptr %308, align 8
+  %315 = load double, ptr %266, align 8
+  %316 = fsub double %314, %315
+  %317 = fmul double %316, %316
+  %318 = getelementptr i8, ptr %308, i64 8
+  %319 = load double, ptr %318, align 8
+  %320 = load double, ptr %268, align 8
+  %321 = fsub double %319, %320
+  %322 = fmul double %321, %321
+  %323 = fadd double %317, %322
+  %324 = fadd double %313, %323
+  %325 = tail call double @llvm.sqrt.f64(double %324)
+  %326 = fadd double %304, %325
+  br label %418
+327:
   %328 = load i64, ptr %286, align 8
-  %329 = add i64 %292, %175
-  %330 = sub i64 %326, %329
-  %331 = add i64 %330, %327
-  %332 = add i64 %331, %328
-  %333 = load double, ptr %269, align 8
-  %334 = select i1 %295, i64 %4, i64 0
-  %335 = add i64 %334, %292
-  %336 = mul i64 %335, %6
-  %337 = getelementptr double, ptr %2, i64 %336
-  %338 = getelementptr i8, ptr %337, i64 16
-  %339 = load double, ptr %338, align 8
-  %340 = fsub double %333, %339
-  %341 = fmul double %340, %340
-  %342 = load double, ptr %268, align 8
-  %343 = load double, ptr %337, align 8
-  %344 = fsub double %342, %343
-  %345 = fmul double %344, %344
-  %346 = load double, ptr %270, align 8
-  %347 = getelementptr i8, ptr %337, i64 8
-  %348 = load double, ptr %347, align 8
-  %349 = fsub double %346, %348
-  %350 = fmul double %349, %349
-  %351 = fadd double %345, %350
-  %352 = fadd double %341, %351
-  %353 = tail call double @llvm.sqrt.f64(double %352)
-  %354 = fcmp une double %352, 0.000000e+00
-  br i1 %354, label %382, label %416
-355:
-  %356 = fmul double %395, %395
-  %357 = fmul double %398, %398
-  %358 = fmul double %402, %402
-  %359 = fadd double %357, %358
-  %360 = fadd double %356, %359
-  %361 = fmul double %406, %406
-  %362 = fsub double %360, %361
-  %363 = fcmp olt double %362, 0.000000e+00
-  %364 = select i1 %363, double 0.000000e+00, double %362
-  %365 = tail call double @llvm.sqrt.f64(double %364)
-  %366 = tail call double @llvm.sqrt.f64(double %414)
-  %367 = fadd double %365, %366
-  %368 = fcmp ogt double %367, 0.000000e+00
-  br i1 %368, label %369, label %416
-369:
-  %370 = fsub double %406, %412
-  %371 = fmul double %370, %366
-  %372 = fdiv double %371, %367
-  %373 = fadd double %412, %372
-  %374 = fcmp oge double %373, 0.000000e+00
-  %375 = fcmp ole double %373, %353
-  %376 = and i1 %374, %375
-  br i1 %376, label %377, label %416
-377:
-  %378 = fmul double %370, %370
-  %379 = fmul double %367, %367
-  %380 = fadd double %378, %379
-  %381 = tail call double @llvm.sqrt.f64(double %380)
-  br label %416
-382:
-  %383 = load double, ptr %263, align 8
-  %384 = getelementptr double, ptr %33, i64 %292
-  %385 = select i1 %295, i64 %35, i64 0
-  %386 = getelementptr double, ptr %384, i64 %385
-  %387 = load double, ptr %386, align 8
-  %388 = icmp slt i64 %332, 0
-  %389 = select i1 %388, i64 %4, i64 0
-  %390 = add i64 %389, %332
-  %391 = mul i64 %390, %6
-  %392 = getelementptr double, ptr %2, i64 %391
-  %393 = getelementptr i8, ptr %392, i64 16
-  %394 = load double, ptr %393, align 8
-  %395 = fsub double %394, %339
-  %396 = fmul double %340, %395
-  %397 = load double, ptr %392, align 8
-  %398 = fsub double %397, %343
-  %399 = fmul double %344, %398
-  %400 = getelementptr i8, ptr %392, i64 8
-  %401 = load double, ptr %400, align 8
-  %402 = fsub double %401, %348
-  %403 = fmul double %349, %402
-  %404 = fadd double %399, %403
-  %405 = fadd double %396, %404
-  %406 = fdiv double %405, %353
-  %407 = fmul double %387, %387
-  %408 = fmul double %383, %383
-  %409 = fsub double %407, %408
-  %410 = fadd double %352, %409
-  %411 = fmul double %353, 2.000000e+00
-  %412 = fdiv double %410, %411
-  %413 = fmul double %412, %412
-  %414 = fsub double %407, %413
-  %415 = fcmp olt double %414, 0.000000e+00
-  br i1 %415, label %416, label %355
-416:
-  %417 = phi double [ %324, %301 ], [ 0x7FF0000000000000, %382 ], [ 0x7FF0000000000000, %325 ], [ %381, %377 ], [ 0x7FF0000000000000, %369 ], [ 0x7FF0000000000000, %355 ]
-  %418 = phi i64 [ %292, %301 ], [ %332, %382 ], [ %332, %325 ], [ %332, %377 ], [ %332, %369 ], [ %332, %355 ]
-  %419 = icmp slt i64 %418, 0
-  %420 = select i1 %419, i64 %39, i64 0
-  %421 = getelementptr i64, ptr %37, i64 %418
-  %422 = getelementptr i64, ptr %421, i64 %420
-  %423 = load i64, ptr %422, align 8
-  %424 = icmp eq i64 %423, 1
-  br i1 %424, label %468, label %425
-425:
-  %426 = select i1 %419, i64 %35, i64 0
-  %427 = getelementptr double, ptr %33, i64 %418
-  %428 = getelementptr double, ptr %427, i64 %426
-  %429 = load double, ptr %428, align 8
-  %430 = fcmp olt double %417, %429
-  br i1 %430, label %431, label %468
-431:
-  %432 = shl i64 %426, 3
-  %433 = getelementptr inbounds i8, ptr %427, i64 %432
-  store double %417, ptr %433, align 8
-  %434 = icmp sgt i64 %288, 0
-  br i1 %434, label %435, label %458
-435:
-  %436 = add nsw i64 %288, -1
-  %437 = lshr i64 %436, 1
-  %438 = getelementptr double, ptr %53, i64 %437
-  %439 = load double, ptr %438, align 8
-  %440 = fcmp ogt double %439, %417
-  br i1 %440, label %441, label %458
-441:
-  %442 = phi i64 [ %444, %452 ], [ %288, %435 ]
-  %443 = add nsw i64 %442, -1
-  %444 = lshr i64 %443, 1
-  %445 = getelementptr double, ptr %53, i64 %444
-  %446 = load double, ptr %445, align 8
-  %447 = getelementptr i64, ptr %57, i64 %444
-  %448 = load i64, ptr %447, align 8
-  %449 = getelementptr double, ptr %53, i64 %442
-  store double %446, ptr %449, align 8
-  %450 = getelementptr i64, ptr %57, i64 %442
-  store i64 %448, ptr %450, align 8
-  %451 = icmp eq i64 %444, 0
-  br i1 %451, label %458, label %452
-452:
-  %453 = add nsw i64 %444, -1
-  %454 = lshr i64 %453, 1
-  %455 = getelementptr double, ptr %53, i64 %454
-  %456 = load double, ptr %455, align 8
-  %457 = fcmp ogt double %456, %417
-  br i1 %457, label %441, label %458
-458:
-  %459 = phi i64 [ %288, %435 ], [ %288, %431 ], [ 0, %441 ], [ %444, %452 ]
-  %460 = icmp slt i64 %459, 0
-  %461 = select i1 %460, i64 %55, i64 0
-  %462 = getelementptr double, ptr %53, i64 %459
-  %463 = getelementptr double, ptr %462, i64 %461
-  store double %417, ptr %463, align 8
-  %464 = select i1 %460, i64 %59, i64 0
-  %465 = getelementptr i64, ptr %57, i64 %459
-  %466 = getelementptr i64, ptr %465, i64 %464
-  store i64 %418, ptr %466, align 8
-  %467 = add nsw i64 %288, 1
-  br label %468
-468:
-  %469 = phi i64 [ %288, %287 ], [ %288, %416 ], [ %288, %425 ], [ %467, %458 ]
-  %470 = icmp eq i64 %290, 3
-  br i1 %470, label %471, label %287
-471:
-  %472 = add nsw i64 %273, -1
-  %473 = add i64 %274, 1
-  %474 = icmp sgt i64 %273, 1
-  br i1 %474, label %271, label %475
-475:
-  %476 = phi i64 [ %143, %1501 ], [ %236, %244 ], [ %236, %471 ]
-  %477 = phi i1 [ true, %1501 ], [ %245, %244 ], [ %245, %471 ]
-  %478 = phi i64 [ %176, %1501 ], [ %176, %244 ], [ %469, %471 ]
-  %479 = icmp ne i64 %478, 0
-  %480 = select i1 %479, i1 %477, i1 false
-  br i1 %480, label %138, label %1462
-481:
-  %482 = icmp slt i64 %163, %104
-  br i1 %482, label %1516, label %1455
+  %329 = load i64, ptr %287, align 8
+  %330 = load i64, ptr %288, align 8
+  %331 = add i64 %294, %177
+  %332 = sub i64 %328, %331
+  %333 = add i64 %332, %329
+  %334 = add i64 %333, %330
+  %335 = load double, ptr %271, align 8
+  %336 = select i1 %297, i64 %4, i64 0
+  %337 = add i64 %336, %294
+  %338 = mul i64 %337, %6
+  %339 = getelementptr double, ptr %2, i64 %338
+  %340 = getelementptr i8, ptr %339, i64 16
+  %341 = load double, ptr %340, align 8
+  %342 = fsub double %335, %341
+  %343 = fmul double %342, %342
+  %344 = load double, ptr %270, align 8
+  %345 = load double, ptr %339, align 8
+  %346 = fsub double %344, %345
+  %347 = fmul double %346, %346
+  %348 = load double, ptr %272, align 8
+  %349 = getelementptr i8, ptr %339, i64 8
+  %350 = load double, ptr %349, align 8
+  %351 = fsub double %348, %350
+  %352 = fmul double %351, %351
+  %353 = fadd double %347, %352
+  %354 = fadd double %343, %353
+  %355 = tail call double @llvm.sqrt.f64(double %354)
+  %356 = fcmp une double %354, 0.000000e+00
+  br i1 %356, label %384, label %418
+357:
+  %358 = fmul double %397, %397
+  %359 = fmul double %400, %400
+  %360 = fmul double %404, %404
+  %361 = fadd double %359, %360
+  %362 = fadd double %358, %361
+  %363 = fmul double %408, %408
+  %364 = fsub double %362, %363
+  %365 = fcmp olt double %364, 0.000000e+00
+  %366 = select i1 %365, double 0.000000e+00, double %364
+  %367 = tail call double @llvm.sqrt.f64(double %366)
+  %368 = tail call double @llvm.sqrt.f64(double %416)
+  %369 = fadd double %367, %368
+  %370 = fcmp ogt double %369, 0.000000e+00
+  br i1 %370, label %371, label %418
+371:
+  %372 = fsub double %408, %414
+  %373 = fmul double %372, %368
+  %374 = fdiv double %373, %369
+  %375 = fadd double %414, %374
+  %376 = fcmp oge double %375, 0.000000e+00
+  %377 = fcmp ole double %375, %355
+  %378 = and i1 %376, %377
+  br i1 %378, label %379, label %418
+379:
+  %380 = fmul double %372, %372
+  %381 = fmul double %369, %369
+  %382 = fadd double %380, %381
+  %383 = tail call double @llvm.sqrt.f64(double %382)
+  br label %418
+384:
+  %385 = load double, ptr %265, align 8
+  %386 = getelementptr double, ptr %33, i64 %294
+  %387 = select i1 %297, i64 %35, i64 0
+  %388 = getelementptr double, ptr %386, i64 %387
+  %389 = load double, ptr %388, align 8
+  %390 = icmp slt i64 %334, 0
+  %391 = select i1 %390, i64 %4, i64 0
+  %392 = add i64 %391, %334
+  %393 = mul i64 %392, %6
+  %394 = getelementptr double, ptr %2, i64 %393
+  %395 = getelementptr i8, ptr %394, i64 16
+  %396 = load double, ptr %395, align 8
+  %397 = fsub double %396, %341
+  %398 = fmul double %342, %397
+  %399 = load double, ptr %394, align 8
+  %400 = fsub double %399, %345
+  %401 = fmul double %346, %400
+  %402 = getelementptr i8, ptr %394, i64 8
+  %403 = load double, ptr %402, align 8
+  %404 = fsub double %403, %350
+  %405 = fmul double %351, %404
+  %406 = fadd double %401, %405
+  %407 = fadd double %398, %406
+  %408 = fdiv double %407, %355
+  %409 = fmul double %389, %389
+  %410 = fmul double %385, %385
+  %411 = fsub double %409, %410
+  %412 = fadd double %354, %411
+  %413 = fmul double %355, 2.000000e+00
+  %414 = fdiv double %412, %413
+  %415 = fmul double %414, %414
+  %416 = fsub double %409, %415
+  %417 = fcmp olt double %416, 0.000000e+00
+  br i1 %417, label %418, label %357
+418:
+  %419 = phi double [ %326, %303 ], [ 0x7FF0000000000000, %384 ], [ 0x7FF0000000000000, %327 ], [ %383, %379 ], [ 0x7FF0000000000000, %371 ], [ 0x7FF0000000000000, %357 ]
+  %420 = phi i64 [ %294, %303 ], [ %334, %384 ], [ %334, %327 ], [ %334, %379 ], [ %334, %371 ], [ %334, %357 ]
+  %421 = icmp slt i64 %420, 0
+  %422 = select i1 %421, i64 %39, i64 0
+  %423 = getelementptr i64, ptr %37, i64 %420
+  %424 = getelementptr i64, ptr %423, i64 %422
+  %425 = load i64, ptr %424, align 8
+  %426 = icmp eq i64 %425, 1
+  br i1 %426, label %470, label %427
+427:
+  %428 = select i1 %421, i64 %35, i64 0
+  %429 = getelementptr double, ptr %33, i64 %420
+  %430 = getelementptr double, ptr %429, i64 %428
+  %431 = load double, ptr %430, align 8
+  %432 = fcmp olt double %419, %431
+  br i1 %432, label %433, label %470
+433:
+  %434 = shl i64 %428, 3
+  %435 = getelementptr inbounds i8, ptr %429, i64 %434
+  store double %419, ptr %435, align 8
+  %436 = icmp sgt i64 %290, 0
+  br i1 %436, label %437, label %460
+437:
+  %438 = add nsw i64 %290, -1
+  %439 = lshr i64 %438, 1
+  %440 = getelementptr double, ptr %53, i64 %439
+  %441 = load double, ptr %440, align 8
+  %442 = fcmp ogt double %441, %419
+  br i1 %442, label %443, label %460
+443:
+  %444 = phi i64 [ %446, %454 ], [ %290, %437 ]
+  %445 = add nsw i64 %444, -1
+  %446 = lshr i64 %445, 1
+  %447 = getelementptr double, ptr %53, i64 %446
+  %448 = load double, ptr %447, align 8
+  %449 = getelementptr i64, ptr %57, i64 %446
+  %450 = load i64, ptr %449, align 8
+  %451 = getelementptr double, ptr %53, i64 %444
+  store double %448, ptr %451, align 8
+  %452 = getelementptr i64, ptr %57, i64 %444
+  store i64 %450, ptr %452, align 8
+  %453 = icmp eq i64 %446, 0
+  br i1 %453, label %460, label %454
+454:
+  %455 = add nsw i64 %446, -1
+  %456 = lshr i64 %455, 1
+  %457 = getelementptr double, ptr %53, i64 %456
+  %458 = load double, ptr %457, align 8
+  %459 = fcmp ogt double %458, %419
+  br i1 %459, label %443, label %460
+460:
+  %461 = phi i64 [ %290, %437 ], [ %290, %433 ], [ 0, %443 ], [ %446, %454 ]
+  %462 = icmp slt i64 %461, 0
+  %463 = select i1 %462, i64 %55, i64 0
+  %464 = getelementptr double, ptr %53, i64 %461
+  %465 = getelementptr double, ptr %464, i64 %463
+  store double %419, ptr %465, align 8
+  %466 = select i1 %462, i64 %59, i64 0
+  %467 = getelementptr i64, ptr %57, i64 %461
+  %468 = getelementptr i64, ptr %467, i64 %466
+  store i64 %420, ptr %468, align 8
+  %469 = add nsw i64 %290, 1
+  br label %470
+470:
+  %471 = phi i64 [ %290, %289 ], [ %290, %418 ], [ %290, %427 ], [ %469, %460 ]
+  %472 = icmp eq i64 %292, 3
+  br i1 %472, label %473, label %289
+473:
+  %474 = add nsw i64 %275, -1
+  %475 = add i64 %276, 1
+  %476 = icmp sgt i64 %275, 1
+  br i1 %476, label %273, label %477
+477:
+  %478 = phi i64 [ %145, %1507 ], [ %238, %246 ], [ %238, %473 ]
+  %479 = phi i1 [ true, %1507 ], [ %247, %246 ], [ %247, %473 ]
+  %480 = phi i64 [ %178, %1507 ], [ %178, %246 ], [ %471, %473 ]
+  %481 = icmp ne i64 %480, 0
+  %482 = select i1 %481, i1 %479, i1 false
+  br i1 %482, label %140, label %1468
 483:
-  %484 = phi i64 [ %1519, %1517 ], [ %1496, %1495 ]
-  %485 = phi i64 [ %1518, %1517 ], [ %1497, %1495 ]
-  %486 = icmp eq i64 %1521, %143
-  br i1 %486, label %777, label %1517
-487:
-  %488 = phi i64 [ %1537, %1536 ], [ %1498, %1495 ]
-  %489 = phi i64 [ %1518, %1536 ], [ %1497, %1495 ]
-  %490 = phi i64 [ %1519, %1536 ], [ %1496, %1495 ]
-  %491 = phi i64 [ %1528, %1536 ], [ %1499, %1495 ]
-  %492 = icmp slt i64 %491, 0
-  %493 = select i1 %492, i64 %118, i64 0
-  %494 = getelementptr i8, ptr %23, i64 %493
-  %495 = shl i64 %491, 3
-  %496 = getelementptr i8, ptr %494, i64 %495
-  %497 = load i64, ptr %496, align 8
-  %498 = icmp slt i64 %497, 0
-  %499 = select i1 %498, i64 %11, i64 0
-  %500 = add i64 %499, %497
-  %501 = mul i64 %500, %13
-  %502 = getelementptr i64, ptr %9, i64 %501
-  %503 = load i64, ptr %502, align 8
-  %504 = icmp slt i64 %503, 0
-  %505 = select i1 %504, i64 %39, i64 0
-  %506 = getelementptr i64, ptr %37, i64 %503
-  %507 = getelementptr i64, ptr %506, i64 %505
-  %508 = load i64, ptr %507, align 8
-  %509 = icmp eq i64 %508, 1
-  %510 = zext i1 %509 to i64
-  %511 = getelementptr i8, ptr %502, i64 8
-  %512 = load i64, ptr %511, align 8
-  %513 = icmp slt i64 %512, 0
-  %514 = select i1 %513, i64 %39, i64 0
-  %515 = getelementptr i64, ptr %37, i64 %512
-  %516 = getelementptr i64, ptr %515, i64 %514
-  %517 = load i64, ptr %516, align 8
-  %518 = icmp eq i64 %517, 1
-  %519 = zext i1 %518 to i64
-  %520 = add nuw nsw i64 %519, %510
-  %521 = getelementptr i8, ptr %502, i64 16
-  %522 = load i64, ptr %521, align 8
-  %523 = icmp slt i64 %522, 0
-  %524 = select i1 %523, i64 %39, i64 0
-  %525 = getelementptr i64, ptr %37, i64 %522
-  %526 = getelementptr i64, ptr %525, i64 %524
-  %527 = load i64, ptr %526, align 8
-  %528 = icmp eq i64 %527, 1
-  %529 = zext i1 %528 to i64
-  %530 = add nuw nsw i64 %520, %529
-  switch i64 %530, label %533 [
-    i64 0, label %531
-    i64 3, label %531
+  %484 = icmp slt i64 %165, %106
+  br i1 %484, label %1522, label %1461
+485:
+  %486 = phi i64 [ %1525, %1523 ], [ %1502, %1501 ]
+  %487 = phi i64 [ %1524, %1523 ], [ %1503, %1501 ]
+  %488 = icmp eq i64 %1527, %145
+  br i1 %488, label %779, label %1523
+489:
+  %490 = phi i64 [ %1543, %1542 ], [ %1504, %1501 ]
+  %491 = phi i64 [ %1524, %1542 ], [ %1503, %1501 ]
+  %492 = phi i64 [ %1525, %1542 ], [ %1502, %1501 ]
+  %493 = phi i64 [ %1534, %1542 ], [ %1505, %1501 ]
+  %494 = icmp slt i64 %493, 0
+  %495 = select i1 %494, i64 %120, i64 0
+  %496 = getelementptr i8, ptr %23, i64 %495
+  %497 = shl i64 %493, 3
+  %498 = getelementptr i8, ptr %496, i64 %497
+  %499 = load i64, ptr %498, align 8
+  %500 = icmp slt i64 %499, 0
+  %501 = select i1 %500, i64 %11, i64 0
+  %502 = add i64 %501, %499
+  %503 = mul i64 %502, %13
+  %504 = getelementptr i64, ptr %9, i64 %503
+  %505 = load i64, ptr %504, align 8
+  %506 = icmp slt i64 %505, 0
+  %507 = select i1 %506, i64 %39, i64 0
+  %508 = getelementptr i64, ptr %37, i64 %505
+  %509 = getelementptr i64, ptr %508, i64 %507
+  %510 = load i64, ptr %509, align 8
+  %511 = icmp eq i64 %510, 1
+  %512 = zext i1 %511 to i64
+  %513 = getelementptr i8, ptr %504, i64 8
+  %514 = load i64, ptr %513, align 8
+  %515 = icmp slt i64 %514, 0
+  %516 = select i1 %515, i64 %39, i64 0
+  %517 = getelementptr i64, ptr %37, i64 %514
+  %518 = getelementptr i64, ptr %517, i64 %516
+  %519 = load i64, ptr %518, align 8
+  %520 = icmp eq i64 %519, 1
+  %521 = zext i1 %520 to i64
+  %522 = add nuw nsw i64 %521, %512
+  %523 = getelementptr i8, ptr %504, i64 16
+  %524 = load i64, ptr %523, align 8
+  %525 = icmp slt i64 %524, 0
+  %526 = select i1 %525, i64 %39, i64 0
+  %527 = getelementptr i64, ptr %37, i64 %524
+  %528 = getelementptr i64, ptr %527, i64 %526
+  %529 = load i64, ptr %528, align 8
+  %530 = icmp eq i64 %529, 1
+  %531 = zext i1 %530 to i64
+  %532 = add nuw nsw i64 %522, %531
+  switch i64 %532, label %535 [
+    i64 0, label %533
+    i64 3, label %533
   ]
-531:
-  %532 = icmp samesign ugt i64 %530, 2
-  br i1 %532, label %1538, label %533
 533:
-  %534 = select i1 %498, i64 %63, i64 0
-  %535 = getelementptr i64, ptr %61, i64 %497
-  %536 = getelementptr i64, ptr %535, i64 %534
-  %537 = load i64, ptr %536, align 8
-  %538 = icmp slt i64 %537, 0
-  br i1 %538, label %539, label %1495
-539:
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %93, i8 0, i64 72, i1 false)
-  %540 = load i64, ptr %536, align 8
-  %541 = icmp slt i64 %540, 0
-  br i1 %541, label %542, label %772
-542:
-  %543 = phi i64 [ %765, %592 ], [ %497, %539 ]
-  %544 = icmp slt i64 %543, 0
-  %545 = select i1 %544, i64 %63, i64 0
-  %546 = getelementptr i64, ptr %61, i64 %543
-  %547 = getelementptr i64, ptr %546, i64 %545
-  store i64 %490, ptr %547, align 8
-  %548 = select i1 %544, i64 %11, i64 0
-  %549 = add i64 %548, %543
-  %550 = mul i64 %549, %13
-  %551 = getelementptr i64, ptr %9, i64 %550
-  %552 = load i64, ptr %551, align 8
-  %553 = icmp slt i64 %552, 0
-  %554 = select i1 %553, i64 %39, i64 0
-  %555 = getelementptr i64, ptr %37, i64 %552
-  %556 = getelementptr i64, ptr %555, i64 %554
-  %557 = load i64, ptr %556, align 8
-  %558 = icmp eq i64 %557, 1
-  %559 = zext i1 %558 to i64
-  %560 = getelementptr i8, ptr %551, i64 8
-  %561 = load i64, ptr %560, align 8
-  %562 = icmp slt i64 %561, 0
-  %563 = select i1 %562, i64 %39, i64 0
-  %564 = getelementptr i64, ptr %37, i64 %561
-  %565 = getelementptr i64, ptr %564, i64 %563
-  %566 = load i64, ptr %565, align 8
-  %567 = icmp eq i64 %566, 1
-  %568 = zext i1 %567 to i64
-  %569 = add nuw nsw i64 %568, %559
-  %570 = getelementptr i8, ptr %551, i64 16
-  %571 = load i64, ptr %570, align 8
-  %572 = icmp slt i64 %571, 0
-  %573 = select i1 %572, i64 %39, i64 0
-  %574 = getelementptr i64, ptr %37, i64 %571
-  %575 = getelementptr i64, ptr %574, i64 %573
-  %576 = load i64, ptr %575, align 8
-  %577 = icmp eq i64 %576, 1
-  %578 = zext i1 %577 to i64
-  %579 = add nuw nsw i64 %569, %578
-  switch i64 %579, label %583 [
-    i64 0, label %580
-    i64 3, label %580
+  %534 = icmp samesign ugt i64 %532, 2
+  br i1 %534, label %1544, label %535
+535:
+  %536 = select i1 %500, i64 %63, i64 0
+  %537 = getelementptr i64, ptr %61, i64 %499
+  %538 = getelementptr i64, ptr %537, i64 %536
+  %539 = load i64, ptr %538, align 8
+  %540 = icmp slt i64 %539, 0
+  br i1 %540, label %541, label %1501
+541:
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %95, i8 0, i64 72, i1 false)
+  %542 = load i64, ptr %538, align 8
+  %543 = icmp slt i64 %542, 0
+  br i1 %543, label %544, label %774
+544:
+  %545 = phi i64 [ %767, %594 ], [ %499, %541 ]
+  %546 = icmp slt i64 %545, 0
+  %547 = select i1 %546, i64 %63, i64 0
+  %548 = getelementptr i64, ptr %61, i64 %545
+  %549 = getelementptr i64, ptr %548, i64 %547
+  store i64 %492, ptr %549, align 8
+  %550 = select i1 %546, i64 %11, i64 0
+  %551 = add i64 %550, %545
+  %552 = mul i64 %551, %13
+  %553 = getelementptr i64, ptr %9, i64 %552
+  %554 = load i64, ptr %553, align 8
+  %555 = icmp slt i64 %554, 0
+  %556 = select i1 %555, i64 %39, i64 0
+  %557 = getelementptr i64, ptr %37, i64 %554
+  %558 = getelementptr i64, ptr %557, i64 %556
+  %559 = load i64, ptr %558, align 8
+  %560 = icmp eq i64 %559, 1
+  %561 = zext i1 %560 to i64
+  %562 = getelementptr i8, ptr %553, i64 8
+  %563 = load i64, ptr %562, align 8
+  %564 = icmp slt i64 %563, 0
+  %565 = select i1 %564, i64 %39, i64 0
+  %566 = getelementptr i64, ptr %37, i64 %563
+  %567 = getelementptr i64, ptr %566, i64 %565
+  %568 = load i64, ptr %567, align 8
+  %569 = icmp eq i64 %568, 1
+  %570 = zext i1 %569 to i64
+  %571 = add nuw nsw i64 %570, %561
+  %572 = getelementptr i8, ptr %553, i64 16
+  %573 = load i64, ptr %572, align 8
+  %574 = icmp slt i64 %573, 0
+  %575 = select i1 %574, i64 %39, i64 0
+  %576 = getelementptr i64, ptr %37, i64 %573
+  %577 = getelementptr i64, ptr %576, i64 %575
+  %578 = load i64, ptr %577, align 8
+  %579 = icmp eq i64 %578, 1
+  %580 = zext i1 %579 to i64
+  %581 = add nuw nsw i64 %571, %580
+  switch i64 %581, label %585 [
+    i64 0, label %582
+    i64 3, label %582
   ]
-580:
-  %581 = icmp samesign ugt i64 %579, 2
-  %582 = select i1 %581, i64 7, i64 6
-  br label %592
-583:
-  %584 = icmp ne i64 %579, 1
-  %585 = xor i1 %567, %584
-  %586 = zext i1 %585 to i64
-  %587 = xor i1 %577, %584
-  %588 = select i1 %587, i64 2, i64 %586
-  %589 = icmp eq i64 %579, 1
-  %590 = add nuw nsw i64 %588, 3
-  %591 = select i1 %589, i64 %588, i64 %590
-  br label %592
-592:
-  %593 = phi i64 [ %582, %580 ], [ %591, %583 ]
-  %594 = freeze i64 %593
-  %595 = trunc i64 %594 to i8
-  %596 = urem i8 %595, 3
-  %597 = zext nneg i8 %596 to i64
-  %598 = getelementptr i64, ptr %551, i64 %597
-  %599 = load i64, ptr %598, align 8
-  %600 = add nuw nsw i8 %596, 1
-  %601 = icmp eq i8 %600, 3
-  %602 = select i1 %601, i8 0, i8 %600
-  %603 = zext nneg i8 %602 to i64
-  %604 = getelementptr i64, ptr %551, i64 %603
-  %605 = load i64, ptr %604, align 8
-  %606 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %596, i8 1)
-  %607 = extractvalue { i8, i1 } %606, 0
-  %608 = extractvalue { i8, i1 } %606, 1
-  %609 = zext nneg i8 %607 to i64
-  %610 = select i1 %608, i64 2, i64 %609
-  %611 = getelementptr i64, ptr %551, i64 %610
-  %612 = load i64, ptr %611, align 8
-  %613 = icmp slt i64 %599, 0
-  %614 = select i1 %613, i64 %35, i64 0
-  %615 = getelementptr double, ptr %33, i64 %599
-  %616 = getelementptr double, ptr %615, i64 %614
-  %617 = load double, ptr %616, align 8
-  %618 = fsub double %162, %617
-  %619 = icmp slt i64 %605, 0
-  %620 = select i1 %619, i64 %35, i64 0
-  %621 = getelementptr double, ptr %33, i64 %605
-  %622 = getelementptr double, ptr %621, i64 %620
-  %623 = load double, ptr %622, align 8
-  %624 = fsub double %623, %617
-  %625 = fdiv double %618, %624
-  %626 = icmp slt i64 %612, 0
-  %627 = select i1 %626, i64 %35, i64 0
-  %628 = getelementptr double, ptr %33, i64 %612
-  %629 = getelementptr double, ptr %628, i64 %627
-  %630 = load double, ptr %629, align 8
-  %631 = fsub double %630, %617
-  %632 = fdiv double %618, %631
-  %633 = select i1 %619, i64 %4, i64 0
-  %634 = add i64 %633, %605
-  %635 = mul i64 %634, %6
-  %636 = getelementptr double, ptr %2, i64 %635
-  %637 = select i1 %613, i64 %4, i64 0
-  %638 = add i64 %637, %599
-  %639 = mul i64 %638, %6
-  %640 = getelementptr double, ptr %2, i64 %639
-  %641 = select i1 %626, i64 %4, i64 0
-  %642 = add i64 %641, %612
-  %643 = mul i64 %642, %6
-  %644 = getelementptr double, ptr %2, i64 %643
-  %645 = load double, ptr %636, align 8
-  %646 = load double, ptr %640, align 8
-  %647 = fsub double %645, %646
-  %648 = fmul double %625, %647
-  %649 = load double, ptr %644, align 8
-  %650 = fsub double %649, %646
-  %651 = fmul double %632, %650
-  %652 = fsub double %648, %651
-  %653 = fmul double %652, %652
-  %654 = getelementptr i8, ptr %636, i64 8
-  %655 = load double, ptr %654, align 8
-  %656 = getelementptr i8, ptr %640, i64 8
+582:
+  %583 = icmp samesign ugt i64 %581, 2
+  %584 = select i1 %583, i64 7, i64 6
+  br label %594
+585:
+  %586 = icmp ne i64 %581, 1
+  %587 = xor i1 %569, %586
+  %588 = zext i1 %587 to i64
+  %589 = xor i1 %579, %586
+  %590 = select i1 %589, i64 2, i64 %588
+  %591 = icmp eq i64 %581, 1
+  %592 = add nuw nsw i64 %590, 3
+  %593 = select i1 %591, i64 %590, i64 %592
+  br label %594
+594:
+  %595 = phi i64 [ %584, %582 ], [ %593, %585 ]
+  %596 = freeze i64 %595
+  %597 = trunc i64 %596 to i8
+  %598 = urem i8 %597, 3
+  %599 = zext nneg i8 %598 to i64
+  %600 = getelementptr i64, ptr %553, i64 %599
+  %601 = load i64, ptr %600, align 8
+  %602 = add nuw nsw i8 %598, 1
+  %603 = icmp eq i8 %602, 3
+  %604 = select i1 %603, i8 0, i8 %602
+  %605 = zext nneg i8 %604 to i64
+  %606 = getelementptr i64, ptr %553, i64 %605
+  %607 = load i64, ptr %606, align 8
+  %608 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %598, i8 1)
+  %609 = extractvalue { i8, i1 } %608, 0
+  %610 = extractvalue { i8, i1 } %608, 1
+  %611 = zext nneg i8 %609 to i64
+  %612 = select i1 %610, i64 2, i64 %611
+  %613 = getelementptr i64, ptr %553, i64 %612
+  %614 = load i64, ptr %613, align 8
+  %615 = icmp slt i64 %601, 0
+  %616 = select i1 %615, i64 %35, i64 0
+  %617 = getelementptr double, ptr %33, i64 %601
+  %618 = getelementptr double, ptr %617, i64 %616
+  %619 = load double, ptr %618, align 8
+  %620 = fsub double %164, %619
+  %621 = icmp slt i64 %607, 0
+  %622 = select i1 %621, i64 %35, i64 0
+  %623 = getelementptr double, ptr %33, i64 %607
+  %624 = getelementptr double, ptr %623, i64 %622
+  %625 = load double, ptr %624, align 8
+  %626 = fsub double %625, %619
+  %627 = fdiv double %620, %626
+  %628 = icmp slt i64 %614, 0
+  %629 = select i1 %628, i64 %35, i64 0
+  %630 = getelementptr double, ptr %33, i64 %614
+  %631 = getelementptr double, ptr %630, i64 %629
+  %632 = load double, ptr %631, align 8
+  %633 = fsub double %632, %619
+  %634 = fdiv double %620, %633
+  %635 = select i1 %621, i64 %4, i64 0
+  %636 = add i64 %635, %607
+  %637 = mul i64 %636, %6
+  %638 = getelementptr double, ptr %2, i64 %637
+  %639 = select i1 %615, i64 %4, i64 0
+  %640 = add i64 %639, %601
+  %641 = mul i64 %640, %6
+  %642 = getelementptr double, ptr %2, i64 %641
+  %643 = select i1 %628, i64 %4, i64 0
+  %644 = add i64 %643, %614
+  %645 = mul i64 %644, %6
+  %646 = getelementptr double, ptr %2, i64 %645
+  %647 = load double, ptr %638, align 8
+  %648 = load double, ptr %642, align 8
+  %649 = fsub double %647, %648
+  %650 = fmul double %627, %649
+  %651 = load double, ptr %646, align 8
+  %652 = fsub double %651, %648
+  %653 = fmul double %634, %652
+  %654 = fsub double %650, %653
+  %655 = fmul double %654, %654
+  %656 = getelementptr i8, ptr %638, i64 8
   %657 = load double, ptr %656, align 8
-  %658 = fsub double %655, %657
-  %659 = fmul double %625, %658
-  %660 = getelementptr i8, ptr %644, i64 8
-  %661 = load double, ptr %660, align 8
-  %662 = fsub double %661, %657
-  %663 = fmul double %632, %662
-  %664 = fsub double %659, %663
-  %665 = fmul double %664, %664
-  %666 = fadd double %653, %665
-  %667 = getelementptr i8, ptr %636, i64 16
-  %668 = load double, ptr %667, align 8
-  %669 = getelementptr i8, ptr %640, i64 16
+  %658 = getelementptr i8, ptr %642, i64 8
+  %659 = load double, ptr %658, align 8
+  %660 = fsub double %657, %659
+  %661 = fmul double %627, %660
+  %662 = getelementptr i8, ptr %646, i64 8
+  %663 = load double, ptr %662, align 8
+  %664 = fsub double %663, %659
+  %665 = fmul double %634, %664
+  %666 = fsub double %661, %665
+  %667 = fmul double %666, %666
+  %668 = fadd double %655, %667
+  %669 = getelementptr i8, ptr %638, i64 16
   %670 = load double, ptr %669, align 8
-  %671 = fsub double %668, %670
-  %672 = fmul double %625, %671
-  %673 = getelementptr i8, ptr %644, i64 16
-  %674 = load double, ptr %673, align 8
-  %675 = fsub double %674, %670
-  %676 = fmul double %632, %675
-  %677 = fsub double %672, %676
-  %678 = fmul double %677, %677
-  %679 = fadd double %666, %678
-  %680 = tail call double @llvm.sqrt.f64(double %679)
-  %681 = load double, ptr %93, align 8
-  %682 = fadd double %681, %680
-  store double %682, ptr %93, align 8
-  %683 = load double, ptr %123, align 8
-  %684 = load double, ptr %640, align 8
-  %685 = load double, ptr %636, align 8
-  %686 = fsub double %685, %684
-  %687 = fmul double %625, %686
-  %688 = load double, ptr %644, align 8
-  %689 = fsub double %688, %684
-  %690 = fmul double %632, %689
-  %691 = fadd double %687, %690
-  %692 = fmul double %691, 5.000000e-01
-  %693 = fadd double %684, %692
-  %694 = fmul double %680, %693
-  %695 = fadd double %683, %694
-  store double %695, ptr %123, align 8
-  %696 = load double, ptr %124, align 8
-  %697 = load double, ptr %656, align 8
-  %698 = load double, ptr %654, align 8
-  %699 = fsub double %698, %697
-  %700 = fmul double %625, %699
-  %701 = load double, ptr %660, align 8
-  %702 = fsub double %701, %697
-  %703 = fmul double %632, %702
-  %704 = fadd double %700, %703
-  %705 = fmul double %704, 5.000000e-01
-  %706 = fadd double %697, %705
-  %707 = fmul double %680, %706
-  %708 = fadd double %696, %707
-  store double %708, ptr %124, align 8
-  %709 = load double, ptr %125, align 8
-  %710 = load double, ptr %669, align 8
-  %711 = load double, ptr %667, align 8
-  %712 = fsub double %711, %710
-  %713 = fmul double %625, %712
-  %714 = load double, ptr %673, align 8
-  %715 = fsub double %714, %710
-  %716 = fmul double %632, %715
-  %717 = fadd double %713, %716
-  %718 = fmul double %717, 5.000000e-01
-  %719 = fadd double %710, %718
-  %720 = fmul double %680, %719
-  %721 = fadd double %709, %720
-  store double %721, ptr %125, align 8
-  %722 = select i1 %544, i64 %29, i64 0
-  %723 = add i64 %722, %543
-  %724 = mul i64 %723, %31
-  %725 = getelementptr double, ptr %27, i64 %724
-  %726 = icmp samesign ult i64 %594, 3
-  %727 = fmul double %625, %632
-  %728 = fsub double 1.000000e+00, %727
-  %729 = select i1 %726, double %727, double %728
-  %730 = load double, ptr %126, align 8
-  %731 = load double, ptr %725, align 8
-  %732 = fmul double %729, %731
-  %733 = fadd double %730, %732
-  store double %733, ptr %126, align 8
-  %734 = load double, ptr %127, align 8
-  %735 = getelementptr i8, ptr %725, i64 8
-  %736 = load double, ptr %735, align 8
-  %737 = fmul double %729, %736
-  %738 = fadd double %734, %737
-  store double %738, ptr %127, align 8
-  %739 = load double, ptr %128, align 8
-  %740 = getelementptr i8, ptr %725, i64 16
-  %741 = load double, ptr %740, align 8
-  %742 = fmul double %729, %741
-  %743 = fadd double %739, %742
-  store double %743, ptr %128, align 8
-  %744 = load double, ptr %129, align 8
-  %745 = getelementptr i8, ptr %725, i64 24
-  %746 = load double, ptr %745, align 8
-  %747 = fmul double %729, %746
-  %748 = fadd double %744, %747
-  store double %748, ptr %129, align 8
-  %749 = load double, ptr %130, align 8
-  %750 = getelementptr i8, ptr %725, i64 32
-  %751 = load double, ptr %750, align 8
-  %752 = fmul double %729, %751
-  %753 = fadd double %749, %752
-  store double %753, ptr %130, align 8
-  %754 = mul nsw i64 %543, 3
-  %755 = select i1 %726, i64 %610, i64 %597
-  %756 = add nsw i64 %755, %754
-  %757 = icmp slt i64 %756, 0
-  %758 = select i1 %757, i64 %17, i64 0
-  %759 = getelementptr i64, ptr %15, i64 %756
-  %760 = getelementptr i64, ptr %759, i64 %758
-  %761 = load i64, ptr %760, align 8
-  %762 = sdiv i64 %761, 3
-  %763 = srem i64 %761, 3
-  %764 = ashr i64 %763, 63
-  %765 = add nsw i64 %764, %762
-  %766 = icmp slt i64 %765, 0
-  %767 = select i1 %766, i64 %63, i64 0
-  %768 = getelementptr i64, ptr %61, i64 %765
-  %769 = getelementptr i64, ptr %768, i64 %767
-  %770 = load i64, ptr %769, align 8
-  %771 = icmp slt i64 %770, 0
-  br i1 %771, label %542, label %772
-772:
-  %773 = phi double [ 0.000000e+00, %539 ], [ %733, %592 ]
-  %774 = phi double [ 0.000000e+00, %539 ], [ %682, %592 ]
-  %775 = load double, ptr %117, align 8
-  %776 = fcmp ogt double %774, %775
-  br i1 %776, label %1567, label %1572
-777:
-  %778 = icmp sgt i64 %484, 1
-  br i1 %778, label %779, label %1625
+  %671 = getelementptr i8, ptr %642, i64 16
+  %672 = load double, ptr %671, align 8
+  %673 = fsub double %670, %672
+  %674 = fmul double %627, %673
+  %675 = getelementptr i8, ptr %646, i64 16
+  %676 = load double, ptr %675, align 8
+  %677 = fsub double %676, %672
+  %678 = fmul double %634, %677
+  %679 = fsub double %674, %678
+  %680 = fmul double %679, %679
+  %681 = fadd double %668, %680
+  %682 = tail call double @llvm.sqrt.f64(double %681)
+  %683 = load double, ptr %95, align 8
+  %684 = fadd double %683, %682
+  store double %684, ptr %95, align 8
+  %685 = load double, ptr %125, align 8
+  %686 = load double, ptr %642, align 8
+  %687 = load double, ptr %638, align 8
+  %688 = fsub double %687, %686
+  %689 = fmul double %627, %688
+  %690 = load double, ptr %646, align 8
+  %691 = fsub double %690, %686
+  %692 = fmul double %634, %691
+  %693 = fadd double %689, %692
+  %694 = fmul double %693, 5.000000e-01
+  %695 = fadd double %686, %694
+  %696 = fmul double %682, %695
+  %697 = fadd double %685, %696
+  store double %697, ptr %125, align 8
+  %698 = load double, ptr %126, align 8
+  %699 = load double, ptr %658, align 8
+  %700 = load double, ptr %656, align 8
+  %701 = fsub double %700, %699
+  %702 = fmul double %627, %701
+  %703 = load double, ptr %662, align 8
+  %704 = fsub double %703, %699
+  %705 = fmul double %634, %704
+  %706 = fadd double %702, %705
+  %707 = fmul double %706, 5.000000e-01
+  %708 = fadd double %699, %707
+  %709 = fmul double %682, %708
+  %710 = fadd double %698, %709
+  store double %710, ptr %126, align 8
+  %711 = load double, ptr %127, align 8
+  %712 = load double, ptr %671, align 8
+  %713 = load double, ptr %669, align 8
+  %714 = fsub double %713, %712
+  %715 = fmul double %627, %714
+  %716 = load double, ptr %675, align 8
+  %717 = fsub double %716, %712
+  %718 = fmul double %634, %717
+  %719 = fadd double %715, %718
+  %720 = fmul double %719, 5.000000e-01
+  %721 = fadd double %712, %720
+  %722 = fmul double %682, %721
+  %723 = fadd double %711, %722
+  store double %723, ptr %127, align 8
+  %724 = select i1 %546, i64 %29, i64 0
+  %725 = add i64 %724, %545
+  %726 = mul i64 %725, %31
+  %727 = getelementptr double, ptr %27, i64 %726
+  %728 = icmp samesign ult i64 %596, 3
+  %729 = fmul double %627, %634
+  %730 = fsub double 1.000000e+00, %729
+  %731 = select i1 %728, double %729, double %730
+  %732 = load double, ptr %128, align 8
+  %733 = load double, ptr %727, align 8
+  %734 = fmul double %731, %733
+  %735 = fadd double %732, %734
+  store double %735, ptr %128, align 8
+  %736 = load double, ptr %129, align 8
+  %737 = getelementptr i8, ptr %727, i64 8
+  %738 = load double, ptr %737, align 8
+  %739 = fmul double %731, %738
+  %740 = fadd double %736, %739
+  store double %740, ptr %129, align 8
+  %741 = load double, ptr %130, align 8
+  %742 = getelementptr i8, ptr %727, i64 16
+  %743 = load double, ptr %742, align 8
+  %744 = fmul double %731, %743
+  %745 = fadd double %741, %744
+  store double %745, ptr %130, align 8
+  %746 = load double, ptr %131, align 8
+  %747 = getelementptr i8, ptr %727, i64 24
+  %748 = load double, ptr %747, align 8
+  %749 = fmul double %731, %748
+  %750 = fadd double %746, %749
+  store double %750, ptr %131, align 8
+  %751 = load double, ptr %132, align 8
+  %752 = getelementptr i8, ptr %727, i64 32
+  %753 = load double, ptr %752, align 8
+  %754 = fmul double %731, %753
+  %755 = fadd double %751, %754
+  store double %755, ptr %132, align 8
+  %756 = mul nsw i64 %545, 3
+  %757 = select i1 %728, i64 %612, i64 %599
+  %758 = add nsw i64 %757, %756
+  %759 = icmp slt i64 %758, 0
+  %760 = select i1 %759, i64 %17, i64 0
+  %761 = getelementptr i64, ptr %15, i64 %758
+  %762 = getelementptr i64, ptr %761, i64 %760
+  %763 = load i64, ptr %762, align 8
+  %764 = sdiv i64 %763, 3
+  %765 = srem i64 %763, 3
+  %766 = ashr i64 %765, 63
+  %767 = add nsw i64 %766, %764
+  %768 = icmp slt i64 %767, 0
+  %769 = select i1 %768, i64 %63, i64 0
+  %770 = getelementptr i64, ptr %61, i64 %767
+  %771 = getelementptr i64, ptr %770, i64 %769
+  %772 = load i64, ptr %771, align 8
+  %773 = icmp slt i64 %772, 0
+  br i1 %773, label %544, label %774
+774:
+  %775 = phi double [ 0.000000e+00, %541 ], [ %735, %594 ]
+  %776 = phi double [ 0.000000e+00, %541 ], [ %684, %594 ]
+  %777 = load double, ptr %119, align 8
+  %778 = fcmp ogt double %776, %777
+  br i1 %778, label %1573, label %1578
 779:
-  %780 = load double, ptr %109, align 8
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %103, i8 0, i64 40, i1 false)
-  br label %918
+  %780 = icmp sgt i64 %486, 1
+  br i1 %780, label %781, label %1631
 781:
-  %782 = phi i64 [ %919, %918 ], [ %916, %915 ]
-  %783 = icmp eq i64 %143, %921
-  br i1 %783, label %1241, label %918
-784:
-  %785 = phi i64 [ %916, %915 ], [ %919, %918 ]
-  %786 = phi i64 [ %788, %915 ], [ %934, %918 ]
-  %787 = phi i64 [ %789, %915 ], [ %928, %918 ]
-  %788 = add nsw i64 %786, -1
-  %789 = add i64 %787, 1
-  %790 = icmp slt i64 %787, 0
-  %791 = select i1 %790, i64 %25, i64 0
-  %792 = getelementptr i64, ptr %23, i64 %787
-  %793 = getelementptr i64, ptr %792, i64 %791
-  %794 = load i64, ptr %793, align 8
-  %795 = icmp slt i64 %794, 0
-  %796 = select i1 %795, i64 %63, i64 0
-  %797 = getelementptr i64, ptr %61, i64 %794
-  %798 = getelementptr i64, ptr %797, i64 %796
-  %799 = load i64, ptr %798, align 8
-  %800 = icmp slt i64 %799, 0
-  %801 = icmp eq i64 %799, %485
-  %802 = select i1 %800, i1 true, i1 %801
-  br i1 %802, label %915, label %936
-803:
-  %804 = shl i64 %943, 3
-  %805 = getelementptr inbounds i8, ptr %944, i64 %804
-  store i64 2, ptr %805, align 8
-  %806 = shl i64 %939, 3
-  %807 = getelementptr i8, ptr %9, i64 %806
-  %808 = load i64, ptr %807, align 8
-  %809 = icmp slt i64 %785, 0
-  %810 = select i1 %809, i64 %47, i64 0
-  %811 = getelementptr i64, ptr %45, i64 %785
-  %812 = getelementptr i64, ptr %811, i64 %810
-  store i64 %808, ptr %812, align 8
-  store i64 %808, ptr %49, align 8
-  %813 = add nsw i64 %785, 1
-  br label %814
-814:
-  %815 = phi i64 [ %949, %948 ], [ %806, %803 ]
-  %816 = phi i64 [ %785, %948 ], [ %813, %803 ]
-  %817 = phi i64 [ 0, %948 ], [ 1, %803 ]
-  %818 = getelementptr i8, ptr %9, i64 %815
-  %819 = getelementptr i8, ptr %818, i64 8
-  %820 = load i64, ptr %819, align 8
-  %821 = icmp slt i64 %820, 0
-  %822 = select i1 %821, i64 %39, i64 0
-  %823 = getelementptr i64, ptr %37, i64 %820
-  %824 = getelementptr i64, ptr %823, i64 %822
-  %825 = load i64, ptr %824, align 8
-  %826 = icmp eq i64 %825, 0
-  br i1 %826, label %827, label %838
-827:
-  %828 = shl i64 %822, 3
-  %829 = getelementptr inbounds i8, ptr %823, i64 %828
-  store i64 2, ptr %829, align 8
-  %830 = load i64, ptr %819, align 8
-  %831 = icmp slt i64 %816, 0
-  %832 = select i1 %831, i64 %47, i64 0
-  %833 = getelementptr i64, ptr %45, i64 %816
-  %834 = getelementptr i64, ptr %833, i64 %832
-  store i64 %830, ptr %834, align 8
-  %835 = getelementptr i64, ptr %49, i64 %817
-  store i64 %830, ptr %835, align 8
-  %836 = add nsw i64 %816, 1
-  %837 = add nuw nsw i64 %817, 1
-  br label %838
-838:
-  %839 = phi i64 [ %836, %827 ], [ %816, %814 ]
-  %840 = phi i64 [ %837, %827 ], [ %817, %814 ]
-  %841 = getelementptr i8, ptr %818, i64 16
-  %842 = load i64, ptr %841, align 8
-  %843 = icmp slt i64 %842, 0
-  %844 = select i1 %843, i64 %39, i64 0
-  %845 = getelementptr i64, ptr %37, i64 %842
-  %846 = getelementptr i64, ptr %845, i64 %844
-  %847 = load i64, ptr %846, align 8
-  %848 = icmp eq i64 %847, 0
-  br i1 %848, label %849, label %863
-849:
-  %850 = shl i64 %844, 3
-  %851 = getelementptr inbounds i8, ptr %845, i64 %850
-  store i64 2, ptr %851, align 8
-  %852 = load i64, ptr %841, align 8
-  %853 = icmp slt i64 %839, 0
-  %854 = select i1 %853, i64 %47, i64 0
-  %855 = getelementptr i64, ptr %45, i64 %839
-  %856 = getelementptr i64, ptr %855, i64 %854
-  store i64 %852, ptr %856, align 8
-  %857 = getelementptr i64, ptr %49, i64 %840
-  store i64 %852, ptr %857, align 8
-  %858 = add nsw i64 %839, 1
-  %859 = add nuw nsw i64 %840, 1
-  br label %860
-860:
-  %861 = phi i64 [ %839, %863 ], [ %858, %849 ]
-  %862 = phi i64 [ %840, %863 ], [ %859, %849 ]
-  br label %950
-863:
-  %864 = icmp eq i64 %840, 0
-  br i1 %864, label %915, label %860
+  %782 = load double, ptr %111, align 8
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %105, i8 0, i64 40, i1 false)
+  br label %920
+783:
+  %784 = phi i64 [ %921, %920 ], [ %918, %917 ]
+  %785 = icmp eq i64 %145, %923
+  br i1 %785, label %1243, label %920
+786:
+  %787 = phi i64 [ %918, %917 ], [ %921, %920 ]
+  %788 = phi i64 [ %790, %917 ], [ %936, %920 ]
+  %789 = phi i64 [ %791, %917 ], [ %930, %920 ]
+  %790 = add nsw i64 %788, -1
+  %791 = add i64 %789, 1
+  %792 = icmp slt i64 %789, 0
+  %793 = select i1 %792, i64 %25, i64 0
+  %794 = getelementptr i64, ptr %23, i64 %789
+  %795 = getelementptr i64, ptr %794, i64 %793
+  %796 = load i64, ptr %795, align 8
+  %797 = icmp slt i64 %796, 0
+  %798 = select i1 %797, i64 %63, i64 0
+  %799 = getelementptr i64, ptr %61, i64 %796
+  %800 = getelementptr i64, ptr %799, i64 %798
+  %801 = load i64, ptr %800, align 8
+  %802 = icmp slt i64 %801, 0
+  %803 = icmp eq i64 %801, %487
+  %804 = select i1 %802, i1 true, i1 %803
+  br i1 %804, label %917, label %938
+805:
+  %806 = shl i64 %945, 3
+  %807 = getelementptr inbounds i8, ptr %946, i64 %806
+  store i64 2, ptr %807, align 8
+  %808 = shl i64 %941, 3
+  %809 = getelementptr i8, ptr %9, i64 %808
+  %810 = load i64, ptr %809, align 8
+  %811 = icmp slt i64 %787, 0
+  %812 = select i1 %811, i64 %47, i64 0
+  %813 = getelementptr i64, ptr %45, i64 %787
+  %814 = getelementptr i64, ptr %813, i64 %812
+  store i64 %810, ptr %814, align 8
+  store i64 %810, ptr %49, align 8
+  %815 = add nsw i64 %787, 1
+  br label %816
+816:
+  %817 = phi i64 [ %951, %950 ], [ %808, %805 ]
+  %818 = phi i64 [ %787, %950 ], [ %815, %805 ]
+  %819 = phi i64 [ 0, %950 ], [ 1, %805 ]
+  %820 = getelementptr i8, ptr %9, i64 %817
+  %821 = getelementptr i8, ptr %820, i64 8
+  %822 = load i64, ptr %821, align 8
+  %823 = icmp slt i64 %822, 0
+  %824 = select i1 %823, i64 %39, i64 0
+  %825 = getelementptr i64, ptr %37, i64 %822
+  %826 = getelementptr i64, ptr %825, i64 %824
+  %827 = load i64, ptr %826, align 8
+  %828 = icmp eq i64 %827, 0
+  br i1 %828, label %829, label %840
+829:
+  %830 = shl i64 %824, 3
+  %831 = getelementptr inbounds i8, ptr %825, i64 %830
+  store i64 2, ptr %831, align 8
+  %832 = load i64, ptr %821, align 8
+  %833 = icmp slt i64 %818, 0
+  %834 = select i1 %833, i64 %47, i64 0
+  %835 = getelementptr i64, ptr %45, i64 %818
+  %836 = getelementptr i64, ptr %835, i64 %834
+  store i64 %832, ptr %836, align 8
+  %837 = getelementptr i64, ptr %49, i64 %819
+  store i64 %832, ptr %837, align 8
+  %838 = add nsw i64 %818, 1
+  %839 = add nuw nsw i64 %819, 1
+  br label %840
+840:
+  %841 = phi i64 [ %838, %829 ], [ %818, %816 ]
+  %842 = phi i64 [ %839, %829 ], [ %819, %816 ]
+  %843 = getelementptr i8, ptr %820, i64 16
+  %844 = load i64, ptr %843, align 8
+  %845 = icmp slt i64 %844, 0
+  %846 = select i1 %845, i64 %39, i64 0
+  %847 = getelementptr i64, ptr %37, i64 %844
+  %848 = getelementptr i64, ptr %847, i64 %846
+  %849 = load i64, ptr %848, align 8
+  %850 = icmp eq i64 %849, 0
+  br i1 %850, label %851, label %865
+851:
+  %852 = shl i64 %846, 3
+  %853 = getelementptr inbounds i8, ptr %847, i64 %852
+  store i64 2, ptr %853, align 8
+  %854 = load i64, ptr %843, align 8
+  %855 = icmp slt i64 %841, 0
+  %856 = select i1 %855, i64 %47, i64 0
+  %857 = getelementptr i64, ptr %45, i64 %841
+  %858 = getelementptr i64, ptr %857, i64 %856
+  store i64 %854, ptr %858, align 8
+  %859 = getelementptr i64, ptr %49, i64 %842
+  store i64 %854, ptr %859, align 8
+  %860 = add nsw i64 %841, 1
+  %861 = add nuw nsw i64 %842, 1
+  br label %862
+862:
+  %863 = phi i64 [ %841, %865 ], [ %860, %851 ]
+  %864 = phi i64 [ %842, %865 ], [ %861, %851 ]
+  br label %952
 865:
-  %866 = phi i64 [ 0, %1239 ], [ %886, %865 ]
-  %867 = shl i64 %866, 3
-  %868 = getelementptr i8, ptr %45, i64 %867
-  %869 = load i64, ptr %868, align 8
-  %870 = icmp slt i64 %869, 0
-  %871 = select i1 %870, i64 %39, i64 0
-  %872 = getelementptr i64, ptr %37, i64 %869
-  %873 = getelementptr i64, ptr %872, i64 %871
-  store i64 0, ptr %873, align 8
-  %874 = getelementptr i8, ptr %868, i64 8
-  %875 = load i64, ptr %874, align 8
-  %876 = icmp slt i64 %875, 0
-  %877 = select i1 %876, i64 %39, i64 0
-  %878 = getelementptr i64, ptr %37, i64 %875
-  %879 = getelementptr i64, ptr %878, i64 %877
-  store i64 0, ptr %879, align 8
-  %880 = getelementptr i8, ptr %868, i64 16
-  %881 = load i64, ptr %880, align 8
-  %882 = icmp slt i64 %881, 0
-  %883 = select i1 %882, i64 %39, i64 0
-  %884 = getelementptr i64, ptr %37, i64 %881
-  %885 = getelementptr i64, ptr %884, i64 %883
-  store i64 0, ptr %885, align 8
-  %886 = add nuw nsw i64 %866, 4
-  %887 = getelementptr i8, ptr %868, i64 24
-  %888 = load i64, ptr %887, align 8
-  %889 = icmp slt i64 %888, 0
-  %890 = select i1 %889, i64 %39, i64 0
-  %891 = getelementptr i64, ptr %37, i64 %888
-  %892 = getelementptr i64, ptr %891, i64 %890
-  store i64 0, ptr %892, align 8
-  %893 = icmp eq i64 %1240, %886
-  br i1 %893, label %894, label %865
-894:
-  %895 = icmp eq i64 %1237, 0
-  br i1 %895, label %1625, label %896
+  %866 = icmp eq i64 %842, 0
+  br i1 %866, label %917, label %862
+867:
+  %868 = phi i64 [ 0, %1241 ], [ %888, %867 ]
+  %869 = shl i64 %868, 3
+  %870 = getelementptr i8, ptr %45, i64 %869
+  %871 = load i64, ptr %870, align 8
+  %872 = icmp slt i64 %871, 0
+  %873 = select i1 %872, i64 %39, i64 0
+  %874 = getelementptr i64, ptr %37, i64 %871
+  %875 = getelementptr i64, ptr %874, i64 %873
+  store i64 0, ptr %875, align 8
+  %876 = getelementptr i8, ptr %870, i64 8
+  %877 = load i64, ptr %876, align 8
+  %878 = icmp slt i64 %877, 0
+  %879 = select i1 %878, i64 %39, i64 0
+  %880 = getelementptr i64, ptr %37, i64 %877
+  %881 = getelementptr i64, ptr %880, i64 %879
+  store i64 0, ptr %881, align 8
+  %882 = getelementptr i8, ptr %870, i64 16
+  %883 = load i64, ptr %882, align 8
+  %884 = icmp slt i64 %883, 0
+  %885 = select i1 %884, i64 %39, i64 0
+  %886 = getelementptr i64, ptr %37, i64 %883
+  %887 = getelementptr i64, ptr %886, i64 %885
+  store i64 0, ptr %887, align 8
+  %888 = add nuw nsw i64 %868, 4
+  %889 = getelementptr i8, ptr %870, i64 24
+  %890 = load i64, ptr %889, align 8
+  %891 = icmp slt i64 %890, 0
+  %892 = select i1 %891, i64 %39, i64 0
+  %893 = getelementptr i64, ptr %37, i64 %890
+  %894 = getelementptr i64, ptr %893, i64 %892
+  store i64 0, ptr %894, align 8
+  %895 = icmp eq i64 %1242, %888
+  br i1 %895, label %896, label %867
 896:
-  %897 = phi i64 [ 0, %1236 ], [ %1240, %894 ]
-  %898 = shl i64 %897, 3
-  %899 = getelementptr i8, ptr %45, i64 %898
-  br label %900
-900:
-  %901 = phi i64 [ %909, %900 ], [ 0, %896 ]
-  %902 = shl i64 %901, 3
-  %903 = getelementptr i8, ptr %899, i64 %902
-  %904 = load i64, ptr %903, align 8
-  %905 = icmp slt i64 %904, 0
-  %906 = select i1 %905, i64 %39, i64 0
-  %907 = getelementptr i64, ptr %37, i64 %904
-  %908 = getelementptr i64, ptr %907, i64 %906
-  store i64 0, ptr %908, align 8
-  %909 = add i64 %901, 1
-  %910 = icmp eq i64 %1237, %909
-  br i1 %910, label %1625, label %900
-911:
-  %912 = phi i64 [ %951, %950 ], [ %1093, %1092 ], [ %1229, %1228 ]
-  %913 = phi i64 [ %953, %950 ], [ %1094, %1092 ], [ %1230, %1228 ]
-  %914 = icmp eq i64 %913, 0
-  br i1 %914, label %915, label %950
-915:
-  %916 = phi i64 [ %785, %784 ], [ %839, %863 ], [ %912, %911 ]
-  %917 = icmp sgt i64 %786, 1
-  br i1 %917, label %784, label %781
-918:
-  %919 = phi i64 [ %782, %781 ], [ 0, %779 ]
-  %920 = phi i64 [ %921, %781 ], [ 0, %779 ]
-  %921 = add nuw nsw i64 %920, 1
-  %922 = getelementptr i64, ptr %41, i64 %920
-  %923 = load i64, ptr %922, align 8
-  %924 = icmp slt i64 %923, 0
-  %925 = select i1 %924, i64 %21, i64 0
-  %926 = getelementptr i64, ptr %19, i64 %923
-  %927 = getelementptr i64, ptr %926, i64 %925
-  %928 = load i64, ptr %927, align 8
-  %929 = icmp slt i64 %923, -1
-  %930 = select i1 %929, i64 %21, i64 0
-  %931 = getelementptr i8, ptr %926, i64 8
-  %932 = getelementptr i64, ptr %931, i64 %930
-  %933 = load i64, ptr %932, align 8
-  %934 = sub i64 %933, %928
-  %935 = icmp slt i64 %934, 1
-  br i1 %935, label %781, label %784
-936:
-  %937 = select i1 %795, i64 %11, i64 0
-  %938 = add i64 %937, %794
-  %939 = mul i64 %938, %13
-  %940 = getelementptr i64, ptr %9, i64 %939
-  %941 = load i64, ptr %940, align 8
-  %942 = icmp slt i64 %941, 0
-  %943 = select i1 %942, i64 %39, i64 0
-  %944 = getelementptr i64, ptr %37, i64 %941
-  %945 = getelementptr i64, ptr %944, i64 %943
-  %946 = load i64, ptr %945, align 8
-  %947 = icmp eq i64 %946, 0
-  br i1 %947, label %803, label %948
-948:
-  %949 = shl i64 %939, 3
-  br label %814
+  %897 = icmp eq i64 %1239, 0
+  br i1 %897, label %1631, label %898
+898:
+  %899 = phi i64 [ 0, %1238 ], [ %1242, %896 ]
+  %900 = shl i64 %899, 3
+  %901 = getelementptr i8, ptr %45, i64 %900
+  br label %902
+902:
+  %903 = phi i64 [ %911, %902 ], [ 0, %898 ]
+  %904 = shl i64 %903, 3
+  %905 = getelementptr i8, ptr %901, i64 %904
+  %906 = load i64, ptr %905, align 8
+  %907 = icmp slt i64 %906, 0
+  %908 = select i1 %907, i64 %39, i64 0
+  %909 = getelementptr i64, ptr %37, i64 %906
+  %910 = getelementptr i64, ptr %909, i64 %908
+  store i64 0, ptr %910, align 8
+  %911 = add i64 %903, 1
+  %912 = icmp eq i64 %1239, %911
+  br i1 %912, label %1631, label %902
+913:
+  %914 = phi i64 [ %953, %952 ], [ %1095, %1094 ], [ %1231, %1230 ]
+  %915 = phi i64 [ %955, %952 ], [ %1096, %1094 ], [ %1232, %1230 ]
+  %916 = icmp eq i64 %915, 0
+  br i1 %916, label %917, label %952
+917:
+  %918 = phi i64 [ %787, %786 ], [ %841, %865 ], [ %914, %913 ]
+  %919 = icmp sgt i64 %788, 1
+  br i1 %919, label %786, label %783
+920:
+  %921 = phi i64 [ %784, %783 ], [ 0, %781 ]
+  %922 = phi i64 [ %923, %783 ], [ 0, %781 ]
+  %923 = add nuw nsw i64 %922, 1
+  %924 = getelementptr i64, ptr %41, i64 %922
+  %925 = load i64, ptr %924, align 8
+  %926 = icmp slt i64 %925, 0
+  %927 = select i1 %926, i64 %21, i64 0
+  %928 = getelementptr i64, ptr %19, i64 %925
+  %929 = getelementptr i64, ptr %928, i64 %927
+  %930 = load i64, ptr %929, align 8
+  %931 = icmp slt i64 %925, -1
+  %932 = select i1 %931, i64 %21, i64 0
+  %933 = getelementptr i8, ptr %928, i64 8
+  %934 = getelementptr i64, ptr %933, i64 %932
+  %935 = load i64, ptr %934, align 8
+  %936 = sub i64 %935, %930
+  %937 = icmp slt i64 %936, 1
+  br i1 %937, label %783, label %786
+938:
+  %939 = select i1 %797, i64 %11, i64 0
+  %940 = add i64 %939, %796
+  %941 = mul i64 %940, %13
+  %942 = getelementptr i64, ptr %9, i64 %941
+  %943 = load i64, ptr %942, align 8
+  %944 = icmp slt i64 %943, 0
+  %945 = select i1 %944, i64 %39, i64 0
+  %946 = getelementptr i64, ptr %37, i64 %943
+  %947 = getelementptr i64, ptr %946, i64 %945
+  %948 = load i64, ptr %947, align 8
+  %949 = icmp eq i64 %948, 0
+  br i1 %949, label %805, label %950
 950:
-  %951 = phi i64 [ %912, %911 ], [ %861, %860 ]
-  %952 = phi i64 [ %913, %911 ], [ %862, %860 ]
-  %953 = add nsw i64 %952, -1
-  %954 = icmp sgt i64 %952, 0
-  %955 = select i1 %954, i64 0, i64 %51
-  %956 = getelementptr i64, ptr %49, i64 %953
-  %957 = getelementptr i64, ptr %956, i64 %955
-  %958 = load i64, ptr %957, align 8
-  %959 = icmp slt i64 %958, 0
-  %960 = select i1 %959, i64 %21, i64 0
-  %961 = getelementptr i64, ptr %19, i64 %958
-  %962 = getelementptr i64, ptr %961, i64 %960
-  %963 = load i64, ptr %962, align 8
-  %964 = icmp slt i64 %958, -1
-  %965 = select i1 %964, i64 %21, i64 0
-  %966 = getelementptr i8, ptr %961, i64 8
-  %967 = getelementptr i64, ptr %966, i64 %965
-  %968 = load i64, ptr %967, align 8
-  %969 = sub i64 %968, %963
-  %970 = icmp slt i64 %969, 1
-  br i1 %970, label %911, label %971
-971:
-  %972 = icmp slt i64 %963, 0
-  %973 = select i1 %972, i64 %25, i64 0
-  %974 = getelementptr i64, ptr %23, i64 %963
-  %975 = getelementptr i64, ptr %974, i64 %973
-  %976 = load i64, ptr %975, align 8
-  %977 = icmp slt i64 %976, 0
-  %978 = select i1 %977, i64 %29, i64 0
-  %979 = add i64 %978, %976
-  %980 = mul i64 %979, %31
-  %981 = getelementptr double, ptr %27, i64 %980
-  %982 = load double, ptr %103, align 8
-  %983 = load double, ptr %981, align 8
-  %984 = fdiv double %983, 3.000000e+00
-  %985 = fadd double %982, %984
-  store double %985, ptr %103, align 8
-  %986 = load double, ptr %134, align 8
-  %987 = getelementptr i8, ptr %981, i64 8
-  %988 = load double, ptr %987, align 8
-  %989 = fdiv double %988, 3.000000e+00
-  %990 = fadd double %986, %989
-  store double %990, ptr %134, align 8
-  %991 = load double, ptr %135, align 8
-  %992 = getelementptr i8, ptr %981, i64 16
-  %993 = load double, ptr %992, align 8
-  %994 = fdiv double %993, 3.000000e+00
-  %995 = fadd double %991, %994
-  store double %995, ptr %135, align 8
-  %996 = load double, ptr %136, align 8
-  %997 = getelementptr i8, ptr %981, i64 24
-  %998 = load double, ptr %997, align 8
-  %999 = fdiv double %998, 3.000000e+00
-  %1000 = fadd double %996, %999
-  store double %1000, ptr %136, align 8
-  %1001 = load double, ptr %137, align 8
-  %1002 = getelementptr i8, ptr %981, i64 32
-  %1003 = load double, ptr %1002, align 8
-  %1004 = fdiv double %1003, 3.000000e+00
-  %1005 = fadd double %1001, %1004
-  store double %1005, ptr %137, align 8
-  %1006 = select i1 %977, i64 %63, i64 0
-  %1007 = getelementptr i64, ptr %61, i64 %976
-  %1008 = getelementptr i64, ptr %1007, i64 %1006
-  %1009 = load i64, ptr %1008, align 8
-  %1010 = icmp eq i64 %1009, %485
-  %1011 = fcmp ogt double %985, %780
-  %1012 = select i1 %1010, i1 true, i1 %1011
-  br i1 %1012, label %1233, label %1013
-1013:
-  %1014 = select i1 %977, i64 %11, i64 0
-  %1015 = add i64 %1014, %976
-  %1016 = mul i64 %1015, %13
-  %1017 = getelementptr i64, ptr %9, i64 %1016
-  %1018 = load i64, ptr %1017, align 8
-  %1019 = icmp slt i64 %1018, 0
-  %1020 = select i1 %1019, i64 %39, i64 0
-  %1021 = getelementptr i64, ptr %37, i64 %1018
-  %1022 = getelementptr i64, ptr %1021, i64 %1020
-  %1023 = load i64, ptr %1022, align 8
-  %1024 = icmp eq i64 %1023, 0
-  br i1 %1024, label %1027, label %1025
-1025:
-  %1026 = shl i64 %1016, 3
-  br label %1040
+  %951 = shl i64 %941, 3
+  br label %816
+952:
+  %953 = phi i64 [ %914, %913 ], [ %863, %862 ]
+  %954 = phi i64 [ %915, %913 ], [ %864, %862 ]
+  %955 = add nsw i64 %954, -1
+  %956 = icmp sgt i64 %954, 0
+  %957 = select i1 %956, i64 0, i64 %51
+  %958 = getelementptr i64, ptr %49, i64 %955
+  %959 = getelementptr i64, ptr %958, i64 %957
+  %960 = load i64, ptr %959, align 8
+  %961 = icmp slt i64 %960, 0
+  %962 = select i1 %961, i64 %21, i64 0
+  %963 = getelementptr i64, ptr %19, i64 %960
+  %964 = getelementptr i64, ptr %963, i64 %962
+  %965 = load i64, ptr %964, align 8
+  %966 = icmp slt i64 %960, -1
+  %967 = select i1 %966, i64 %21, i64 0
+  %968 = getelementptr i8, ptr %963, i64 8
+  %969 = getelementptr i64, ptr %968, i64 %967
+  %970 = load i64, ptr %969, align 8
+  %971 = sub i64 %970, %965
+  %972 = icmp slt i64 %971, 1
+  br i1 %972, label %913, label %973
+973:
+  %974 = icmp slt i64 %965, 0
+  %975 = select i1 %974, i64 %25, i64 0
+  %976 = getelementptr i64, ptr %23, i64 %965
+  %977 = getelementptr i64, ptr %976, i64 %975
+  %978 = load i64, ptr %977, align 8
+  %979 = icmp slt i64 %978, 0
+  %980 = select i1 %979, i64 %29, i64 0
+  %981 = add i64 %980, %978
+  %982 = mul i64 %981, %31
+  %983 = getelementptr double, ptr %27, i64 %982
+  %984 = load double, ptr %105, align 8
+  %985 = load double, ptr %983, align 8
+  %986 = fdiv double %985, 3.000000e+00
+  %987 = fadd double %984, %986
+  store double %987, ptr %105, align 8
+  %988 = load double, ptr %136, align 8
+  %989 = getelementptr i8, ptr %983, i64 8
+  %990 = load double, ptr %989, align 8
+  %991 = fdiv double %990, 3.000000e+00
+  %992 = fadd double %988, %991
+  store double %992, ptr %136, align 8
+  %993 = load double, ptr %137, align 8
+  %994 = getelementptr i8, ptr %983, i64 16
+  %995 = load double, ptr %994, align 8
+  %996 = fdiv double %995, 3.000000e+00
+  %997 = fadd double %993, %996
+  store double %997, ptr %137, align 8
+  %998 = load double, ptr %138, align 8
+  %999 = getelementptr i8, ptr %983, i64 24
+  %1000 = load double, ptr %999, align 8
+  %1001 = fdiv double %1000, 3.000000e+00
+  %1002 = fadd double %998, %1001
+  store double %1002, ptr %138, align 8
+  %1003 = load double, ptr %139, align 8
+  %1004 = getelementptr i8, ptr %983, i64 32
+  %1005 = load double, ptr %1004, align 8
+  %1006 = fdiv double %1005, 3.000000e+00
+  %1007 = fadd double %1003, %1006
+  store double %1007, ptr %139, align 8
+  %1008 = select i1 %979, i64 %63, i64 0
+  %1009 = getelementptr i64, ptr %61, i64 %978
+  %1010 = getelementptr i64, ptr %1009, i64 %1008
+  %1011 = load i64, ptr %1010, align 8
+  %1012 = icmp eq i64 %1011, %487
+  %1013 = fcmp ogt double %987, %782
+  %1014 = select i1 %1012, i1 true, i1 %1013
+  br i1 %1014, label %1235, label %1015
+1015:
+  %1016 = select i1 %979, i64 %11, i64 0
+  %1017 = add i64 %1016, %978
+  %1018 = mul i64 %1017, %13
+  %1019 = getelementptr i64, ptr %9, i64 %1018
+  %1020 = load i64, ptr %1019, align 8
+  %1021 = icmp slt i64 %1020, 0
+  %1022 = select i1 %1021, i64 %39, i64 0
+  %1023 = getelementptr i64, ptr %37, i64 %1020
+  %1024 = getelementptr i64, ptr %1023, i64 %1022
+  %1025 = load i64, ptr %1024, align 8
+  %1026 = icmp eq i64 %1025, 0
+  br i1 %1026, label %1029, label %1027
 1027:
-  %1028 = shl i64 %1020, 3
-  %1029 = getelementptr inbounds i8, ptr %1021, i64 %1028
-  store i64 2, ptr %1029, align 8
-  %1030 = shl i64 %1016, 3
-  %1031 = getelementptr i8, ptr %9, i64 %1030
-  %1032 = load i64, ptr %1031, align 8
-  %1033 = icmp slt i64 %951, 0
-  %1034 = select i1 %1033, i64 %47, i64 0
-  %1035 = getelementptr i64, ptr %45, i64 %951
-  %1036 = getelementptr i64, ptr %1035, i64 %1034
-  store i64 %1032, ptr %1036, align 8
-  %1037 = shl i64 %955, 3
-  %1038 = getelementptr inbounds i8, ptr %956, i64 %1037
-  store i64 %1032, ptr %1038, align 8
-  %1039 = add nsw i64 %951, 1
-  br label %1040
-1040:
-  %1041 = phi i64 [ %1026, %1025 ], [ %1030, %1027 ]
-  %1042 = phi i64 [ %951, %1025 ], [ %1039, %1027 ]
-  %1043 = phi i64 [ %953, %1025 ], [ %952, %1027 ]
-  %1044 = getelementptr i8, ptr %9, i64 %1041
-  %1045 = getelementptr i8, ptr %1044, i64 8
-  %1046 = load i64, ptr %1045, align 8
-  %1047 = icmp slt i64 %1046, 0
-  %1048 = select i1 %1047, i64 %39, i64 0
-  %1049 = getelementptr i64, ptr %37, i64 %1046
-  %1050 = getelementptr i64, ptr %1049, i64 %1048
-  %1051 = load i64, ptr %1050, align 8
-  %1052 = icmp eq i64 %1051, 0
-  br i1 %1052, label %1053, label %1067
-1053:
-  %1054 = shl i64 %1048, 3
-  %1055 = getelementptr inbounds i8, ptr %1049, i64 %1054
-  store i64 2, ptr %1055, align 8
-  %1056 = load i64, ptr %1045, align 8
-  %1057 = icmp slt i64 %1042, 0
-  %1058 = select i1 %1057, i64 %47, i64 0
-  %1059 = getelementptr i64, ptr %45, i64 %1042
-  %1060 = getelementptr i64, ptr %1059, i64 %1058
-  store i64 %1056, ptr %1060, align 8
-  %1061 = icmp slt i64 %1043, 0
-  %1062 = select i1 %1061, i64 %51, i64 0
-  %1063 = getelementptr i64, ptr %49, i64 %1043
-  %1064 = getelementptr i64, ptr %1063, i64 %1062
-  store i64 %1056, ptr %1064, align 8
-  %1065 = add nsw i64 %1042, 1
-  %1066 = add nsw i64 %1043, 1
-  br label %1067
-1067:
-  %1068 = phi i64 [ %1065, %1053 ], [ %1042, %1040 ]
-  %1069 = phi i64 [ %1066, %1053 ], [ %1043, %1040 ]
-  %1070 = getelementptr i8, ptr %1044, i64 16
-  %1071 = load i64, ptr %1070, align 8
-  %1072 = icmp slt i64 %1071, 0
-  %1073 = select i1 %1072, i64 %39, i64 0
-  %1074 = getelementptr i64, ptr %37, i64 %1071
-  %1075 = getelementptr i64, ptr %1074, i64 %1073
-  %1076 = load i64, ptr %1075, align 8
-  %1077 = icmp eq i64 %1076, 0
-  br i1 %1077, label %1078, label %1092
-1078:
-  %1079 = shl i64 %1073, 3
-  %1080 = getelementptr inbounds i8, ptr %1074, i64 %1079
-  store i64 2, ptr %1080, align 8
-  %1081 = load i64, ptr %1070, align 8
-  %1082 = icmp slt i64 %1068, 0
-  %1083 = select i1 %1082, i64 %47, i64 0
-  %1084 = getelementptr i64, ptr %45, i64 %1068
-  %1085 = getelementptr i64, ptr %1084, i64 %1083
-  store i64 %1081, ptr %1085, align 8
-  %1086 = icmp slt i64 %1069, 0
-  %1087 = select i1 %1086, i64 %51, i64 0
-  %1088 = getelementptr i64, ptr %49, i64 %1069
-  %1089 = getelementptr i64, ptr %1088, i64 %1087
-  store i64 %1081, ptr %1089, align 8
-  %1090 = add nsw i64 %1068, 1
-  %1091 = add nsw i64 %1069, 1
-  br label %1092
-1092:
-  %1093 = phi i64 [ %1090, %1078 ], [ %1068, %1067 ]
-  %1094 = phi i64 [ %1091, %1078 ], [ %1069, %1067 ]
-  %1095 = icmp eq i64 %969, 1
-  br i1 %1095, label %911, label %1096
-1096:
-  %1097 = add nuw i64 %969, 1
-  br label %1098
+  %1028 = shl i64 %1018, 3
+  br label %1042
+1029:
+  %1030 = shl i64 %1022, 3
+  %1031 = getelementptr inbounds i8, ptr %1023, i64 %1030
+  store i64 2, ptr %1031, align 8
+  %1032 = shl i64 %1018, 3
+  %1033 = getelementptr i8, ptr %9, i64 %1032
+  %1034 = load i64, ptr %1033, align 8
+  %1035 = icmp slt i64 %953, 0
+  %1036 = select i1 %1035, i64 %47, i64 0
+  %1037 = getelementptr i64, ptr %45, i64 %953
+  %1038 = getelementptr i64, ptr %1037, i64 %1036
+  store i64 %1034, ptr %1038, align 8
+  %1039 = shl i64 %957, 3
+  %1040 = getelementptr inbounds i8, ptr %958, i64 %1039
+  store i64 %1034, ptr %1040, align 8
+  %1041 = add nsw i64 %953, 1
+  br label %1042
+1042:
+  %1043 = phi i64 [ %1028, %1027 ], [ %1032, %1029 ]
+  %1044 = phi i64 [ %953, %1027 ], [ %1041, %1029 ]
+  %1045 = phi i64 [ %955, %1027 ], [ %954, %1029 ]
+  %1046 = getelementptr i8, ptr %9, i64 %1043
+  %1047 = getelementptr i8, ptr %1046, i64 8
+  %1048 = load i64, ptr %1047, align 8
+  %1049 = icmp slt i64 %1048, 0
+  %1050 = select i1 %1049, i64 %39, i64 0
+  %1051 = getelementptr i64, ptr %37, i64 %1048
+  %1052 = getelementptr i64, ptr %1051, i64 %1050
+  %1053 = load i64, ptr %1052, align 8
+  %1054 = icmp eq i64 %1053, 0
+  br i1 %1054, label %1055, label %1069
+1055:
+  %1056 = shl i64 %1050, 3
+  %1057 = getelementptr inbounds i8, ptr %1051, i64 %1056
+  store i64 2, ptr %1057, align 8
+  %1058 = load i64, ptr %1047, align 8
+  %1059 = icmp slt i64 %1044, 0
+  %1060 = select i1 %1059, i64 %47, i64 0
+  %1061 = getelementptr i64, ptr %45, i64 %1044
+  %1062 = getelementptr i64, ptr %1061, i64 %1060
+  store i64 %1058, ptr %1062, align 8
+  %1063 = icmp slt i64 %1045, 0
+  %1064 = select i1 %1063, i64 %51, i64 0
+  %1065 = getelementptr i64, ptr %49, i64 %1045
+  %1066 = getelementptr i64, ptr %1065, i64 %1064
+  store i64 %1058, ptr %1066, align 8
+  %1067 = add nsw i64 %1044, 1
+  %1068 = add nsw i64 %1045, 1
+  br label %1069
+1069:
+  %1070 = phi i64 [ %1067, %1055 ], [ %1044, %1042 ]
+  %1071 = phi i64 [ %1068, %1055 ], [ %1045, %1042 ]
+  %1072 = getelementptr i8, ptr %1046, i64 16
+  %1073 = load i64, ptr %1072, align 8
+  %1074 = icmp slt i64 %1073, 0
+  %1075 = select i1 %1074, i64 %39, i64 0
+  %1076 = getelementptr i64, ptr %37, i64 %1073
+  %1077 = getelementptr i64, ptr %1076, i64 %1075
+  %1078 = load i64, ptr %1077, align 8
+  %1079 = icmp eq i64 %1078, 0
+  br i1 %1079, label %1080, label %1094
+1080:
+  %1081 = shl i64 %1075, 3
+  %1082 = getelementptr inbounds i8, ptr %1076, i64 %1081
+  store i64 2, ptr %1082, align 8
+  %1083 = load i64, ptr %1072, align 8
+  %1084 = icmp slt i64 %1070, 0
+  %1085 = select i1 %1084, i64 %47, i64 0
+  %1086 = getelementptr i64, ptr %45, i64 %1070
+  %1087 = getelementptr i64, ptr %1086, i64 %1085
+  store i64 %1083, ptr %1087, align 8
+  %1088 = icmp slt i64 %1071, 0
+  %1089 = select i1 %1088, i64 %51, i64 0
+  %1090 = getelementptr i64, ptr %49, i64 %1071
+  %1091 = getelementptr i64, ptr %1090, i64 %1089
+  store i64 %1083, ptr %1091, align 8
+  %1092 = add nsw i64 %1070, 1
+  %1093 = add nsw i64 %1071, 1
+  br label %1094
+1094:
+  %1095 = phi i64 [ %1092, %1080 ], [ %1070, %1069 ]
+  %1096 = phi i64 [ %1093, %1080 ], [ %1071, %1069 ]
+  %1097 = icmp eq i64 %971, 1
+  br i1 %1097, label %913, label %1098
 1098:
-  %1099 = phi i64 [ %1103, %1228 ], [ %963, %1096 ]
-  %1100 = phi i64 [ %1231, %1228 ], [ %1097, %1096 ]
-  %1101 = phi i64 [ %1230, %1228 ], [ %1094, %1096 ]
-  %1102 = phi i64 [ %1229, %1228 ], [ %1093, %1096 ]
-  %1103 = add i64 %1099, 1
-  %1104 = icmp slt i64 %1103, 0
-  %1105 = select i1 %1104, i64 %118, i64 0
-  %1106 = getelementptr i8, ptr %23, i64 %1105
-  %1107 = shl i64 %1103, 3
-  %1108 = getelementptr i8, ptr %1106, i64 %1107
-  %1109 = load i64, ptr %1108, align 8
-  %1110 = icmp slt i64 %1109, 0
-  %1111 = select i1 %1110, i64 %29, i64 0
-  %1112 = add i64 %1111, %1109
-  %1113 = mul i64 %1112, %31
-  %1114 = getelementptr double, ptr %27, i64 %1113
-  %1115 = load double, ptr %103, align 8
-  %1116 = load double, ptr %1114, align 8
-  %1117 = fdiv double %1116, 3.000000e+00
-  %1118 = fadd double %1115, %1117
-  store double %1118, ptr %103, align 8
-  %1119 = load double, ptr %134, align 8
-  %1120 = getelementptr i8, ptr %1114, i64 8
-  %1121 = load double, ptr %1120, align 8
-  %1122 = fdiv double %1121, 3.000000e+00
-  %1123 = fadd double %1119, %1122
-  store double %1123, ptr %134, align 8
-  %1124 = load double, ptr %135, align 8
-  %1125 = getelementptr i8, ptr %1114, i64 16
-  %1126 = load double, ptr %1125, align 8
-  %1127 = fdiv double %1126, 3.000000e+00
-  %1128 = fadd double %1124, %1127
-  store double %1128, ptr %135, align 8
-  %1129 = load double, ptr %136, align 8
-  %1130 = getelementptr i8, ptr %1114, i64 24
-  %1131 = load double, ptr %1130, align 8
-  %1132 = fdiv double %1131, 3.000000e+00
-  %1133 = fadd double %1129, %1132
-  store double %1133, ptr %136, align 8
-  %1134 = load double, ptr %137, align 8
-  %1135 = getelementptr i8, ptr %1114, i64 32
-  %1136 = load double, ptr %1135, align 8
-  %1137 = fdiv double %1136, 3.000000e+00
-  %1138 = fadd double %1134, %1137
-  store double %1138, ptr %137, align 8
-  %1139 = select i1 %1110, i64 %63, i64 0
-  %1140 = getelementptr i64, ptr %61, i64 %1109
-  %1141 = getelementptr i64, ptr %1140, i64 %1139
-  %1142 = load i64, ptr %1141, align 8
-  %1143 = icmp eq i64 %1142, %485
-  %1144 = fcmp ogt double %1118, %780
-  %1145 = select i1 %1143, i1 true, i1 %1144
-  br i1 %1145, label %1233, label %1146
-1146:
-  %1147 = select i1 %1110, i64 %11, i64 0
-  %1148 = add i64 %1147, %1109
-  %1149 = mul i64 %1148, %13
-  %1150 = getelementptr i64, ptr %9, i64 %1149
-  %1151 = load i64, ptr %1150, align 8
-  %1152 = icmp slt i64 %1151, 0
-  %1153 = select i1 %1152, i64 %39, i64 0
-  %1154 = getelementptr i64, ptr %37, i64 %1151
-  %1155 = getelementptr i64, ptr %1154, i64 %1153
-  %1156 = load i64, ptr %1155, align 8
-  %1157 = icmp eq i64 %1156, 0
-  br i1 %1157, label %1160, label %1158
-1158:
-  %1159 = shl i64 %1149, 3
-  br label %1176
+  %1099 = add nuw i64 %971, 1
+  br label %1100
+1100:
+  %1101 = phi i64 [ %1105, %1230 ], [ %965, %1098 ]
+  %1102 = phi i64 [ %1233, %1230 ], [ %1099, %1098 ]
+  %1103 = phi i64 [ %1232, %1230 ], [ %1096, %1098 ]
+  %1104 = phi i64 [ %1231, %1230 ], [ %1095, %1098 ]
+  %1105 = add i64 %1101, 1
+  %1106 = icmp slt i64 %1105, 0
+  %1107 = select i1 %1106, i64 %120, i64 0
+  %1108 = getelementptr i8, ptr %23, i64 %1107
+  %1109 = shl i64 %1105, 3
+  %1110 = getelementptr i8, ptr %1108, i64 %1109
+  %1111 = load i64, ptr %1110, align 8
+  %1112 = icmp slt i64 %1111, 0
+  %1113 = select i1 %1112, i64 %29, i64 0
+  %1114 = add i64 %1113, %1111
+  %1115 = mul i64 %1114, %31
+  %1116 = getelementptr double, ptr %27, i64 %1115
+  %1117 = load double, ptr %105, align 8
+  %1118 = load double, ptr %1116, align 8
+  %1119 = fdiv double %1118, 3.000000e+00
+  %1120 = fadd double %1117, %1119
+  store double %1120, ptr %105, align 8
+  %1121 = load double, ptr %136, align 8
+  %1122 = getelementptr i8, ptr %1116, i64 8
+  %1123 = load double, ptr %1122, align 8
+  %1124 = fdiv double %1123, 3.000000e+00
+  %1125 = fadd double %1121, %1124
+  store double %1125, ptr %136, align 8
+  %1126 = load double, ptr %137, align 8
+  %1127 = getelementptr i8, ptr %1116, i64 16
+  %1128 = load double, ptr %1127, align 8
+  %1129 = fdiv double %1128, 3.000000e+00
+  %1130 = fadd double %1126, %1129
+  store double %1130, ptr %137, align 8
+  %1131 = load double, ptr %138, align 8
+  %1132 = getelementptr i8, ptr %1116, i64 24
+  %1133 = load double, ptr %1132, align 8
+  %1134 = fdiv double %1133, 3.000000e+00
+  %1135 = fadd double %1131, %1134
+  store double %1135, ptr %138, align 8
+  %1136 = load double, ptr %139, align 8
+  %1137 = getelementptr i8, ptr %1116, i64 32
+  %1138 = load double, ptr %1137, align 8
+  %1139 = fdiv double %1138, 3.000000e+00
+  %1140 = fadd double %1136, %1139
+  store double %1140, ptr %139, align 8
+  %1141 = select i1 %1112, i64 %63, i64 0
+  %1142 = getelementptr i64, ptr %61, i64 %1111
+  %1143 = getelementptr i64, ptr %1142, i64 %1141
+  %1144 = load i64, ptr %1143, align 8
+  %1145 = icmp eq i64 %1144, %487
+  %1146 = fcmp ogt double %1120, %782
+  %1147 = select i1 %1145, i1 true, i1 %1146
+  br i1 %1147, label %1235, label %1148
+1148:
+  %1149 = select i1 %1112, i64 %11, i64 0
+  %1150 = add i64 %1149, %1111
+  %1151 = mul i64 %1150, %13
+  %1152 = getelementptr i64, ptr %9, i64 %1151
+  %1153 = load i64, ptr %1152, align 8
+  %1154 = icmp slt i64 %1153, 0
+  %1155 = select i1 %1154, i64 %39, i64 0
+  %1156 = getelementptr i64, ptr %37, i64 %1153
+  %1157 = getelementptr i64, ptr %1156, i64 %1155
+  %1158 = load i64, ptr %1157, align 8
+  %1159 = icmp eq i64 %1158, 0
+  br i1 %1159, label %1162, label %1160
 1160:
-  %1161 = shl i64 %1153, 3
-  %1162 = getelementptr inbounds i8, ptr %1154, i64 %1161
-  store i64 2, ptr %1162, align 8
-  %1163 = shl i64 %1149, 3
-  %1164 = getelementptr i8, ptr %9, i64 %1163
-  %1165 = load i64, ptr %1164, align 8
-  %1166 = icmp slt i64 %1102, 0
-  %1167 = select i1 %1166, i64 %47, i64 0
-  %1168 = getelementptr i64, ptr %45, i64 %1102
-  %1169 = getelementptr i64, ptr %1168, i64 %1167
-  store i64 %1165, ptr %1169, align 8
-  %1170 = icmp slt i64 %1101, 0
-  %1171 = select i1 %1170, i64 %51, i64 0
-  %1172 = getelementptr i64, ptr %49, i64 %1101
-  %1173 = getelementptr i64, ptr %1172, i64 %1171
-  store i64 %1165, ptr %1173, align 8
-  %1174 = add nsw i64 %1102, 1
-  %1175 = add nsw i64 %1101, 1
-  br label %1176
-1176:
-  %1177 = phi i64 [ %1159, %1158 ], [ %1163, %1160 ]
-  %1178 = phi i64 [ %1102, %1158 ], [ %1174, %1160 ]
-  %1179 = phi i64 [ %1101, %1158 ], [ %1175, %1160 ]
-  %1180 = getelementptr i8, ptr %9, i64 %1177
-  %1181 = getelementptr i8, ptr %1180, i64 8
-  %1182 = load i64, ptr %1181, align 8
-  %1183 = icmp slt i64 %1182, 0
-  %1184 = select i1 %1183, i64 %39, i64 0
-  %1185 = getelementptr i64, ptr %37, i64 %1182
-  %1186 = getelementptr i64, ptr %1185, i64 %1184
-  %1187 = load i64, ptr %1186, align 8
-  %1188 = icmp eq i64 %1187, 0
-  br i1 %1188, label %1189, label %1203
-1189:
-  %1190 = shl i64 %1184, 3
-  %1191 = getelementptr inbounds i8, ptr %1185, i64 %1190
-  store i64 2, ptr %1191, align 8
-  %1192 = load i64, ptr %1181, align 8
-  %1193 = icmp slt i64 %1178, 0
-  %1194 = select i1 %1193, i64 %47, i64 0
-  %1195 = getelementptr i64, ptr %45, i64 %1178
-  %1196 = getelementptr i64, ptr %1195, i64 %1194
-  store i64 %1192, ptr %1196, align 8
-  %1197 = icmp slt i64 %1179, 0
-  %1198 = select i1 %1197, i64 %51, i64 0
-  %1199 = getelementptr i64, ptr %49, i64 %1179
-  %1200 = getelementptr i64, ptr %1199, i64 %1198
-  store i64 %1192, ptr %1200, align 8
-  %1201 = add nsw i64 %1178, 1
-  %1202 = add nsw i64 %1179, 1
-  br label %1203
-1203:
-  %1204 = phi i64 [ %1201, %1189 ], [ %1178, %1176 ]
-  %1205 = phi i64 [ %1202, %1189 ], [ %1179, %1176 ]
-  %1206 = getelementptr i8, ptr %1180, i64 16
-  %1207 = load i64, ptr %1206, align 8
-  %1208 = icmp slt i64 %1207, 0
-  %1209 = select i1 %1208, i64 %39, i64 0
-  %1210 = getelementptr i64, ptr %37, i64 %1207
-  %1211 = getelementptr i64, ptr %1210, i64 %1209
-  %1212 = load i64, ptr %1211, align 8
-  %1213 = icmp eq i64 %1212, 0
-  br i1 %1213, label %1214, label %1228
-1214:
-  %1215 = shl i64 %1209, 3
-  %1216 = getelementptr inbounds i8, ptr %1210, i64 %1215
-  store i64 2, ptr %1216, align 8
-  %1217 = load i64, ptr %1206, align 8
-  %1218 = icmp slt i64 %1204, 0
-  %1219 = select i1 %1218, i64 %47, i64 0
-  %1220 = getelementptr i64, ptr %45, i64 %1204
-  %1221 = getelementptr i64, ptr %1220, i64 %1219
-  store i64 %1217, ptr %1221, align 8
-  %1222 = icmp slt i64 %1205, 0
-  %1223 = select i1 %1222, i64 %51, i64 0
-  %1224 = getelementptr i64, ptr %49, i64 %1205
-  %1225 = getelementptr i64, ptr %1224, i64 %1223
-  store i64 %1217, ptr %1225, align 8
-  %1226 = add nsw i64 %1204, 1
-  %1227 = add nsw i64 %1205, 1
-  br label %1228
-1228:
-  %1229 = phi i64 [ %1226, %1214 ], [ %1204, %1203 ]
-  %1230 = phi i64 [ %1227, %1214 ], [ %1205, %1203 ]
-  %1231 = add i64 %1100, -1
-  %1232 = icmp samesign ugt i64 %1231, 2
-  br i1 %1232, label %1098, label %911
-1233:
-  %1234 = phi i64 [ %1102, %1098 ], [ %951, %971 ]
-  %1235 = icmp slt i64 %1234, 1
-  br i1 %1235, label %1625, label %1236
-1236:
-  %1237 = and i64 %1234, 3
-  %1238 = icmp samesign ult i64 %1234, 4
-  br i1 %1238, label %896, label %1239
-1239:
-  %1240 = and i64 %1234, 9223372036854775804
-  br label %865
+  %1161 = shl i64 %1151, 3
+  br label %1178
+1162:
+  %1163 = shl i64 %1155, 3
+  %1164 = getelementptr inbounds i8, ptr %1156, i64 %1163
+  store i64 2, ptr %1164, align 8
+  %1165 = shl i64 %1151, 3
+  %1166 = getelementptr i8, ptr %9, i64 %1165
+  %1167 = load i64, ptr %1166, align 8
+  %1168 = icmp slt i64 %1104, 0
+  %1169 = select i1 %1168, i64 %47, i64 0
+  %1170 = getelementptr i64, ptr %45, i64 %1104
+  %1171 = getelementptr i64, ptr %1170, i64 %1169
+  store i64 %1167, ptr %1171, align 8
+  %1172 = icmp slt i64 %1103, 0
+  %1173 = select i1 %1172, i64 %51, i64 0
+  %1174 = getelementptr i64, ptr %49, i64 %1103
+  %1175 = getelementptr i64, ptr %1174, i64 %1173
+  store i64 %1167, ptr %1175, align 8
+  %1176 = add nsw i64 %1104, 1
+  %1177 = add nsw i64 %1103, 1
+  br label %1178
+1178:
+  %1179 = phi i64 [ %1161, %1160 ], [ %1165, %1162 ]
+  %1180 = phi i64 [ %1104, %1160 ], [ %1176, %1162 ]
+  %1181 = phi i64 [ %1103, %1160 ], [ %1177, %1162 ]
+  %1182 = getelementptr i8, ptr %9, i64 %1179
+  %1183 = getelementptr i8, ptr %1182, i64 8
+  %1184 = load i64, ptr %1183, align 8
+  %1185 = icmp slt i64 %1184, 0
+  %1186 = select i1 %1185, i64 %39, i64 0
+  %1187 = getelementptr i64, ptr %37, i64 %1184
+  %1188 = getelementptr i64, ptr %1187, i64 %1186
+  %1189 = load i64, ptr %1188, align 8
+  %1190 = icmp eq i64 %1189, 0
+  br i1 %1190, label %1191, label %1205
+1191:
+  %1192 = shl i64 %1186, 3
+  %1193 = getelementptr inbounds i8, ptr %1187, i64 %1192
+  store i64 2, ptr %1193, align 8
+  %1194 = load i64, ptr %1183, align 8
+  %1195 = icmp slt i64 %1180, 0
+  %1196 = select i1 %1195, i64 %47, i64 0
+  %1197 = getelementptr i64, ptr %45, i64 %1180
+  %1198 = getelementptr i64, ptr %1197, i64 %1196
+  store i64 %1194, ptr %1198, align 8
+  %1199 = icmp slt i64 %1181, 0
+  %1200 = select i1 %1199, i64 %51, i64 0
+  %1201 = getelementptr i64, ptr %49, i64 %1181
+  %1202 = getelementptr i64, ptr %1201, i64 %1200
+  store i64 %1194, ptr %1202, align 8
+  %1203 = add nsw i64 %1180, 1
+  %1204 = add nsw i64 %1181, 1
+  br label %1205
+1205:
+  %1206 = phi i64 [ %1203, %1191 ], [ %1180, %1178 ]
+  %1207 = phi i64 [ %1204, %1191 ], [ %1181, %1178 ]
+  %1208 = getelementptr i8, ptr %1182, i64 16
+  %1209 = load i64, ptr %1208, align 8
+  %1210 = icmp slt i64 %1209, 0
+  %1211 = select i1 %1210, i64 %39, i64 0
+  %1212 = getelementptr i64, ptr %37, i64 %1209
+  %1213 = getelementptr i64, ptr %1212, i64 %1211
+  %1214 = load i64, ptr %1213, align 8
+  %1215 = icmp eq i64 %1214, 0
+  br i1 %1215, label %1216, label %1230
+1216:
+  %1217 = shl i64 %1211, 3
+  %1218 = getelementptr inbounds i8, ptr %1212, i64 %1217
+  store i64 2, ptr %1218, align 8
+  %1219 = load i64, ptr %1208, align 8
+  %1220 = icmp slt i64 %1206, 0
+  %1221 = select i1 %1220, i64 %47, i64 0
+  %1222 = getelementptr i64, ptr %45, i64 %1206
+  %1223 = getelementptr i64, ptr %1222, i64 %1221
+  store i64 %1219, ptr %1223, align 8
+  %1224 = icmp slt i64 %1207, 0
+  %1225 = select i1 %1224, i64 %51, i64 0
+  %1226 = getelementptr i64, ptr %49, i64 %1207
+  %1227 = getelementptr i64, ptr %1226, i64 %1225
+  store i64 %1219, ptr %1227, align 8
+  %1228 = add nsw i64 %1206, 1
+  %1229 = add nsw i64 %1207, 1
+  br label %1230
+1230:
+  %1231 = phi i64 [ %1228, %1216 ], [ %1206, %1205 ]
+  %1232 = phi i64 [ %1229, %1216 ], [ %1207, %1205 ]
+  %1233 = add i64 %1102, -1
+  %1234 = icmp samesign ugt i64 %1233, 2
+  br i1 %1234, label %1100, label %913
+1235:
+  %1236 = phi i64 [ %1104, %1100 ], [ %953, %973 ]
+  %1237 = icmp slt i64 %1236, 1
+  br i1 %1237, label %1631, label %1238
+1238:
+  %1239 = and i64 %1236, 3
+  %1240 = icmp samesign ult i64 %1236, 4
+  br i1 %1240, label %898, label %1241
 1241:
-  %1242 = icmp sgt i64 %782, 0
-  br i1 %1242, label %1590, label %1625
+  %1242 = and i64 %1236, 9223372036854775804
+  br label %867
 1243:
-  %1244 = phi i1 [ true, %1607 ], [ %1266, %1265 ]
-  %1245 = phi i64 [ 0, %1607 ], [ %1267, %1265 ]
-  br i1 %1244, label %1246, label %1265
-1246:
-  %1247 = shl i64 %1245, 3
-  %1248 = getelementptr i8, ptr %45, i64 %1247
-  %1249 = load i64, ptr %1248, align 8
-  %1250 = icmp slt i64 %1249, 0
-  %1251 = select i1 %1250, i64 %77, i64 0
-  %1252 = getelementptr i64, ptr %75, i64 %1249
-  %1253 = getelementptr i64, ptr %1252, i64 %1251
-  %1254 = load i64, ptr %1253, align 8
-  %1255 = icmp eq i64 %1254, 0
-  br i1 %1255, label %1256, label %1265
-1256:
-  %1257 = getelementptr i8, ptr %1248, i64 8
-  %1258 = load i64, ptr %1257, align 8
-  %1259 = icmp slt i64 %1258, 0
-  %1260 = select i1 %1259, i64 %77, i64 0
-  %1261 = getelementptr i64, ptr %75, i64 %1258
-  %1262 = getelementptr i64, ptr %1261, i64 %1260
-  %1263 = load i64, ptr %1262, align 8
-  %1264 = icmp eq i64 %1263, 0
-  br label %1265
-1265:
-  %1266 = phi i1 [ %1264, %1256 ], [ false, %1246 ], [ false, %1243 ]
-  %1267 = add nuw i64 %1245, 2
-  %1268 = icmp eq i64 %1608, %1267
-  br i1 %1268, label %1609, label %1243
-1269:
-  %1270 = icmp eq i64 %1630, %143
-  br i1 %1270, label %1298, label %1628
+  %1244 = icmp sgt i64 %784, 0
+  br i1 %1244, label %1596, label %1631
+1245:
+  %1246 = phi i1 [ true, %1613 ], [ %1268, %1267 ]
+  %1247 = phi i64 [ 0, %1613 ], [ %1269, %1267 ]
+  br i1 %1246, label %1248, label %1267
+1248:
+  %1249 = shl i64 %1247, 3
+  %1250 = getelementptr i8, ptr %45, i64 %1249
+  %1251 = load i64, ptr %1250, align 8
+  %1252 = icmp slt i64 %1251, 0
+  %1253 = select i1 %1252, i64 %79, i64 0
+  %1254 = getelementptr i64, ptr %77, i64 %1251
+  %1255 = getelementptr i64, ptr %1254, i64 %1253
+  %1256 = load i64, ptr %1255, align 8
+  %1257 = icmp eq i64 %1256, 0
+  br i1 %1257, label %1258, label %1267
+1258:
+  %1259 = getelementptr i8, ptr %1250, i64 8
+  %1260 = load i64, ptr %1259, align 8
+  %1261 = icmp slt i64 %1260, 0
+  %1262 = select i1 %1261, i64 %79, i64 0
+  %1263 = getelementptr i64, ptr %77, i64 %1260
+  %1264 = getelementptr i64, ptr %1263, i64 %1262
+  %1265 = load i64, ptr %1264, align 8
+  %1266 = icmp eq i64 %1265, 0
+  br label %1267
+1267:
+  %1268 = phi i1 [ %1266, %1258 ], [ false, %1248 ], [ false, %1245 ]
+  %1269 = add nuw i64 %1247, 2
+  %1270 = icmp eq i64 %1614, %1269
+  br i1 %1270, label %1615, label %1245
 1271:
-  %1272 = phi i64 [ %1665, %1664 ], [ %1295, %1271 ]
-  %1273 = phi i64 [ %1662, %1664 ], [ %1297, %1271 ]
-  %1274 = icmp slt i64 %1273, 0
-  %1275 = select i1 %1274, i64 %118, i64 0
-  %1276 = getelementptr i8, ptr %23, i64 %1275
-  %1277 = shl i64 %1273, 3
-  %1278 = getelementptr i8, ptr %1276, i64 %1277
-  %1279 = load i64, ptr %1278, align 8
-  %1280 = icmp slt i64 %1279, 0
-  %1281 = select i1 %1280, i64 %63, i64 0
-  %1282 = getelementptr i64, ptr %61, i64 %1279
-  %1283 = getelementptr i64, ptr %1282, i64 %1281
-  store i64 -1, ptr %1283, align 8
-  %1284 = add i64 %1273, 1
-  %1285 = icmp slt i64 %1284, 0
-  %1286 = select i1 %1285, i64 %118, i64 0
-  %1287 = getelementptr i8, ptr %23, i64 %1286
-  %1288 = getelementptr i8, ptr %1287, i64 %1277
-  %1289 = getelementptr i8, ptr %1288, i64 8
-  %1290 = load i64, ptr %1289, align 8
-  %1291 = icmp slt i64 %1290, 0
-  %1292 = select i1 %1291, i64 %63, i64 0
-  %1293 = getelementptr i64, ptr %61, i64 %1290
-  %1294 = getelementptr i64, ptr %1293, i64 %1292
-  store i64 -1, ptr %1294, align 8
-  %1295 = add i64 %1272, -2
-  %1296 = icmp samesign ugt i64 %1295, 2
-  %1297 = add i64 %1273, 2
-  br i1 %1296, label %1271, label %1269
-1298:
-  %1299 = load double, ptr %109, align 8
-  %1300 = fcmp ogt double %1299, %73
-  %1301 = fmul double %165, 1.500000e+00
-  %1302 = fcmp ogt double %162, %1301
-  %1303 = select i1 %1300, i1 true, i1 %1302
-  br i1 %1303, label %1684, label %1304
-1304:
-  br i1 %1626, label %1305, label %1684
-1305:
-  %1306 = icmp sgt i64 %1627, -1
-  br i1 %1306, label %1307, label %1455
+  %1272 = icmp eq i64 %1636, %145
+  br i1 %1272, label %1300, label %1634
+1273:
+  %1274 = phi i64 [ %1671, %1670 ], [ %1297, %1273 ]
+  %1275 = phi i64 [ %1668, %1670 ], [ %1299, %1273 ]
+  %1276 = icmp slt i64 %1275, 0
+  %1277 = select i1 %1276, i64 %120, i64 0
+  %1278 = getelementptr i8, ptr %23, i64 %1277
+  %1279 = shl i64 %1275, 3
+  %1280 = getelementptr i8, ptr %1278, i64 %1279
+  %1281 = load i64, ptr %1280, align 8
+  %1282 = icmp slt i64 %1281, 0
+  %1283 = select i1 %1282, i64 %63, i64 0
+  %1284 = getelementptr i64, ptr %61, i64 %1281
+  %1285 = getelementptr i64, ptr %1284, i64 %1283
+  store i64 -1, ptr %1285, align 8
+  %1286 = add i64 %1275, 1
+  %1287 = icmp slt i64 %1286, 0
+  %1288 = select i1 %1287, i64 %120, i64 0
+  %1289 = getelementptr i8, ptr %23, i64 %1288
+  %1290 = getelementptr i8, ptr %1289, i64 %1279
+  %1291 = getelementptr i8, ptr %1290, i64 8
+  %1292 = load i64, ptr %1291, align 8
+  %1293 = icmp slt i64 %1292, 0
+  %1294 = select i1 %1293, i64 %63, i64 0
+  %1295 = getelementptr i64, ptr %61, i64 %1292
+  %1296 = getelementptr i64, ptr %1295, i64 %1294
+  store i64 -1, ptr %1296, align 8
+  %1297 = add i64 %1274, -2
+  %1298 = icmp samesign ugt i64 %1297, 2
+  %1299 = add i64 %1275, 2
+  br i1 %1298, label %1273, label %1271
+1300:
+  %1301 = load double, ptr %111, align 8
+  %1302 = fcmp ogt double %1301, %75
+  %1303 = fmul double %167, 1.500000e+00
+  %1304 = fcmp ogt double %164, %1303
+  %1305 = select i1 %1302, i1 true, i1 %1304
+  br i1 %1305, label %1690, label %1306
+1306:
+  br i1 %1632, label %1307, label %1690
 1307:
-  %1308 = load double, ptr %117, align 8
-  %1309 = fcmp ogt double %1308, 0.000000e+00
-  br i1 %1309, label %1310, label %1684
-1310:
-  %1311 = load double, ptr %122, align 8
-  %1312 = icmp slt i64 %163, 0
-  %1313 = select i1 %1312, i64 %81, i64 0
-  %1314 = add i64 %1313, %163
-  %1315 = mul i64 %1314, %83
-  %1316 = getelementptr double, ptr %79, i64 %1315
-  %1317 = load double, ptr %131, align 8
-  %1318 = fdiv double %1317, %1308
-  %1319 = getelementptr i8, ptr %1316, i64 24
-  store double %1318, ptr %1319, align 8
-  %1320 = load double, ptr %119, align 8
-  %1321 = fmul double %1318, %1320
-  %1322 = fdiv double %1321, 3.000000e+00
-  %1323 = fsub double %1311, %1322
-  %1324 = load double, ptr %132, align 8
-  %1325 = load double, ptr %117, align 8
-  %1326 = fdiv double %1324, %1325
-  %1327 = getelementptr i8, ptr %1316, i64 8
-  %1328 = getelementptr i8, ptr %1316, i64 32
-  store double %1326, ptr %1328, align 8
-  %1329 = load double, ptr %120, align 8
-  %1330 = fmul double %1326, %1329
-  %1331 = fdiv double %1330, 3.000000e+00
-  %1332 = fsub double %1323, %1331
-  %1333 = load double, ptr %133, align 8
-  %1334 = load double, ptr %117, align 8
-  %1335 = fdiv double %1333, %1334
-  %1336 = getelementptr i8, ptr %1316, i64 16
-  %1337 = getelementptr i8, ptr %1316, i64 40
-  store double %1335, ptr %1337, align 8
-  %1338 = load double, ptr %121, align 8
-  %1339 = fmul double %1335, %1338
-  %1340 = fdiv double %1339, 3.000000e+00
-  %1341 = fsub double %1332, %1340
-  %1342 = fmul double %1299, 0x401921FB54442D18
-  %1343 = fmul double %1308, %1308
-  %1344 = fdiv double %1342, %1343
-  %1345 = fadd double %1344, -5.000000e-01
-  %1346 = fcmp ogt double %1341, 0.000000e+00
-  %1347 = select i1 %1346, double %1345, double 0.000000e+00
-  store double %1347, ptr %1316, align 8
-  %1348 = load double, ptr %109, align 8
-  store double %162, ptr %1327, align 8
-  store double %1348, ptr %1336, align 8
-  %1349 = getelementptr i8, ptr %1316, i64 48
-  store double %1341, ptr %1349, align 8
-  %1350 = fcmp olt double %1347, %71
-  %1351 = fcmp ogt double %1347, %166
-  br i1 %1351, label %1352, label %1405
-1352:
-  %1353 = phi i64 [ %1370, %1352 ], [ 32, %1310 ]
-  %1354 = phi i64 [ %1365, %1352 ], [ 0, %1310 ]
-  %1355 = shl i64 %1354, 3
-  %1356 = getelementptr i8, ptr %41, i64 %1355
-  %1357 = load i64, ptr %1356, align 8
-  %1358 = getelementptr i8, ptr %86, i64 %1355
-  store i64 %1357, ptr %1358, align 8
-  %1359 = getelementptr i8, ptr %1356, i64 8
-  %1360 = load i64, ptr %1359, align 8
-  %1361 = getelementptr i8, ptr %1358, i64 8
-  store i64 %1360, ptr %1361, align 8
-  %1362 = getelementptr i8, ptr %1356, i64 16
+  %1308 = icmp sgt i64 %1633, -1
+  br i1 %1308, label %1309, label %1461
+1309:
+  %1310 = load double, ptr %119, align 8
+  %1311 = fcmp ogt double %1310, 0.000000e+00
+  br i1 %1311, label %1312, label %1690
+1312:
+  %1313 = load double, ptr %124, align 8
+  %1314 = icmp slt i64 %165, 0
+  %1315 = select i1 %1314, i64 %83, i64 0
+  %1316 = add i64 %1315, %165
+  %1317 = mul i64 %1316, %85
+  %1318 = getelementptr double, ptr %81, i64 %1317
+  %1319 = load double, ptr %133, align 8
+  %1320 = fdiv double %1319, %1310
+  %1321 = getelementptr i8, ptr %1318, i64 24
+  store double %1320, ptr %1321, align 8
+  %1322 = load double, ptr %121, align 8
+  %1323 = fmul double %1320, %1322
+  %1324 = fdiv double %1323, 3.000000e+00
+  %1325 = fsub double %1313, %1324
+  %1326 = load double, ptr %134, align 8
+  %1327 = load double, ptr %119, align 8
+  %1328 = fdiv double %1326, %1327
+  %1329 = getelementptr i8, ptr %1318, i64 8
+  %1330 = getelementptr i8, ptr %1318, i64 32
+  store double %1328, ptr %1330, align 8
+  %1331 = load double, ptr %122, align 8
+  %1332 = fmul double %1328, %1331
+  %1333 = fdiv double %1332, 3.000000e+00
+  %1334 = fsub double %1325, %1333
+  %1335 = load double, ptr %135, align 8
+  %1336 = load double, ptr %119, align 8
+  %1337 = fdiv double %1335, %1336
+  %1338 = getelementptr i8, ptr %1318, i64 16
+  %1339 = getelementptr i8, ptr %1318, i64 40
+  store double %1337, ptr %1339, align 8
+  %1340 = load double, ptr %123, align 8
+  %1341 = fmul double %1337, %1340
+  %1342 = fdiv double %1341, 3.000000e+00
+  %1343 = fsub double %1334, %1342
+  %1344 = fmul double %1301, 0x401921FB54442D18
+  %1345 = fmul double %1310, %1310
+  %1346 = fdiv double %1344, %1345
+  %1347 = fadd double %1346, -5.000000e-01
+  %1348 = fcmp ogt double %1343, 0.000000e+00
+  %1349 = select i1 %1348, double %1347, double 0.000000e+00
+  %1350 = load double, ptr %111, align 8
+  %1351 = fcmp oge double %1350, %73
+  %1352 = fmul double %1349, 5.000000e-01
+  %1353 = select i1 %1351, double %1349, double %1352
+  store double %1353, ptr %1318, align 8
+  %1354 = load double, ptr %111, align 8
+  store double %164, ptr %1329, align 8
+  store double %1354, ptr %1338, align 8
+  %1355 = getelementptr i8, ptr %1318, i64 48
+  store double %1343, ptr %1355, align 8
+  %1356 = fcmp olt double %1353, %71
+  %1357 = fcmp ogt double %1353, %168
+  br i1 %1357, label %1358, label %1411
+1358:
+  %1359 = phi i64 [ %1376, %1358 ], [ 32, %1312 ]
+  %1360 = phi i64 [ %1371, %1358 ], [ 0, %1312 ]
+  %1361 = shl i64 %1360, 3
+  %1362 = getelementptr i8, ptr %41, i64 %1361
   %1363 = load i64, ptr %1362, align 8
-  %1364 = getelementptr i8, ptr %1358, i64 16
+  %1364 = getelementptr i8, ptr %88, i64 %1361
   store i64 %1363, ptr %1364, align 8
-  %1365 = add nuw nsw i64 %1354, 4
-  %1366 = getelementptr i8, ptr %1356, i64 24
-  %1367 = load i64, ptr %1366, align 8
-  %1368 = getelementptr i8, ptr %1358, i64 24
-  store i64 %1367, ptr %1368, align 8
-  %1369 = icmp eq i64 %149, %1365
-  %1370 = add i64 %1353, 32
-  br i1 %1369, label %1666, label %1352
-1371:
-  %1372 = phi i64 [ 0, %1682 ], [ %1384, %1371 ]
-  %1373 = shl i64 %1372, 3
-  %1374 = getelementptr i8, ptr %45, i64 %1373
-  %1375 = load i64, ptr %1374, align 8
-  %1376 = getelementptr i8, ptr %151, i64 %1373
-  %1377 = getelementptr i8, ptr %1376, i64 -24
-  store i64 %1375, ptr %1377, align 8
-  %1378 = getelementptr i8, ptr %1374, i64 8
-  %1379 = load i64, ptr %1378, align 8
-  %1380 = getelementptr i8, ptr %1376, i64 -16
-  store i64 %1379, ptr %1380, align 8
-  %1381 = getelementptr i8, ptr %1374, i64 16
-  %1382 = load i64, ptr %1381, align 8
-  %1383 = getelementptr i8, ptr %1376, i64 -8
-  store i64 %1382, ptr %1383, align 8
-  %1384 = add i64 %1372, 4
-  %1385 = shl i64 %1384, 3
-  %1386 = getelementptr i8, ptr %45, i64 %1385
-  %1387 = getelementptr i8, ptr %1386, i64 -8
+  %1365 = getelementptr i8, ptr %1362, i64 8
+  %1366 = load i64, ptr %1365, align 8
+  %1367 = getelementptr i8, ptr %1364, i64 8
+  store i64 %1366, ptr %1367, align 8
+  %1368 = getelementptr i8, ptr %1362, i64 16
+  %1369 = load i64, ptr %1368, align 8
+  %1370 = getelementptr i8, ptr %1364, i64 16
+  store i64 %1369, ptr %1370, align 8
+  %1371 = add nuw nsw i64 %1360, 4
+  %1372 = getelementptr i8, ptr %1362, i64 24
+  %1373 = load i64, ptr %1372, align 8
+  %1374 = getelementptr i8, ptr %1364, i64 24
+  store i64 %1373, ptr %1374, align 8
+  %1375 = icmp eq i64 %151, %1371
+  %1376 = add i64 %1359, 32
+  br i1 %1375, label %1672, label %1358
+1377:
+  %1378 = phi i64 [ 0, %1688 ], [ %1390, %1377 ]
+  %1379 = shl i64 %1378, 3
+  %1380 = getelementptr i8, ptr %45, i64 %1379
+  %1381 = load i64, ptr %1380, align 8
+  %1382 = getelementptr i8, ptr %153, i64 %1379
+  %1383 = getelementptr i8, ptr %1382, i64 -24
+  store i64 %1381, ptr %1383, align 8
+  %1384 = getelementptr i8, ptr %1380, i64 8
+  %1385 = load i64, ptr %1384, align 8
+  %1386 = getelementptr i8, ptr %1382, i64 -16
+  store i64 %1385, ptr %1386, align 8
+  %1387 = getelementptr i8, ptr %1380, i64 16
   %1388 = load i64, ptr %1387, align 8
-  store i64 %1388, ptr %1376, align 8
-  %1389 = icmp eq i64 %1683, %1384
-  br i1 %1389, label %1390, label %1371
-1390:
-  %1391 = icmp eq i64 %1680, 0
-  br i1 %1391, label %1405, label %1392
-1392:
-  %1393 = phi i64 [ 0, %1679 ], [ %1683, %1390 ]
-  %1394 = shl i64 %1393, 3
-  %1395 = getelementptr i8, ptr %152, i64 %1394
-  %1396 = getelementptr i8, ptr %45, i64 %1394
-  br label %1397
-1397:
-  %1398 = phi i64 [ %1403, %1397 ], [ 0, %1392 ]
-  %1399 = shl nuw nsw i64 %1398, 3
-  %1400 = getelementptr i8, ptr %1396, i64 %1399
-  %1401 = load i64, ptr %1400, align 8
-  %1402 = getelementptr i8, ptr %1395, i64 %1399
-  store i64 %1401, ptr %1402, align 8
-  %1403 = add i64 %1398, 1
-  %1404 = icmp eq i64 %1680, %1403
-  br i1 %1404, label %1405, label %1397
-1405:
-  %1406 = phi i64 [ %164, %1310 ], [ %1677, %1676 ], [ %1677, %1390 ], [ %1677, %1397 ]
-  %1407 = phi double [ %166, %1310 ], [ %1347, %1676 ], [ %1347, %1390 ], [ %1347, %1397 ]
-  %1408 = add nsw i64 %163, 1
-  br label %1684
-1409:
-  %1410 = phi i64 [ 0, %1694 ], [ %1430, %1409 ]
-  %1411 = shl i64 %1410, 3
-  %1412 = getelementptr i8, ptr %45, i64 %1411
-  %1413 = load i64, ptr %1412, align 8
-  %1414 = icmp slt i64 %1413, 0
-  %1415 = select i1 %1414, i64 %39, i64 0
-  %1416 = getelementptr i64, ptr %37, i64 %1413
-  %1417 = getelementptr i64, ptr %1416, i64 %1415
-  store i64 0, ptr %1417, align 8
-  %1418 = getelementptr i8, ptr %1412, i64 8
+  %1389 = getelementptr i8, ptr %1382, i64 -8
+  store i64 %1388, ptr %1389, align 8
+  %1390 = add i64 %1378, 4
+  %1391 = shl i64 %1390, 3
+  %1392 = getelementptr i8, ptr %45, i64 %1391
+  %1393 = getelementptr i8, ptr %1392, i64 -8
+  %1394 = load i64, ptr %1393, align 8
+  store i64 %1394, ptr %1382, align 8
+  %1395 = icmp eq i64 %1689, %1390
+  br i1 %1395, label %1396, label %1377
+1396:
+  %1397 = icmp eq i64 %1686, 0
+  br i1 %1397, label %1411, label %1398
+1398:
+  %1399 = phi i64 [ 0, %1685 ], [ %1689, %1396 ]
+  %1400 = shl i64 %1399, 3
+  %1401 = getelementptr i8, ptr %154, i64 %1400
+  %1402 = getelementptr i8, ptr %45, i64 %1400
+  br label %1403
+1403:
+  %1404 = phi i64 [ %1409, %1403 ], [ 0, %1398 ]
+  %1405 = shl nuw nsw i64 %1404, 3
+  %1406 = getelementptr i8, ptr %1402, i64 %1405
+  %1407 = load i64, ptr %1406, align 8
+  %1408 = getelementptr i8, ptr %1401, i64 %1405
+  store i64 %1407, ptr %1408, align 8
+  %1409 = add i64 %1404, 1
+  %1410 = icmp eq i64 %1686, %1409
+  br i1 %1410, label %1411, label %1403
+1411:
+  %1412 = phi i64 [ %166, %1312 ], [ %1683, %1682 ], [ %1683, %1396 ], [ %1683, %1403 ]
+  %1413 = phi double [ %168, %1312 ], [ %1353, %1682 ], [ %1353, %1396 ], [ %1353, %1403 ]
+  %1414 = add nsw i64 %165, 1
+  br label %1690
+1415:
+  %1416 = phi i64 [ 0, %1700 ], [ %1436, %1415 ]
+  %1417 = shl i64 %1416, 3
+  %1418 = getelementptr i8, ptr %45, i64 %1417
   %1419 = load i64, ptr %1418, align 8
   %1420 = icmp slt i64 %1419, 0
   %1421 = select i1 %1420, i64 %39, i64 0
   %1422 = getelementptr i64, ptr %37, i64 %1419
   %1423 = getelementptr i64, ptr %1422, i64 %1421
   store i64 0, ptr %1423, align 8
-  %1424 = getelementptr i8, ptr %1412, i64 16
+  %1424 = getelementptr i8, ptr %1418, i64 8
   %1425 = load i64, ptr %1424, align 8
   %1426 = icmp slt i64 %1425, 0
   %1427 = select i1 %1426, i64 %39, i64 0
   %1428 = getelementptr i64, ptr %37, i64 %1425
   %1429 = getelementptr i64, ptr %1428, i64 %1427
   store i64 0, ptr %1429, align 8
-  %1430 = add nuw nsw i64 %1410, 4
-  %1431 = getelementptr i8, ptr %1412, i64 24
-  %1432 = load i64, ptr %1431, align 8
-  %1433 = icmp slt i64 %1432, 0
-  %1434 = select i1 %1433, i64 %39, i64 0
-  %1435 = getelementptr i64, ptr %37, i64 %1432
-  %1436 = getelementptr i64, ptr %1435, i64 %1434
-  store i64 0, ptr %1436, align 8
-  %1437 = icmp eq i64 %1695, %1430
-  br i1 %1437, label %1438, label %1409
-1438:
-  %1439 = icmp eq i64 %1692, 0
-  br i1 %1439, label %1455, label %1440
-1440:
-  %1441 = phi i64 [ 0, %1691 ], [ %1695, %1438 ]
-  %1442 = shl i64 %1441, 3
-  %1443 = getelementptr i8, ptr %45, i64 %1442
-  br label %1444
+  %1430 = getelementptr i8, ptr %1418, i64 16
+  %1431 = load i64, ptr %1430, align 8
+  %1432 = icmp slt i64 %1431, 0
+  %1433 = select i1 %1432, i64 %39, i64 0
+  %1434 = getelementptr i64, ptr %37, i64 %1431
+  %1435 = getelementptr i64, ptr %1434, i64 %1433
+  store i64 0, ptr %1435, align 8
+  %1436 = add nuw nsw i64 %1416, 4
+  %1437 = getelementptr i8, ptr %1418, i64 24
+  %1438 = load i64, ptr %1437, align 8
+  %1439 = icmp slt i64 %1438, 0
+  %1440 = select i1 %1439, i64 %39, i64 0
+  %1441 = getelementptr i64, ptr %37, i64 %1438
+  %1442 = getelementptr i64, ptr %1441, i64 %1440
+  store i64 0, ptr %1442, align 8
+  %1443 = icmp eq i64 %1701, %1436
+  br i1 %1443, label %1444, label %1415
 1444:
-  %1445 = phi i64 [ %1453, %1444 ], [ 0, %1440 ]
-  %1446 = shl nuw nsw i64 %1445, 3
-  %1447 = getelementptr i8, ptr %1443, i64 %1446
-  %1448 = load i64, ptr %1447, align 8
-  %1449 = icmp slt i64 %1448, 0
-  %1450 = select i1 %1449, i64 %39, i64 0
-  %1451 = getelementptr i64, ptr %37, i64 %1448
-  %1452 = getelementptr i64, ptr %1451, i64 %1450
-  store i64 0, ptr %1452, align 8
-  %1453 = add i64 %1445, 1
-  %1454 = icmp eq i64 %1692, %1453
-  br i1 %1454, label %1455, label %1444
-1455:
-  %1456 = phi i64 [ %163, %481 ], [ %1685, %1684 ], [ %163, %1305 ], [ %1685, %1438 ], [ %1685, %1444 ]
-  %1457 = phi i64 [ %164, %481 ], [ %1686, %1684 ], [ %164, %1305 ], [ %1686, %1438 ], [ %1686, %1444 ]
-  %1458 = phi double [ %165, %481 ], [ %1687, %1684 ], [ %165, %1305 ], [ %1687, %1438 ], [ %1687, %1444 ]
-  %1459 = phi double [ %166, %481 ], [ %1688, %1684 ], [ %166, %1305 ], [ %1688, %1438 ], [ %1688, %1444 ]
-  %1460 = phi i1 [ true, %481 ], [ %1689, %1684 ], [ true, %1305 ], [ %1689, %1438 ], [ %1689, %1444 ]
-  %1461 = fmul double %69, %162
-  br i1 %1460, label %161, label %1462
-1462:
-  %1463 = phi i64 [ %1456, %1455 ], [ %171, %475 ]
-  %1464 = phi i64 [ %1457, %1455 ], [ %172, %475 ]
-  %1465 = icmp slt i64 %1464, %88
-  br i1 %1465, label %1466, label %1696
-1466:
-  %1467 = getelementptr i64, ptr %86, i64 %1464
-  store i64 -1, ptr %1467, align 8
-  br label %1696
+  %1445 = icmp eq i64 %1698, 0
+  br i1 %1445, label %1461, label %1446
+1446:
+  %1447 = phi i64 [ 0, %1697 ], [ %1701, %1444 ]
+  %1448 = shl i64 %1447, 3
+  %1449 = getelementptr i8, ptr %45, i64 %1448
+  br label %1450
+1450:
+  %1451 = phi i64 [ %1459, %1450 ], [ 0, %1446 ]
+  %1452 = shl nuw nsw i64 %1451, 3
+  %1453 = getelementptr i8, ptr %1449, i64 %1452
+  %1454 = load i64, ptr %1453, align 8
+  %1455 = icmp slt i64 %1454, 0
+  %1456 = select i1 %1455, i64 %39, i64 0
+  %1457 = getelementptr i64, ptr %37, i64 %1454
+  %1458 = getelementptr i64, ptr %1457, i64 %1456
+  store i64 0, ptr %1458, align 8
+  %1459 = add i64 %1451, 1
+  %1460 = icmp eq i64 %1698, %1459
+  br i1 %1460, label %1461, label %1450
+1461:
+  %1462 = phi i64 [ %165, %483 ], [ %1691, %1690 ], [ %165, %1307 ], [ %1691, %1444 ], [ %1691, %1450 ]
+  %1463 = phi i64 [ %166, %483 ], [ %1692, %1690 ], [ %166, %1307 ], [ %1692, %1444 ], [ %1692, %1450 ]
+  %1464 = phi double [ %167, %483 ], [ %1693, %1690 ], [ %167, %1307 ], [ %1693, %1444 ], [ %1693, %1450 ]
+  %1465 = phi double [ %168, %483 ], [ %1694, %1690 ], [ %168, %1307 ], [ %1694, %1444 ], [ %1694, %1450 ]
+  %1466 = phi i1 [ true, %483 ], [ %1695, %1690 ], [ true, %1307 ], [ %1695, %1444 ], [ %1695, %1450 ]
+  %1467 = fmul double %69, %164
+  br i1 %1466, label %163, label %1468
 1468:
-  %1469 = phi i64 [ 0, %1701 ], [ %1477, %1468 ]
-  %1470 = shl i64 %1469, 3
-  %1471 = getelementptr i8, ptr %33, i64 %1470
-  store double 0x7FF0000000000000, ptr %1471, align 8
-  %1472 = getelementptr i8, ptr %37, i64 %1470
-  store i64 0, ptr %1472, align 8
-  %1473 = getelementptr i8, ptr %1471, i64 8
-  store double 0x7FF0000000000000, ptr %1473, align 8
-  %1474 = getelementptr i8, ptr %1472, i64 8
-  store i64 0, ptr %1474, align 8
-  %1475 = getelementptr i8, ptr %1471, i64 16
-  store double 0x7FF0000000000000, ptr %1475, align 8
-  %1476 = getelementptr i8, ptr %1472, i64 16
-  store i64 0, ptr %1476, align 8
-  %1477 = add nuw nsw i64 %1469, 4
-  %1478 = getelementptr i8, ptr %1471, i64 24
-  store double 0x7FF0000000000000, ptr %1478, align 8
-  %1479 = getelementptr i8, ptr %1472, i64 24
-  store i64 0, ptr %1479, align 8
-  %1480 = icmp eq i64 %1702, %1477
-  br i1 %1480, label %1481, label %1468
-1481:
-  %1482 = icmp eq i64 %1699, 0
-  br i1 %1482, label %1703, label %1483
-1483:
-  %1484 = phi i64 [ 0, %1698 ], [ %1702, %1481 ]
-  %1485 = shl i64 %1484, 3
-  %1486 = getelementptr i8, ptr %37, i64 %1485
-  %1487 = getelementptr i8, ptr %33, i64 %1485
-  br label %1488
-1488:
-  %1489 = phi i64 [ %1493, %1488 ], [ 0, %1483 ]
-  %1490 = shl nuw nsw i64 %1489, 3
-  %1491 = getelementptr i8, ptr %1487, i64 %1490
-  store double 0x7FF0000000000000, ptr %1491, align 8
-  %1492 = getelementptr i8, ptr %1486, i64 %1490
-  store i64 0, ptr %1492, align 8
-  %1493 = add i64 %1489, 1
-  %1494 = icmp eq i64 %1699, %1493
-  br i1 %1494, label %1703, label %1488
-1495:
-  %1496 = phi i64 [ %490, %533 ], [ %1589, %1572 ], [ %490, %1538 ]
-  %1497 = phi i64 [ %489, %533 ], [ %1574, %1572 ], [ %489, %1538 ]
-  %1498 = add i64 %488, -1
-  %1499 = add i64 %491, 1
-  %1500 = icmp samesign ugt i64 %1498, 1
-  br i1 %1500, label %487, label %483
+  %1469 = phi i64 [ %1462, %1461 ], [ %173, %477 ]
+  %1470 = phi i64 [ %1463, %1461 ], [ %174, %477 ]
+  %1471 = icmp slt i64 %1470, %90
+  br i1 %1471, label %1472, label %1702
+1472:
+  %1473 = getelementptr i64, ptr %88, i64 %1470
+  store i64 -1, ptr %1473, align 8
+  br label %1702
+1474:
+  %1475 = phi i64 [ 0, %1707 ], [ %1483, %1474 ]
+  %1476 = shl i64 %1475, 3
+  %1477 = getelementptr i8, ptr %33, i64 %1476
+  store double 0x7FF0000000000000, ptr %1477, align 8
+  %1478 = getelementptr i8, ptr %37, i64 %1476
+  store i64 0, ptr %1478, align 8
+  %1479 = getelementptr i8, ptr %1477, i64 8
+  store double 0x7FF0000000000000, ptr %1479, align 8
+  %1480 = getelementptr i8, ptr %1478, i64 8
+  store i64 0, ptr %1480, align 8
+  %1481 = getelementptr i8, ptr %1477, i64 16
+  store double 0x7FF0000000000000, ptr %1481, align 8
+  %1482 = getelementptr i8, ptr %1478, i64 16
+  store i64 0, ptr %1482, align 8
+  %1483 = add nuw nsw i64 %1475, 4
+  %1484 = getelementptr i8, ptr %1477, i64 24
+  store double 0x7FF0000000000000, ptr %1484, align 8
+  %1485 = getelementptr i8, ptr %1478, i64 24
+  store i64 0, ptr %1485, align 8
+  %1486 = icmp eq i64 %1708, %1483
+  br i1 %1486, label %1487, label %1474
+1487:
+  %1488 = icmp eq i64 %1705, 0
+  br i1 %1488, label %1709, label %1489
+1489:
+  %1490 = phi i64 [ 0, %1704 ], [ %1708, %1487 ]
+  %1491 = shl i64 %1490, 3
+  %1492 = getelementptr i8, ptr %37, i64 %1491
+  %1493 = getelementptr i8, ptr %33, i64 %1491
+  br label %1494
+1494:
+  %1495 = phi i64 [ %1499, %1494 ], [ 0, %1489 ]
+  %1496 = shl nuw nsw i64 %1495, 3
+  %1497 = getelementptr i8, ptr %1493, i64 %1496
+  store double 0x7FF0000000000000, ptr %1497, align 8
+  %1498 = getelementptr i8, ptr %1492, i64 %1496
+  store i64 0, ptr %1498, align 8
+  %1499 = add i64 %1495, 1
+  %1500 = icmp eq i64 %1705, %1499
+  br i1 %1500, label %1709, label %1494
 1501:
-  %1502 = phi i64 [ 0, %169 ], [ %207, %214 ], [ %188, %206 ]
-  %1503 = icmp slt i64 %1502, 0
-  %1504 = select i1 %1503, i64 %55, i64 0
-  %1505 = getelementptr double, ptr %53, i64 %1502
-  %1506 = getelementptr double, ptr %1505, i64 %1504
-  store double %181, ptr %1506, align 8
-  %1507 = select i1 %1503, i64 %59, i64 0
-  %1508 = getelementptr i64, ptr %57, i64 %1502
-  %1509 = getelementptr i64, ptr %1508, i64 %1507
-  store i64 %185, ptr %1509, align 8
-  %1510 = icmp slt i64 %175, 0
-  %1511 = select i1 %1510, i64 %39, i64 0
-  %1512 = getelementptr i64, ptr %37, i64 %175
-  %1513 = getelementptr i64, ptr %1512, i64 %1511
-  %1514 = load i64, ptr %1513, align 8
-  %1515 = icmp eq i64 %1514, 1
-  br i1 %1515, label %475, label %229
-1516:
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %109, i8 0, i64 40, i1 false)
-  store double 0.000000e+00, ptr %117, align 8
-  br label %1517
-1517:
-  %1518 = phi i64 [ %485, %483 ], [ 0, %1516 ]
-  %1519 = phi i64 [ %484, %483 ], [ 0, %1516 ]
-  %1520 = phi i64 [ %1521, %483 ], [ 0, %1516 ]
-  %1521 = add nuw nsw i64 %1520, 1
-  %1522 = getelementptr i64, ptr %41, i64 %1520
-  %1523 = load i64, ptr %1522, align 8
-  %1524 = icmp slt i64 %1523, 0
-  %1525 = select i1 %1524, i64 %21, i64 0
-  %1526 = getelementptr i64, ptr %19, i64 %1523
-  %1527 = getelementptr i64, ptr %1526, i64 %1525
-  %1528 = load i64, ptr %1527, align 8
-  %1529 = icmp slt i64 %1523, -1
-  %1530 = select i1 %1529, i64 %21, i64 0
-  %1531 = getelementptr i8, ptr %1526, i64 8
-  %1532 = getelementptr i64, ptr %1531, i64 %1530
-  %1533 = load i64, ptr %1532, align 8
-  %1534 = sub i64 %1533, %1528
-  %1535 = icmp slt i64 %1534, 1
-  br i1 %1535, label %483, label %1536
-1536:
-  %1537 = add nuw i64 %1534, 1
-  br label %487
-1538:
-  %1539 = select i1 %498, i64 %29, i64 0
-  %1540 = add i64 %1539, %497
-  %1541 = mul i64 %1540, %31
-  %1542 = getelementptr double, ptr %27, i64 %1541
-  %1543 = load double, ptr %109, align 8
-  %1544 = load double, ptr %1542, align 8
-  %1545 = fdiv double %1544, 3.000000e+00
-  %1546 = fadd double %1543, %1545
-  store double %1546, ptr %109, align 8
-  %1547 = load double, ptr %119, align 8
-  %1548 = getelementptr i8, ptr %1542, i64 8
-  %1549 = load double, ptr %1548, align 8
-  %1550 = fdiv double %1549, 3.000000e+00
-  %1551 = fadd double %1547, %1550
-  store double %1551, ptr %119, align 8
-  %1552 = load double, ptr %120, align 8
-  %1553 = getelementptr i8, ptr %1542, i64 16
-  %1554 = load double, ptr %1553, align 8
-  %1555 = fdiv double %1554, 3.000000e+00
-  %1556 = fadd double %1552, %1555
-  store double %1556, ptr %120, align 8
-  %1557 = load double, ptr %121, align 8
-  %1558 = getelementptr i8, ptr %1542, i64 24
-  %1559 = load double, ptr %1558, align 8
-  %1560 = fdiv double %1559, 3.000000e+00
-  %1561 = fadd double %1557, %1560
-  store double %1561, ptr %121, align 8
-  %1562 = load double, ptr %122, align 8
-  %1563 = getelementptr i8, ptr %1542, i64 32
-  %1564 = load double, ptr %1563, align 8
-  %1565 = fdiv double %1564, 3.000000e+00
-  %1566 = fadd double %1562, %1565
-  store double %1566, ptr %122, align 8
-  br label %1495
-1567:
-  store double %774, ptr %117, align 8
-  %1568 = load double, ptr %123, align 8
-  store double %1568, ptr %131, align 8
-  %1569 = load double, ptr %124, align 8
-  store double %1569, ptr %132, align 8
-  %1570 = load double, ptr %125, align 8
-  store double %1570, ptr %133, align 8
-  %1571 = load double, ptr %126, align 8
-  br label %1572
-1572:
-  %1573 = phi double [ %773, %772 ], [ %1571, %1567 ]
-  %1574 = phi i64 [ %489, %772 ], [ %490, %1567 ]
-  %1575 = load double, ptr %109, align 8
-  %1576 = fadd double %1573, %1575
-  store double %1576, ptr %109, align 8
-  %1577 = load double, ptr %119, align 8
-  %1578 = load double, ptr %127, align 8
-  %1579 = fadd double %1577, %1578
-  store double %1579, ptr %119, align 8
-  %1580 = load double, ptr %120, align 8
-  %1581 = load double, ptr %128, align 8
-  %1582 = fadd double %1580, %1581
-  store double %1582, ptr %120, align 8
+  %1502 = phi i64 [ %492, %535 ], [ %1595, %1578 ], [ %492, %1544 ]
+  %1503 = phi i64 [ %491, %535 ], [ %1580, %1578 ], [ %491, %1544 ]
+  %1504 = add i64 %490, -1
+  %1505 = add i64 %493, 1
+  %1506 = icmp samesign ugt i64 %1504, 1
+  br i1 %1506, label %489, label %485
+1507:
+  %1508 = phi i64 [ 0, %171 ], [ %209, %216 ], [ %190, %208 ]
+  %1509 = icmp slt i64 %1508, 0
+  %1510 = select i1 %1509, i64 %55, i64 0
+  %1511 = getelementptr double, ptr %53, i64 %1508
+  %1512 = getelementptr double, ptr %1511, i64 %1510
+  store double %183, ptr %1512, align 8
+  %1513 = select i1 %1509, i64 %59, i64 0
+  %1514 = getelementptr i64, ptr %57, i64 %1508
+  %1515 = getelementptr i64, ptr %1514, i64 %1513
+  store i64 %187, ptr %1515, align 8
+  %1516 = icmp slt i64 %177, 0
+  %1517 = select i1 %1516, i64 %39, i64 0
+  %1518 = getelementptr i64, ptr %37, i64 %177
+  %1519 = getelementptr i64, ptr %1518, i64 %1517
+  %1520 = load i64, ptr %1519, align 8
+  %1521 = icmp eq i64 %1520, 1
+  br i1 %1521, label %477, label %231
+1522:
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %111, i8 0, i64 40, i1 false)
+  store double 0.000000e+00, ptr %119, align 8
+  br label %1523
+1523:
+  %1524 = phi i64 [ %487, %485 ], [ 0, %1522 ]
+  %1525 = phi i64 [ %486, %485 ], [ 0, %1522 ]
+  %1526 = phi i64 [ %1527, %485 ], [ 0, %1522 ]
+  %1527 = add nuw nsw i64 %1526, 1
+  %1528 = getelementptr i64, ptr %41, i64 %1526
+  %1529 = load i64, ptr %1528, align 8
+  %1530 = icmp slt i64 %1529, 0
+  %1531 = select i1 %1530, i64 %21, i64 0
+  %1532 = getelementptr i64, ptr %19, i64 %1529
+  %1533 = getelementptr i64, ptr %1532, i64 %1531
+  %1534 = load i64, ptr %1533, align 8
+  %1535 = icmp slt i64 %1529, -1
+  %1536 = select i1 %1535, i64 %21, i64 0
+  %1537 = getelementptr i8, ptr %1532, i64 8
+  %1538 = getelementptr i64, ptr %1537, i64 %1536
+  %1539 = load i64, ptr %1538, align 8
+  %1540 = sub i64 %1539, %1534
+  %1541 = icmp slt i64 %1540, 1
+  br i1 %1541, label %485, label %1542
+1542:
+  %1543 = add nuw i64 %1540, 1
+  br label %489
+1544:
+  %1545 = select i1 %500, i64 %29, i64 0
+  %1546 = add i64 %1545, %499
+  %1547 = mul i64 %1546, %31
+  %1548 = getelementptr double, ptr %27, i64 %1547
+  %1549 = load double, ptr %111, align 8
+  %1550 = load double, ptr %1548, align 8
+  %1551 = fdiv double %1550, 3.000000e+00
+  %1552 = fadd double %1549, %1551
+  store double %1552, ptr %111, align 8
+  %1553 = load double, ptr %121, align 8
+  %1554 = getelementptr i8, ptr %1548, i64 8
+  %1555 = load double, ptr %1554, align 8
+  %1556 = fdiv double %1555, 3.000000e+00
+  %1557 = fadd double %1553, %1556
+  store double %1557, ptr %121, align 8
+  %1558 = load double, ptr %122, align 8
+  %1559 = getelementptr i8, ptr %1548, i64 16
+  %1560 = load double, ptr %1559, align 8
+  %1561 = fdiv double %1560, 3.000000e+00
+  %1562 = fadd double %1558, %1561
+  store double %1562, ptr %122, align 8
+  %1563 = load double, ptr %123, align 8
+  %1564 = getelementptr i8, ptr %1548, i64 24
+  %1565 = load double, ptr %1564, align 8
+  %1566 = fdiv double %1565, 3.000000e+00
+  %1567 = fadd double %1563, %1566
+  store double %1567, ptr %123, align 8
+  %1568 = load double, ptr %124, align 8
+  %1569 = getelementptr i8, ptr %1548, i64 32
+  %1570 = load double, ptr %1569, align 8
+  %1571 = fdiv double %1570, 3.000000e+00
+  %1572 = fadd double %1568, %1571
+  store double %1572, ptr %124, align 8
+  br label %1501
+1573:
+  store double %776, ptr %119, align 8
+  %1574 = load double, ptr %125, align 8
+  store double %1574, ptr %133, align 8
+  %1575 = load double, ptr %126, align 8
+  store double %1575, ptr %134, align 8
+  %1576 = load double, ptr %127, align 8
+  store double %1576, ptr %135, align 8
+  %1577 = load double, ptr %128, align 8
+  br label %1578
+1578:
+  %1579 = phi double [ %775, %774 ], [ %1577, %1573 ]
+  %1580 = phi i64 [ %491, %774 ], [ %492, %1573 ]
+  %1581 = load double, ptr %111, align 8
+  %1582 = fadd double %1579, %1581
+  store double %1582, ptr %111, align 8
   %1583 = load double, ptr %121, align 8
   %1584 = load double, ptr %129, align 8
   %1585 = fadd double %1583, %1584
@@ -6449,21 +6447,21 @@ define i64 @msf_jax.limbs.fronts.cap(ptr readonly %0) local_unnamed_addr {
   %1587 = load double, ptr %130, align 8
   %1588 = fadd double %1586, %1587
   store double %1588, ptr %122, align 8
-  %1589 = add nsw i64 %490, 1
-  br label %1495
-1590:
-  %1591 = load double, ptr %109, align 8
-  %1592 = load double, ptr %103, align 8
-  %1593 = fadd double %1591, %1592
-  store double %1593, ptr %109, align 8
-  %1594 = load double, ptr %119, align 8
-  %1595 = load double, ptr %134, align 8
-  %1596 = fadd double %1594, %1595
-  store double %1596, ptr %119, align 8
-  %1597 = load double, ptr %120, align 8
-  %1598 = load double, ptr %135, align 8
+  %1589 = load double, ptr %123, align 8
+  %1590 = load double, ptr %131, align 8
+  %1591 = fadd double %1589, %1590
+  store double %1591, ptr %123, align 8
+  %1592 = load double, ptr %124, align 8
+  %1593 = load double, ptr %132, align 8
+  %1594 = fadd double %1592, %1593
+  store double %1594, ptr %124, align 8
+  %1595 = add nsw i64 %492, 1
+  br label %1501
+1596:
+  %1597 = load double, ptr %111, align 8
+  %1598 = load double, ptr %105, align 8
   %1599 = fadd double %1597, %1598
-  store double %1599, ptr %120, align 8
+  store double %1599, ptr %111, align 8
   %1600 = load double, ptr %121, align 8
   %1601 = load double, ptr %136, align 8
   %1602 = fadd double %1600, %1601
@@ -6472,128 +6470,136 @@ define i64 @msf_jax.limbs.fronts.cap(ptr readonly %0) local_unnamed_addr {
   %1604 = load double, ptr %137, align 8
   %1605 = fadd double %1603, %1604
   store double %1605, ptr %122, align 8
-  %1606 = icmp eq i64 %782, 1
-  br i1 %1606, label %1615, label %1607
-1607:
-  %1608 = and i64 %782, 9223372036854775806
-  br label %1243
-1609:
-  %1610 = and i64 %782, 1
-  %1611 = icmp eq i64 %1610, 0
-  %1612 = xor i1 %1266, true
-  %1613 = select i1 %1611, i1 true, i1 %1612
-  %1614 = select i1 %1611, i1 %1266, i1 false
-  br i1 %1613, label %1625, label %1615
+  %1606 = load double, ptr %123, align 8
+  %1607 = load double, ptr %138, align 8
+  %1608 = fadd double %1606, %1607
+  store double %1608, ptr %123, align 8
+  %1609 = load double, ptr %124, align 8
+  %1610 = load double, ptr %139, align 8
+  %1611 = fadd double %1609, %1610
+  store double %1611, ptr %124, align 8
+  %1612 = icmp eq i64 %784, 1
+  br i1 %1612, label %1621, label %1613
+1613:
+  %1614 = and i64 %784, 9223372036854775806
+  br label %1245
 1615:
-  %1616 = phi i64 [ %1608, %1609 ], [ 0, %1590 ]
-  %1617 = getelementptr i64, ptr %45, i64 %1616
-  %1618 = load i64, ptr %1617, align 8
-  %1619 = icmp slt i64 %1618, 0
-  %1620 = select i1 %1619, i64 %77, i64 0
-  %1621 = getelementptr i64, ptr %75, i64 %1618
-  %1622 = getelementptr i64, ptr %1621, i64 %1620
-  %1623 = load i64, ptr %1622, align 8
-  %1624 = icmp eq i64 %1623, 0
-  br label %1625
-1625:
-  %1626 = phi i1 [ true, %777 ], [ %1614, %1609 ], [ true, %1241 ], [ %1624, %1615 ], [ true, %894 ], [ true, %1233 ], [ true, %900 ]
-  %1627 = phi i64 [ 0, %777 ], [ %782, %1609 ], [ %782, %1241 ], [ %782, %1615 ], [ -1, %894 ], [ -1, %1233 ], [ -1, %900 ]
-  br label %1628
-1628:
-  %1629 = phi i64 [ %1630, %1269 ], [ 0, %1625 ]
-  %1630 = add nuw nsw i64 %1629, 1
-  %1631 = getelementptr i64, ptr %41, i64 %1629
-  %1632 = load i64, ptr %1631, align 8
-  %1633 = icmp slt i64 %1632, 0
-  %1634 = select i1 %1633, i64 %21, i64 0
-  %1635 = getelementptr i64, ptr %19, i64 %1632
-  %1636 = getelementptr i64, ptr %1635, i64 %1634
-  %1637 = load i64, ptr %1636, align 8
-  %1638 = icmp slt i64 %1632, -1
-  %1639 = select i1 %1638, i64 %21, i64 0
-  %1640 = getelementptr i8, ptr %1635, i64 8
-  %1641 = getelementptr i64, ptr %1640, i64 %1639
-  %1642 = load i64, ptr %1641, align 8
-  %1643 = sub i64 %1642, %1637
-  %1644 = icmp slt i64 %1643, 1
-  br i1 %1644, label %1269, label %1645
-1645:
-  %1646 = add i64 %1637, 1
-  %1647 = and i64 %1643, 1
-  %1648 = icmp eq i64 %1647, 0
-  br i1 %1648, label %1660, label %1649
-1649:
-  %1650 = add nsw i64 %1643, -1
-  %1651 = icmp slt i64 %1637, 0
-  %1652 = select i1 %1651, i64 %25, i64 0
-  %1653 = getelementptr i64, ptr %23, i64 %1637
-  %1654 = getelementptr i64, ptr %1653, i64 %1652
-  %1655 = load i64, ptr %1654, align 8
-  %1656 = icmp slt i64 %1655, 0
-  %1657 = select i1 %1656, i64 %63, i64 0
-  %1658 = getelementptr i64, ptr %61, i64 %1655
-  %1659 = getelementptr i64, ptr %1658, i64 %1657
-  store i64 -1, ptr %1659, align 8
-  br label %1660
-1660:
-  %1661 = phi i64 [ %1643, %1645 ], [ %1650, %1649 ]
-  %1662 = phi i64 [ %1637, %1645 ], [ %1646, %1649 ]
-  %1663 = icmp eq i64 %1642, %1646
-  br i1 %1663, label %1269, label %1664
-1664:
-  %1665 = add nuw i64 %1661, 2
-  br label %1271
+  %1616 = and i64 %784, 1
+  %1617 = icmp eq i64 %1616, 0
+  %1618 = xor i1 %1268, true
+  %1619 = select i1 %1617, i1 true, i1 %1618
+  %1620 = select i1 %1617, i1 %1268, i1 false
+  br i1 %1619, label %1631, label %1621
+1621:
+  %1622 = phi i64 [ %1614, %1615 ], [ 0, %1596 ]
+  %1623 = getelementptr i64, ptr %45, i64 %1622
+  %1624 = load i64, ptr %1623, align 8
+  %1625 = icmp slt i64 %1624, 0
+  %1626 = select i1 %1625, i64 %79, i64 0
+  %1627 = getelementptr i64, ptr %77, i64 %1624
+  %1628 = getelementptr i64, ptr %1627, i64 %1626
+  %1629 = load i64, ptr %1628, align 8
+  %1630 = icmp eq i64 %1629, 0
+  br label %1631
+1631:
+  %1632 = phi i1 [ true, %779 ], [ %1620, %1615 ], [ true, %1243 ], [ %1630, %1621 ], [ true, %896 ], [ true, %1235 ], [ true, %902 ]
+  %1633 = phi i64 [ 0, %779 ], [ %784, %1615 ], [ %784, %1243 ], [ %784, %1621 ], [ -1, %896 ], [ -1, %1235 ], [ -1, %902 ]
+  br label %1634
+1634:
+  %1635 = phi i64 [ %1636, %1271 ], [ 0, %1631 ]
+  %1636 = add nuw nsw i64 %1635, 1
+  %1637 = getelementptr i64, ptr %41, i64 %1635
+  %1638 = load i64, ptr %1637, align 8
+  %1639 = icmp slt i64 %1638, 0
+  %1640 = select i1 %1639, i64 %21, i64 0
+  %1641 = getelementptr i64, ptr %19, i64 %1638
+  %1642 = getelementptr i64, ptr %1641, i64 %1640
+  %1643 = load i64, ptr %1642, align 8
+  %1644 = icmp slt i64 %1638, -1
+  %1645 = select i1 %1644, i64 %21, i64 0
+  %1646 = getelementptr i8, ptr %1641, i64 8
+  %1647 = getelementptr i64, ptr %1646, i64 %1645
+  %1648 = load i64, ptr %1647, align 8
+  %1649 = sub i64 %1648, %1643
+  %1650 = icmp slt i64 %1649, 1
+  br i1 %1650, label %1271, label %1651
+1651:
+  %1652 = add i64 %1643, 1
+  %1653 = and i64 %1649, 1
+  %1654 = icmp eq i64 %1653, 0
+  br i1 %1654, label %1666, label %1655
+1655:
+  %1656 = add nsw i64 %1649, -1
+  %1657 = icmp slt i64 %1643, 0
+  %1658 = select i1 %1657, i64 %25, i64 0
+  %1659 = getelementptr i64, ptr %23, i64 %1643
+  %1660 = getelementptr i64, ptr %1659, i64 %1658
+  %1661 = load i64, ptr %1660, align 8
+  %1662 = icmp slt i64 %1661, 0
+  %1663 = select i1 %1662, i64 %63, i64 0
+  %1664 = getelementptr i64, ptr %61, i64 %1661
+  %1665 = getelementptr i64, ptr %1664, i64 %1663
+  store i64 -1, ptr %1665, align 8
+  br label %1666
 1666:
-  br i1 %153, label %1676, label %1667
-1667:
-  %1668 = phi i64 [ %1674, %1667 ], [ %148, %1666 ]
-  %1669 = phi i64 [ %1673, %1667 ], [ %1353, %1666 ]
-  %1670 = getelementptr i8, ptr %41, i64 %1669
-  %1671 = load i64, ptr %1670, align 8
-  %1672 = getelementptr i8, ptr %86, i64 %1669
-  store i64 %1671, ptr %1672, align 8
-  %1673 = add nuw nsw i64 %1669, 8
-  %1674 = add nsw i64 %1668, -1
-  %1675 = icmp eq i64 %1674, 0
-  br i1 %1675, label %1676, label %1667
-1676:
-  %1677 = add nuw nsw i64 %1627, %143
-  %1678 = icmp eq i64 %1627, 0
-  br i1 %1678, label %1405, label %1679
-1679:
-  %1680 = and i64 %1627, 3
-  %1681 = icmp samesign ult i64 %1627, 4
-  br i1 %1681, label %1392, label %1682
+  %1667 = phi i64 [ %1649, %1651 ], [ %1656, %1655 ]
+  %1668 = phi i64 [ %1643, %1651 ], [ %1652, %1655 ]
+  %1669 = icmp eq i64 %1648, %1652
+  br i1 %1669, label %1271, label %1670
+1670:
+  %1671 = add nuw i64 %1667, 2
+  br label %1273
+1672:
+  br i1 %155, label %1682, label %1673
+1673:
+  %1674 = phi i64 [ %1680, %1673 ], [ %150, %1672 ]
+  %1675 = phi i64 [ %1679, %1673 ], [ %1359, %1672 ]
+  %1676 = getelementptr i8, ptr %41, i64 %1675
+  %1677 = load i64, ptr %1676, align 8
+  %1678 = getelementptr i8, ptr %88, i64 %1675
+  store i64 %1677, ptr %1678, align 8
+  %1679 = add nuw nsw i64 %1675, 8
+  %1680 = add nsw i64 %1674, -1
+  %1681 = icmp eq i64 %1680, 0
+  br i1 %1681, label %1682, label %1673
 1682:
-  %1683 = and i64 %1627, 9223372036854775804
-  br label %1371
-1684:
-  %1685 = phi i64 [ %163, %1304 ], [ %1408, %1405 ], [ %163, %1307 ], [ %163, %1298 ]
-  %1686 = phi i64 [ %164, %1304 ], [ %1406, %1405 ], [ %164, %1307 ], [ %164, %1298 ]
-  %1687 = phi double [ %165, %1304 ], [ %162, %1405 ], [ %165, %1307 ], [ %165, %1298 ]
-  %1688 = phi double [ %166, %1304 ], [ %1407, %1405 ], [ %166, %1307 ], [ %166, %1298 ]
-  %1689 = phi i1 [ false, %1304 ], [ %1350, %1405 ], [ true, %1307 ], [ false, %1298 ]
-  %1690 = icmp slt i64 %1627, 1
-  br i1 %1690, label %1455, label %1691
-1691:
-  %1692 = and i64 %1627, 3
-  %1693 = icmp samesign ult i64 %1627, 4
-  br i1 %1693, label %1440, label %1694
-1694:
-  %1695 = and i64 %1627, 9223372036854775804
-  br label %1409
-1696:
-  %1697 = icmp slt i64 %35, 1
-  br i1 %1697, label %1703, label %1698
-1698:
-  %1699 = and i64 %35, 3
-  %1700 = icmp samesign ult i64 %35, 4
-  br i1 %1700, label %1483, label %1701
-1701:
-  %1702 = and i64 %35, 9223372036854775804
-  br label %1468
-1703:
-  ret i64 %1463
+  %1683 = add nuw nsw i64 %1633, %145
+  %1684 = icmp eq i64 %1633, 0
+  br i1 %1684, label %1411, label %1685
+1685:
+  %1686 = and i64 %1633, 3
+  %1687 = icmp samesign ult i64 %1633, 4
+  br i1 %1687, label %1398, label %1688
+1688:
+  %1689 = and i64 %1633, 9223372036854775804
+  br label %1377
+1690:
+  %1691 = phi i64 [ %165, %1306 ], [ %1414, %1411 ], [ %165, %1309 ], [ %165, %1300 ]
+  %1692 = phi i64 [ %166, %1306 ], [ %1412, %1411 ], [ %166, %1309 ], [ %166, %1300 ]
+  %1693 = phi double [ %167, %1306 ], [ %164, %1411 ], [ %167, %1309 ], [ %167, %1300 ]
+  %1694 = phi double [ %168, %1306 ], [ %1413, %1411 ], [ %168, %1309 ], [ %168, %1300 ]
+  %1695 = phi i1 [ false, %1306 ], [ %1356, %1411 ], [ true, %1309 ], [ false, %1300 ]
+  %1696 = icmp slt i64 %1633, 1
+  br i1 %1696, label %1461, label %1697
+1697:
+  %1698 = and i64 %1633, 3
+  %1699 = icmp samesign ult i64 %1633, 4
+  br i1 %1699, label %1446, label %1700
+1700:
+  %1701 = and i64 %1633, 9223372036854775804
+  br label %1415
+1702:
+  %1703 = icmp slt i64 %35, 1
+  br i1 %1703, label %1709, label %1704
+1704:
+  %1705 = and i64 %35, 3
+  %1706 = icmp samesign ult i64 %35, 4
+  br i1 %1706, label %1489, label %1707
+1707:
+  %1708 = and i64 %35, 9223372036854775804
+  br label %1474
+1709:
+  ret i64 %1469
 }
 define i64 @msf_jax.meso.kernels.short_edges(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8

@@ -120,6 +120,25 @@ def test_a_budget_that_is_spent_leaves_one_round():
     assert budget.was_hit
 
 
+def test_a_step_that_goes_back_is_shortened(monkeypatch):
+    """Steps that go as far beyond the middle as they came from: the second one, halved, ends there."""
+    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
+    nodes, edges = path(scale * np.linspace([-0.5, 0, 0.02], [0.5, 0, 0.02], 9))
+    seen = []
+
+    class Overshooting:
+        def __init__(self, x, paths, span, limb, *rest):
+            seen.append(x)
+            self.off = np.zeros((len(limb), 3))
+
+        def step(self, weight):
+            return np.array([0, 0, -2]) * seen[-1]
+
+    monkeypatch.setattr(centring, "_System", Overshooting)
+    x = centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
+    np.testing.assert_allclose(np.array([*seen, x])[:, 4, 2], 0.02 * scale * np.array([1, -1, 0, 0]), atol=1e-12)
+
+
 @pytest.mark.parametrize(("num", "held"), [(48, []), (200, []), (200, [100])])
 def test_the_nodes_of_a_ring_do_not_go_round(monkeypatch, num, held):
     """However unevenly they are spaced: a ring has no end that would hold them. Nor does it fold back on itself."""
