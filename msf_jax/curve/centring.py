@@ -8,10 +8,10 @@ where P_i removes the component along the branch. This is a smoothing spline: it
 of the limb's size, or of a sheet's half width, for any spacing h of the nodes. In a loop of n nodes
 (2 - 2 cos(2 pi / n)) (x_i - mean x) is added to the second difference, which is then 0 for a circle. Arcs of other
 loops in a sheet, and branches between loops, have the geometric mean of its size and half width. Nodes keep their
-shares of their branch's length, so they move across it only; those of a loop get equal shares. Near a junction a cross-
-section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the junction
-comes to where the axes of its limbs meet. That is right for tubes. If the clearance at y, the flow's place for a
-junction, is larger than that of its limbs (the rump of a horse, a shell on a back), a holds the junction at y.
+shares of their branch's length, so they move across it only; those of a loop get equal shares. Near a junction a
+cross-section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the
+junction comes to where the axes of its limbs meet. That is right for tubes. If the clearance at y, the flow's place for
+a junction, is larger than that of its limbs (the rump of a horse, a shell on a back), a holds the junction at y.
 
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
