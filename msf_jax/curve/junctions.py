@@ -124,7 +124,7 @@ def thin_sides(
             stretch = min(STRETCH * size, last - along[begin])
             half, beyond = (along[begin] + last) / 2, along[begin] + stretch * np.array([0.5, 1.0])
             near, far, middle, end = at(x[path], along, np.array([*beyond, half, last]))
-            if is_link and np.linalg.norm(middle - (x[path[begin]] + end) / 2) > BENT * size:
+            if is_link and np.linalg.norm(middle - (x[path[begin]] + end) / 2) > OFF * size:
                 continue
             # Before it is on its axis, a branch may be as thick as it is there, where the solid is not much thicker.
             off = np.linalg.norm(np.cross(x[path] - near, unit(far - near)), axis=1)

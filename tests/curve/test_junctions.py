@@ -287,17 +287,19 @@ def test_a_node_without_edges_is_no_side_branch():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("degrees", "length"), [(45.0, 2.8), (45.0, 4.0), (60.0, 2.4), (60.0, 3.7)])
-def test_a_side_branch_may_fork_soon(degrees, length):
+@pytest.mark.parametrize("noise", [0.0, 1e-5])
+@pytest.mark.parametrize(("degrees", "length"), [(45.0, 3.4), (45.0, 4.0), (60.0, 2.4), (60.0, 3.7)])
+def test_a_side_branch_may_fork_soon(degrees, length, noise):
     """Its axis has one radius of its own and more. It had to have nine: with less, the trunk's junction was beside its
-    place by .6 to 1.1 of the trunk's radius."""
+    place by .6 to 1.1 of the trunk's radius. It was again where rounding put the flow's nodes a little off its axis."""
     angle = np.radians(degrees + np.array([0.0, -35.0, 35.0]))
     heading = np.stack([np.sin(angle), np.zeros(3), np.cos(angle)], axis=1)
     fork = length * heading[0]
     points = np.array([[0, 0, -6], [0, 0, 10], [0, 0, 0], fork, *(fork + 4 * heading[1:])])
     edges, radii = np.array([[0, 1], [2, 3], [3, 4], [3, 5]]), np.array([1.0, 1.0, 0.3, 0.3, 0.24, 0.24])
     mesh = shapes.solid_around(points, edges, radii, 0.3)
-    found = msf_jax.skeletonize((np.array(mesh.vertices), np.array(mesh.faces)))
+    moved = mesh.vertices + noise * np.random.default_rng(4).normal(size=mesh.vertices.shape)
+    found = msf_jax.skeletonize((moved, np.array(mesh.faces)))
     junctions_found = found.vertices[np.bincount(found.edges.ravel()) > 2]
     assert len(junctions_found) == 2 and found.num_leaves == 4
     assert np.linalg.norm(junctions_found, axis=1).min() < 0.15

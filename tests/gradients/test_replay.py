@@ -178,7 +178,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
 
     def other_plan(steps, before):
         beyond = [4] * 20
-        return [Planned(0, 1, layout_for(500, beyond)), Planned(1, len(steps), layout_for(250, beyond))]
+        return [Planned(0, 1, layout_for(500, beyond)), Planned(1, len(steps), layout_for(400, beyond))]
 
     assert flow.tape.num_nodes  # recorded by now
     monkeypatch.setattr(padded, "stretches_of", other_plan)

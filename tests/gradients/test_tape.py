@@ -172,7 +172,7 @@ def test_a_second_tape_compiles_nothing(flow, compilations):
     """Of the same mesh, moved, or at other weights: another curve, more iterations or fewer, the same program."""
     bumpy = mesh()
     bumpy.vertices *= 1 + 0.01 * np.sin(40 * bumpy.vertices[:, :1])
-    others = ((bumpy, Weights()), (mesh(), Weights(w_H=0.12, w_M=0.45)))
+    others = ((bumpy, Weights()), (mesh(), Weights(w_H=0.12, w_M=0.55)))
     first = flow.tape.padded()
     found = [(flow, first)]
     for it, weights in others:

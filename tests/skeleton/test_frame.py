@@ -162,7 +162,8 @@ def test_a_frame_of_round_bars_in_long_triangles():
 @pytest.mark.slow
 def test_an_octet_cell_of_thirty_six_members():
     points, members = octet()
-    mesh = shapes.solid_around(points, members, np.full(14, 0.255), 0.11)  # triangles are chords
+    mesh = shapes.solid_around(points, members, np.full(14, 0.255), 0.115)  # triangles are chords
+    assert 1 - mesh.euler_number // 2 == 36 - 14 + 1  # a coarse grid can leave tiny tunnels where two bars part
     frame = msf_jax.skeletonize(mesh).frame()
     check(frame, points, members, share=0.01, away=0.05)
     np.testing.assert_allclose(frame.moments, np.pi * 0.25**4 / 4, rtol=0.05)
