@@ -297,12 +297,20 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
         draft, radii = draft.changed(x), job.coarse.approximate_clearance(x)[0]
     is_leaf = draft.is_leaf()
     draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
-    worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
-    draft = reduced(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
+    draft = _without_new_ends(draft, is_leaf)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = moves.places_of(job.shape, draft.vertices)
     return draft.changed(moves.taken(job.shape, job.shape.handles, at, step, draft.edges).x)
+
+
+def _without_new_ends(draft: Draft, is_leaf: np.ndarray) -> Draft:
+    """The draft without branches that end where no leaf was, of ``is_leaf`` (n,) of its first nodes: an old junction
+    that no branch needs, or what is left of a cycle that was cut."""
+    worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
+    if (worth[draft.is_leaf()] == np.inf).all():
+        return draft
+    return reduced(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
 
 
 def prune_by_balls(draft: Draft, job: Job) -> Draft:
@@ -359,7 +367,8 @@ def _moved(draft: Draft, vertices: np.ndarray, edges: np.ndarray) -> Draft:
 
 def enforce_topology(draft: Draft, job: Job) -> Draft:
     """What was promised holds: all is inside, and each cycle is one in space, around a handle of its own."""
-    return complete_cycles(merge_coincident(contain(draft, job), job), job)
+    draft = merge_coincident(contain(draft, job), job)
+    return _without_new_ends(complete_cycles(draft, job), draft.is_leaf())
 
 
 def merge_coincident(draft: Draft, job: Job) -> Draft:

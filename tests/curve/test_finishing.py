@@ -34,6 +34,18 @@ def test_centring_folds_no_loop_flat(genus):
     assert loops_and_rank(shape, finishing.centre_nodes(draft, job, hold_leaves=False), job) == (genus, genus)
 
 
+def test_a_cycle_that_is_cut_leaves_no_end():
+    """One around nothing, at the hole of a ring, whose loop stays, and so does an end that was there before."""
+    angle = np.linspace(0, 2 * np.pi, 13)[:-1]
+    ring = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    shape, scale = unit_shape(trimesh.creation.torus(1.0, 0.3, 48, 24))
+    x = scale * np.concatenate([ring, [[1.1, 0.05, 0.1], [1.1, -0.05, 0.1], [-1.2, 0.1, 0]]])
+    edges = np.array([*zip(range(12), [*range(1, 12), 0], strict=True), (0, 12), (0, 13), (12, 13), (6, 14)])
+    found = finishing.enforce_topology(draft_of(x, edges), job_of(shape))
+    np.testing.assert_array_equal(found.vertices[found.is_leaf()], x[14:])
+    assert len(found.vertices) == len(found.edges) == 13
+
+
 def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     """Wherever the flow has found them; places too far from the roomiest one, and pins, stay."""
     ball = manifold3d.Manifold.sphere(1.0, 32)
