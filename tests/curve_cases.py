@@ -72,7 +72,7 @@ def job_of(shape):
 def draft_of(x, edges):
     """A curve as the flow leaves it, of which nothing is held."""
     every = np.arange(len(x))
-    return Draft(x, edges, none_held(x), every, every, x, none_held(x))
+    return Draft(x, edges, none_held(x), every, every)
 
 
 def bored(solid, at, radius):

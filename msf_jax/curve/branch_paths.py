@@ -178,20 +178,3 @@ def usual(paths: list[BranchPath], known: np.ndarray) -> np.ndarray:
         if not np.isnan(along).all():
             found[path.nodes] = np.nanmedian(along)
     return found
-
-
-def second_sizes(paths: list[BranchPath], size: np.ndarray, weight: np.ndarray) -> np.ndarray:
-    """(N,) the second largest weighted mean of ``size`` (N,) over the branches that end at each node.
-
-    If only one branch has a ``weight`` (N,), it is that branch's mean; without any it is infinite.
-    """
-    ends: dict[int, list[float]] = {}
-    for nodes, _, _, _ in paths:
-        own = weight[nodes]
-        if own.sum() > 1e-3:
-            for end in (nodes[0], nodes[-1]):
-                ends.setdefault(int(end), []).append(float(np.average(size[nodes], weights=own)))
-    found = np.full(len(size), np.inf)
-    for node, known in ends.items():
-        found[node] = sorted(known)[-2:][0]
-    return found

@@ -2,7 +2,7 @@
 
 The middle of a limb is the centroid c of its cross-section. The nodes x of a curve minimise
 
-    sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
+    sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2,
 
 where P_i removes the component along the branch. This is a smoothing spline: its stiffness acts over a length l, a part
 of the limb's size, or of a sheet's half width, for any spacing h of the nodes. In a loop of n nodes
@@ -10,8 +10,7 @@ of the limb's size, or of a sheet's half width, for any spacing h of the nodes. 
 loops in a sheet, and branches between loops, have the geometric mean of its size and half width. Nodes keep their
 shares of their branch's length, so they move across it only; those of a loop get equal shares. Near a junction a
 cross-section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the
-junction comes to where the axes of its limbs meet. That is right for tubes. If the clearance at y, the flow's place for
-a junction, is larger than that of its limbs (the rump of a horse, a shell on a back), a holds the junction at y.
+junction comes to where the axes of its limbs meet.
 
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
@@ -19,8 +18,6 @@ with c held fixed does not converge. So each round is a Gauss-Newton step with t
 rounds end when the nodes hardly move any more. In a sheet, weight and section change each other, and nodes go back and
 forth: a step against the one before is shortened.
 """
-
-import itertools
 
 import numpy as np
 from scipy import sparse
@@ -44,18 +41,12 @@ ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; o
 LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
 STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
-ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a of a usual node; a of a junction
-DEEP_ANCHOR, DEEPER = 4.0, 1.0  # added to a if the clearance at y exceeds the limbs' size; relative excess for all
-FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no other branch holds the curve in its blob
 DAMPING = 0.05  # damping of a step, as a weight of its square
 DAMPING_ALONG = 0.3  # more damping of its component along the branch
+HELD = 1e9  # that of a node that does not move
 LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
-HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
 BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
-NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
-FINEST = 0.004  # clearances: step length at which the search ends
-DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
 
 
 class Budget:
@@ -72,8 +63,6 @@ def centre(
     edges: np.ndarray,
     is_held: np.ndarray,
     rounds: int = CENTRING_ROUNDS,
-    places: np.ndarray | None = None,
-    former_junctions: np.ndarray | None = None,
     is_far: bool = True,
     budget: Budget | None = None,
     handles: Handles | None = None,
@@ -81,30 +70,22 @@ def centre(
 ) -> np.ndarray:
     """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
 
-    ``places`` (N, 3) are the flow's places y; default ``vertices``. ``former_junctions`` (N,) are nodes that were
-    junctions; they, too, are held where the clearance is larger; default none. ``is_far`` says that the curve is not
-    near the middle yet: the first round then ignores distances to centroids. Sections of the nodes ``is_aside`` (N,) do
-    not count: their middles are not those of the limb; default none. Steps keep the rule of `moves`, with the
-    ``handles`` of the solid, default those of ``shape``. When ``budget``, which other calls may share, is spent, there
-    is one round only.
+    ``is_far`` says that the curve is not near the middle yet: the first round then ignores distances to centroids.
+    Sections of the nodes ``is_aside`` (N,) do not count: their middles are not those of the limb; default none. Steps
+    keep the rule of `moves`, with the ``handles`` of the solid, default those of ``shape``. When ``budget``, which
+    other calls may share, is spent, there is one round only.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
     is_aside = np.zeros(num, dtype=bool) if is_aside is None else is_aside
-    y = vertices.copy() if places is None else np.where(is_held[:, None], vertices, places)
     degree = np.bincount(edges.ravel(), minlength=num)
     paths = measures.paths_of(x, edges, is_held)
     if not paths:
         return x
-    is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
-    junction = np.flatnonzero((degree > 2) | is_former_junction)
     is_arc = graphs.core(num, edges)
     for path in paths:
         is_arc[path.nodes] &= not path.is_loop
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
-    is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
-    y[junction[is_lost]] = x[junction[is_lost]]
-    clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     at = moves.places_of(shape, x)
     size = at.clearance.copy()
     known, before = _Known(x, budget), np.zeros_like(x)
@@ -113,7 +94,6 @@ def centre(
             budget.was_hit = True
             break
         x, clearance, near, _ = at
-        clearance[junction] = shape.distances(x[junction])
         chord = measures.chords(x, paths, size)
         ahead = chord @ x
         tangent = unit(ahead)
@@ -136,17 +116,7 @@ def centre(
         span = np.where(wide > measures.WIDE * size, reach, size)
         if number < 0:
             continue
-        anchor = np.full(num, ANCHOR)
-        usual = np.where(is_former_junction, size, measures.second_sizes(paths, *everywhere))[junction]
-        deeper = np.clip(
-            (clearance_at_place / usual - 1) / np.where(is_former_junction, FORMER_JUNCTION_DEEPER, DEEPER)[junction],
-            0,
-            1,
-        )
-        anchor[junction] = np.where(is_former_junction[junction] | is_lost, ANCHOR, JUNCTION_ANCHOR)
-        anchor[junction] += DEEP_ANCHOR * deeper**2 * (3 - 2 * deeper)
-        anchor[is_held] = HELD
-        system = _System(x, paths, span, limb, found, tangent, ahead, chord, anchor, y)
+        system = _System(x, paths, span, limb, found, tangent, ahead, chord, is_held)
         is_blind = is_far and number == 0
         away = np.where(is_blind, 0.0, np.linalg.norm(system.off, axis=1))
         step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
@@ -184,28 +154,6 @@ def weighed(
     everywhere = np.zeros((2, len(clear)))
     everywhere[:, limb] = found.size, weight
     return weight, everywhere
-
-
-def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """For each of ``points`` (P, 3) inside: the nearby point of largest clearance, if it is within ``NEARBY``.
-
-    A blob where limbs meet has such a point, and it hardly depends on the start of the search. In a trunk of constant
-    size it is far away, and the point stays. The search steps in 26 directions, with steps that are halved.
-    """
-    clearance = shape.approximate_closest(points)[0]
-    x, best, step = points.copy(), clearance.copy(), NEARBY / 2 * clearance
-    away, is_near = np.zeros(len(x)), np.ones(len(x), dtype=bool)
-    while len(live := np.flatnonzero(is_near & (step > FINEST * clearance))):
-        tried = x[live, None] + step[live, None, None] * DIRECTIONS
-        found = shape.approximate_closest(tried.reshape(-1, 3))[0].reshape(len(live), -1)
-        most = found.argmax(axis=1)
-        found, tried = found[np.arange(len(live)), most], tried[np.arange(len(live)), most]
-        is_better = found > best[live]
-        x[live[is_better]], best[live[is_better]] = tried[is_better], found[is_better]
-        step[live[~is_better]] /= 2
-        away = np.linalg.norm(x - points, axis=1)
-        is_near = away < DETOUR * NEARBY * clearance
-    return np.where((away < NEARBY * clearance)[:, None], x, points)
 
 
 class _Known:
@@ -260,8 +208,7 @@ class _System:
         tangent: np.ndarray,
         ahead: np.ndarray,
         chord: sparse.csr_matrix,
-        anchor: np.ndarray,
-        places: np.ndarray,
+        is_held: np.ndarray,
     ):
         num, t = len(x), tangent[limb]
         flat = np.eye(3) - t[:, :, None] * t[:, None, :]
@@ -283,10 +230,9 @@ class _System:
         entries = np.concatenate([block.ravel(), np.repeat(bent.data, 3)]), (i, j)
         self.rows = sparse.csr_matrix(entries, (3 * (len(limb) + len(stiffness)), 3 * num))
         self.value = np.concatenate([self.off.ravel(), (bend @ x - rest).ravel()])
-        held = (DAMPING + anchor)[:, None, None] * np.eye(3)
+        held = np.where(is_held, HELD, DAMPING)[:, None, None] * np.eye(3)
         held = held + DAMPING_ALONG * tangent[:, :, None] * tangent[:, None, :]
         self.held = sparse.bsr_matrix((held, np.arange(num), np.arange(num + 1)), shape=(3 * num, 3 * num)).tocsc()
-        self.pull = (anchor[:, None] * (places - x)).ravel()
 
     def step(self, weight: np.ndarray) -> np.ndarray:
         """The step (N, 3) that minimises the energy, with ``weight`` (L,) of the sections."""
@@ -296,7 +242,7 @@ class _System:
         matrix = (back @ self.rows).tocsc() + self.held
         # The matrix is symmetric and positive definite: no pivots are sought.
         factors = linalg.splu(matrix, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-        return factors.solve(self.pull - back @ self.value).reshape(-1, 3)
+        return factors.solve(-(back @ self.value)).reshape(-1, 3)
 
     def moved(self, step: np.ndarray) -> np.ndarray:
         """(L, 3) the change of `off` in a step."""

@@ -16,8 +16,7 @@ class Draft(NamedTuple):
 
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the number of each node in the
     flow's curve, ascending; -1 for new nodes, which come last. node_of_flow: (n,) the node for each of the flow's
-    nodes: itself, or the junction that its branch was pruned from. place: (N, 3) the first place of each node, or the
-    place wanted for a junction. is_former_junction: (N,) those junctions, also after their branches are pruned.
+    nodes: itself, or the junction that its branch was pruned from.
     is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
     that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
     finer: limbs of a finer detail, as the least detail and the place (3,) of the end of each.
@@ -28,8 +27,6 @@ class Draft(NamedTuple):
     is_held: np.ndarray
     origin: np.ndarray
     node_of_flow: np.ndarray
-    place: np.ndarray
-    is_former_junction: np.ndarray
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
@@ -42,9 +39,7 @@ class Draft(NamedTuple):
             vertices=vertices,
             edges=self.edges if edges is None else edges,
             is_held=np.pad(self.is_held, new),
-            is_former_junction=np.pad(self.is_former_junction, new),
             origin=np.pad(self.origin, new, constant_values=-1),
-            place=np.concatenate([self.place, vertices[len(self.vertices) :]]),
         )
 
     def degree(self) -> np.ndarray:
@@ -84,6 +79,4 @@ def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
         is_held=is_held[stays],
         origin=draft.origin[stays],
         node_of_flow=of_flow,
-        place=draft.place[stays],
-        is_former_junction=draft.is_former_junction[stays],
     )

@@ -25,7 +25,6 @@ from msf_jax.topology import graphs
 SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
-HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
 # Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
 ASTRAY = 0.05
 FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
@@ -97,18 +96,17 @@ def finish(
     and no node held.
 
     ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
-    (see `Caps`); ``centre`` and ``extend`` switch those steps.
-    ``is_thin`` says that the solid has thin limbs. ``is_tangle`` says that the flow ended in
-    a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
-    surface with fewer triangles, fine enough for centring, ``outside`` the surface without cavities, and ``caps``
-    returns its caps. ``first`` is a pass that comes before all others, and may set the places of the flow's nodes. If
+    (see `Caps`); ``centre`` and ``extend`` switch those steps. ``is_thin`` says that the solid has thin limbs.
+    ``is_tangle`` says that the flow ended in a tangle that no pass can repair: it stays as it is, unless there is a
+    Reeb curve. ``coarse`` is about the same surface with fewer triangles, fine enough for centring, ``outside`` the
+    surface without cavities, and ``caps`` returns its caps. ``first`` is a pass that comes before all others. If
     ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
     job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse, detail))
     clock, is_cut = clock or Clock(), False
-    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
+    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)))
     try:
         if centre and extend and not is_held.any():
             done = clock.call(_by_wavefronts, outside or shape, nodes, edges, job, is_thin, is_tangle)
@@ -167,7 +165,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     several, the first stays. In the draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
-    draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
+    draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex)
     topology = (contain, remove_excess_cycles, enforce_topology)
     for each in (*topology, prune_by_balls, partial(centre_nodes, hold_leaves=True), intersect_axes, round_corners):
         draft = each(draft, job)
@@ -221,41 +219,13 @@ def complete_cycles(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)
 
 
-def place_junctions(draft: Draft, job: Job) -> Draft:
-    """Junctions get places: nearby points of largest clearance, or first a node whose ball contains theirs."""
-    is_former_junction = (draft.degree() > 2) & ~draft.is_held
-    is_former_junction[is_former_junction] = job.coarse.contains(draft.place[is_former_junction])
-    place = draft.place.copy()
-    if is_former_junction.any():
-        own, clearance = (job.coarse.approximate_clearance(x)[0] for x in (place[is_former_junction], draft.vertices))
-        is_held_in = np.asarray(
-            spatial.distance.cdist(place[is_former_junction], draft.vertices) + own[:, None] <= HOLDS * clearance
-        )
-        largest = np.where(is_held_in, clearance, -1.0).argmax(axis=1)
-        place[is_former_junction] = np.where(
-            np.any(is_held_in, axis=1, keepdims=True), draft.vertices[largest], place[is_former_junction]
-        )
-    place[is_former_junction] = centring.deepest_points(job.coarse, place[is_former_junction])
-    return draft._replace(place=place, is_former_junction=is_former_junction)
-
-
 def centre_nodes(
     draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.CENTRING_ROUNDS, is_far: bool = False
 ) -> Draft:
     """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    x = centring.centre(
-        job.coarse,
-        draft.vertices,
-        draft.edges,
-        is_held,
-        rounds,
-        draft.place,
-        draft.is_former_junction,
-        is_far,
-        job.budget,
-        job.shape.handles,
-    )
+    curve, handles = (draft.vertices, draft.edges, is_held), job.shape.handles
+    x = centring.centre(job.coarse, *curve, rounds, is_far, budget=job.budget, handles=handles)
     return draft.changed(x)
 
 
@@ -273,7 +243,7 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
 def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
     """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
     if centre:
-        draft = centre_nodes(place_junctions(draft, job), job, hold_leaves, FIRST_ROUNDS, is_far=True)
+        draft = centre_nodes(draft, job, hold_leaves, FIRST_ROUNDS, is_far=True)
     return merge_junctions(draft, job)
 
 
@@ -344,25 +314,16 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     if job.prune:
         if extend:
             missing = choice.leaf.count(-1)
-            draft = _moved(draft, *one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
+            draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
             worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
         stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
-        draft = contain(_moved(draft, *one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
+        draft = contain(draft.changed(*one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
     finer = tuple((each.detail, caps.surface.points[each.cap.tip]) for each in caps.limbs(job.prune).finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
-
-
-def _moved(draft: Draft, vertices: np.ndarray, edges: np.ndarray) -> Draft:
-    """The draft with moved nodes and new edges: the flow has no place for a node that moved, or a new junction."""
-    old, degree = draft.vertices, draft.degree()
-    draft = draft.changed(vertices, edges)
-    is_new = (vertices[: len(old)] != old).any(axis=1) | ((draft.degree()[: len(old)] > 2) & (degree < 3))
-    draft.place[: len(old)][is_new] = vertices[: len(old)][is_new]
-    return draft
 
 
 def enforce_topology(draft: Draft, job: Job) -> Draft:

@@ -7,8 +7,7 @@ or a parabola if it is bent, with the tangent p + t d at the place of the juncti
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2,
 
-is the junction, if it is nearly on each, and sees the places where the branches are on their axes. A blob
-where limbs meet, such as a rump, has a larger ball than tubes have, and its junction stays in its middle.
+is the junction, if it is nearly on each, and sees the places where the branches are on their axes.
 """
 
 from itertools import pairwise
@@ -23,7 +22,6 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import ROUNDING, arc_length, at, cross, unit
 from msf_jax.topology import graphs
 
-TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
 BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight; 0.08 for an arc of 6 radii
 OFF = 0.2  # radii: a branch that is farther from its axis, or an axis from its trunk, is not on it
 APART = 0.35  # radii: axes meet if one point is that near to all; on a plant's stem, they pass each other by a third
@@ -161,6 +159,9 @@ def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, 
     is_near &= np.linalg.norm(cross(side.heading, unit(x[trunk[:, 1]] - x[trunk[:, 0]])), axis=1) > 1 / AXIS_REACH
     if not is_near.any():  # also where all branches end at one junction, and there is no trunk
         return None
+    # It ends at the first stretch of trunk that it comes near to, at the nearest place there.
+    stretch = graphs.labels(len(x), *trunk[is_near].T)[trunk[:, 0]]
+    is_near &= stretch == stretch[np.where(is_near, along, np.inf).argmin()]
     best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
     return Meeting(int(numbers[best]), place[best], float(ball[best]))
 
@@ -340,8 +341,6 @@ def _put(
     if np.linalg.eigvalsh(total)[0] < SPREAD:
         return False
     meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
-    if shape.approximate_clearance(meet[None])[0][0] > TUBES * usual.max():
-        return False
     off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
     # The axes may meet in a branch's own stretch, as in the trunk of a fork: then it is laid until behind that.
     begin = np.maximum([each.start for each in own], np.einsum("bi,bi->b", d, meet - p) + BEGIN * usual)

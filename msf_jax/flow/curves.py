@@ -118,7 +118,7 @@ def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
         job.shape.faces,
     )
     x[draft.is_held] = draft.vertices[draft.is_held]
-    return draft._replace(place=x).changed(x)
+    return draft.changed(x)
 
 
 def is_tangle(state: State) -> bool:

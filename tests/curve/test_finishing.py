@@ -1,22 +1,16 @@
 """The passes over a curve that finish it, and shapes whose curve is known."""
 
-from functools import partial
-
 import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from curve_cases import bored, bow, draft_of, job_of, loops_and_rank, none_held, path, tube, unit_shape
+from curve_cases import bored, bow, draft_of, job_of, loops_and_rank, path, tube, unit_shape
 from run_cases import flow_of
 from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, CurveOptions, PreprocessingOptions, ground_truth, metrics
-from msf_jax.curve import centring, finishing
-from msf_jax.curve.draft import Draft, Job
-from msf_jax.inside import containment
-from msf_jax.inside.roadmap import Roadmap
-from msf_jax.limbs.caps import Caps
+from msf_jax.curve import finishing
 
 
 @pytest.mark.parametrize("genus", [1, 0])
@@ -44,31 +38,6 @@ def test_a_cycle_that_is_cut_leaves_no_end():
     found = finishing.enforce_topology(draft_of(x, edges), job_of(shape))
     np.testing.assert_array_equal(found.vertices[found.is_leaf()], x[14:])
     assert len(found.vertices) == len(found.edges) == 13
-
-
-def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
-    """Wherever the flow has found them; places too far from the roomiest one, and pins, stay."""
-    ball = manifold3d.Manifold.sphere(1.0, 32)
-    for offset in np.r_[np.eye(3), -np.eye(3)[:2]]:
-        ball += manifold3d.Manifold.sphere(0.4, 32).translate(tuple(offset))
-    found = ball.to_mesh()
-    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
-    places = scale * np.array([[0.2, -0.1, 0.1], [-0.15, 0.2, 0.05], [0.1, 0.1, -0.2]])
-    middle = centring.deepest_points(shape, places)
-    assert np.linalg.norm(middle, axis=1).max() < 0.05 * scale
-    x = np.concatenate([places, 1.2 * scale * np.eye(3)])
-    edges = np.array([[0, 3], [0, 4], [0, 5]])
-    job = job_of(shape)
-    for is_held in (none_held(x), np.arange(6) == 0):
-        draft = Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
-        placed = finishing.place_junctions(draft, job)
-        assert placed.is_former_junction.tolist() == [not is_held[0]] + 5 * [False]
-        np.testing.assert_array_equal(placed.place[1:], x[1:])
-        assert (placed.place[0] == x[0]).all() == is_held[0]
-    cone = ground_truth.swept_tube(np.linspace([0, 0, 0], [8, 0, 0], 80), np.linspace(0.3, 0.6, 80), 24)
-    shape, scale = unit_shape(cone)
-    trunk = scale * np.array([[3.0, 0.05, 0]])
-    np.testing.assert_array_equal(centring.deepest_points(shape, trunk), trunk)
 
 
 def score(shape, skeleton):
@@ -174,25 +143,6 @@ def test_the_report_has_the_figures_where_asked(y_flow):
     assert skeleton.report.figures == {name: pytest.approx(figures[name]) for name in skeleton.report.figures}
     assert "off_centre" in str(skeleton.report)
     assert y_flow.skeleton.report.figures == {}
-
-
-def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
-    """Of two legs that meet low in a trunk, to the trunk; a spur's on a limb that hardly widens stays."""
-    trunk = manifold3d.Manifold.sphere(1.0, 48) + manifold3d.Manifold.cylinder(3, 0.6, 0.6, 32)
-    for side in (-1, 1):
-        trunk += manifold3d.Manifold.cylinder(3, 0.25, 0.25, 32).translate((0, 0, -3.5)).rotate((0, 20 * side, 0))
-    found = trunk.refine_to_length(0.3).to_mesh()
-    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
-    legs = [[0.9, 0, -2.5], [-0.9, 0, -2.5]]
-    x = scale * np.array([[0, 0, -0.75], [0, 0, -0.3], [0, 0, 0.05], [0, 0, 1.6], [0, 0.3, 1.6], [0, 0, 2.5], *legs])
-    edges = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [0, 6], [0, 7]])
-    roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, shape, 0.75, roadmap, centring.Budget(), partial(Caps, shape))
-    every = np.arange(len(x))
-    draft = Draft(x, edges, none_held(x), every, every, x, none_held(x))
-    place = finishing.place_junctions(draft, job).place / scale
-    assert np.linalg.norm(place[0]) < 0.1
-    assert np.linalg.norm(place[3] - [0, 0, 1.6]) < 0.35
 
 
 def test_what_is_pruned_to_a_new_node_goes_to_the_flows_nearest_one(monkeypatch):

@@ -111,7 +111,7 @@ def test_two_junctions_where_rods_cross_come_to_one_place():
 @pytest.mark.parametrize("degrees", [60, 120, 180])
 @pytest.mark.parametrize("off", [0.2, 0.3])
 def test_the_junction_of_a_wide_fork_is_where_its_axes_meet(degrees, off):
-    """`TUBES`: the ball beside the axes is larger; in a T of equal tubes by 5 / 4, at 1 / 4 of the radius."""
+    """The ball beside the axes is larger; in a T of equal tubes by 5 / 4, at 1 / 4 of the radius."""
     shape, x, edges, _ = fork(degrees, -off if degrees == 180 else off)
     found = moved(shape, x, edges)
     assert np.linalg.norm(found[0]) < 0.05
@@ -135,28 +135,41 @@ def bend(degrees, below, ball=0.0, num=60):
     )
 
 
-@pytest.mark.parametrize(("degrees", "below"), [(30, 3.0), (60, 1.5)])
-def test_an_acute_bend_is_where_its_axes_meet(degrees, below):
-    shape, x, edges = bend(degrees, below)
+@pytest.mark.parametrize(("degrees", "below", "ball"), [(30, 3.0, 0.0), (60, 1.5, 0.0), (60, 1.5, 2.5)])
+def test_an_acute_bend_is_where_its_axes_meet(degrees, below, ball):
+    shape, x, edges = bend(degrees, below, ball)
     found = moved(shape, x, edges)
     assert np.linalg.norm(found, axis=1).min() < 0.2
     away = np.minimum(*[np.linalg.norm(np.cross(found, way), axis=1) for way in ways(degrees)])
     assert away.max() < 0.2 and x[:, 2].min() > below - 0.1
 
 
-def test_a_bend_in_a_blob_and_one_of_a_right_angle_stay():
-    for degrees, below, ball in ((60, 1.5, 2.5), (100, 0.7, 0.0)):
-        shape, x, edges = bend(degrees, below, ball)
-        np.testing.assert_array_equal(moved(shape, x, edges), x)
+def test_a_bend_of_a_right_angle_stays():
+    shape, x, edges = bend(100, 0.7)
+    np.testing.assert_array_equal(moved(shape, x, edges), x)
 
 
-def test_a_junction_in_the_middle_of_a_blob_stays():
-    """`TUBES`: a ball of 1.5 radii around the fork, whose middle is beside the axes."""
+@pytest.mark.parametrize("radius", [1.5, 2.5])
+def test_a_junction_in_a_blob_is_where_the_axes_meet(radius):
+    """The middle of the ball is beside them."""
     _, x, edges, _ = fork(120, 0.3)
-    blob = trimesh.creation.icosphere(subdivisions=3, radius=1.5).apply_translation(x[0])
+    blob = trimesh.creation.icosphere(subdivisions=3, radius=radius).apply_translation(x[0])
     mesh = trimesh.boolean.union([fork_mesh(120), blob], engine="manifold")
     shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
-    np.testing.assert_array_equal(moved(shape, x, edges)[0], x[0])
+    assert np.linalg.norm(moved(shape, x, edges)[0]) < 0.05
+
+
+def test_the_axis_of_a_side_branch_ends_at_the_first_stretch_of_trunk():
+    """Of a trunk that turns back: it passes the first stretch at a tenth of a radius, and crosses the second."""
+    x = np.array([[4, 0, -6], [4, 0, -1], [4, 0, 0], [4, 0, 1], [4, 0, 6], [0, 0, 6], [0, 0, 1], [0, 0, 0], [0, 0, -6]])
+    x = np.concatenate([x + [0, 0, 0.0], [[4 + k, 0.1, 0] for k in (0.0, 1.0, 2.0, 3.0, 8.0)]])
+    x[:5, 1] = -0.1
+    edges = np.array([*pairwise(range(9)), (2, 9), *pairwise(range(9, 14))])
+    side = junctions.Side(np.r_[2, 9:14], 0.3, x[10], 3, np.array([7.0, 0, 0]), np.array([1.0, 0, 0]))
+    radii, is_trunk = np.where(np.arange(14) < 9, 1.0, 0.3), np.arange(len(edges)) < 8
+    found = junctions.meeting(side, x, edges, is_trunk, radii)
+    assert found is not None and found.edge in (1, 2)
+    np.testing.assert_allclose(found.place, [4, -0.1, 0], atol=1e-9)
 
 
 def test_a_held_junction_stays():
