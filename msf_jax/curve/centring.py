@@ -38,7 +38,7 @@ TOLERANCE = 0.02  # clearances: a round in which the root mean square of all ste
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
 ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
-LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
+LOPSIDED, STEEP = 1.6, 8  # section radius over size at which a section of a loop counts half; exponent of that ratio
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
 STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
 DAMPING = 0.05  # damping of a step, as a weight of its square
@@ -82,7 +82,8 @@ def centre(
     paths = measures.paths_of(x, edges, is_held)
     if not paths:
         return x
-    is_arc = graphs.core(num, edges)
+    in_loop = graphs.core(num, edges)
+    is_arc = in_loop.copy()
     for path in paths:
         is_arc[path.nodes] &= not path.is_loop
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
@@ -106,7 +107,7 @@ def centre(
         is_own = found.is_around & ~measures.crossed_again(x, paths, tangent, middle, reach)[limb]
         limb = limb[is_own]
         found = sections.Sections(*(field[is_own] for field in found))
-        weight, everywhere = weighed(paths, clear, limb, found, 1e-6)
+        weight, everywhere = weighed(paths, clear, limb, found, 1e-6, in_loop)
         size = measures.sizes(x, paths, *everywhere, clearance=clearance)
         wide = np.full(num, np.nan)
         wide[limb] = found.radius
@@ -139,15 +140,22 @@ def centre(
 
 
 def weighed(
-    paths: list[BranchPath], clear: np.ndarray, limb: np.ndarray, found: sections.Sections, slight: float
+    paths: list[BranchPath],
+    clear: np.ndarray,
+    limb: np.ndarray,
+    found: sections.Sections,
+    slight: float,
+    in_loop: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """The weights (L,) of the sections ``found`` of the nodes ``limb`` (L,), before their distances from nodes count;
     and the size and the weight (2, N) of every node's section, 0 without one.
 
     The usual radius of a branch is that of its sections of more than ``slight`` weight. ``clear`` (N,): see
-    `branch_paths.clear_of_junctions`.
+    `branch_paths.clear_of_junctions`. ``in_loop`` (N,) are nodes in loops and between them: there, sections across a
+    whole plate count less than those beside a hole. In a branch they may be all that there are.
     """
-    weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
+    wide = np.where(in_loop[limb], found.radius / (LOPSIDED * found.size), 0.0)
+    weight = clear[limb] / (1 + wide**STEEP)
     width = np.full(len(clear), np.nan)
     width[limb[weight > slight]] = found.radius[weight > slight]
     weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS

@@ -194,7 +194,7 @@ def _sections(
     found = sections.measured(shape, x[limb], tangent[limb], corners)
     is_good = found.is_around
     node, found = limb[is_good], sections.Sections(*(field[is_good] for field in found))
-    weight, everywhere = centring.weighed(paths, clear, node, found, SLIGHT)
+    weight, everywhere = centring.weighed(paths, clear, node, found, SLIGHT, graphs.core(len(clear), edges))
     size = measures.sizes(x, paths, *everywhere, clearance=radii)
     centroid, radius = found.centroid, found.radius
     weight /= (1 + (np.linalg.norm(x[node] - centroid, axis=1) / (centring.STRAY * radius)) ** 2) ** 2

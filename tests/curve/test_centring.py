@@ -12,6 +12,7 @@ from msf_jax.curve import centring, moves
 from msf_jax.inside import containment
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit
+from tests.benchmarks import machined, parts, solids
 
 
 @pytest.mark.slow  # plates with holes are in test_handle_loops
@@ -34,6 +35,18 @@ def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
     curve = msf_jax.skeletonize(mesh)
     assert np.array(seen).shape == (2, 2) and np.array(seen).all()
     assert curve.report.loops == curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
+
+
+@pytest.mark.parametrize("name", ["table", pytest.param("stool-3", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("form", ["coarse", "coarse-turned"])
+def test_a_seat_on_legs_has_a_symmetric_curve(name, form):
+    """All sections of the seat are wide, and counted for nothing: the curve in it stayed where the flow had left it."""
+    solid = (solids.SOLIDS | parts.PARTS)[name](solids.size_of(name, 0))
+    turn, mesh = solids.turn_of(name, form, 0), solid.mesh(form)
+    curve = msf_jax.skeletonize((mesh.vertices @ turn.T, np.array(mesh.faces)))
+    points = machined.sampled(curve.vertices @ turn, curve.edges)
+    images = [machined.apart(points, points @ matrix.T) for matrix in solid.symmetries]
+    assert max(images) < machined.ASYMMETRY * solid.width
 
 
 def test_loops_of_small_holes_are_in_a_plate_and_not_at_its_holes():
