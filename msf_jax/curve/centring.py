@@ -145,16 +145,16 @@ def weighed(
     limb: np.ndarray,
     found: sections.Sections,
     slight: float,
-    in_loop: np.ndarray,
+    is_strict: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """The weights (L,) of the sections ``found`` of the nodes ``limb`` (L,), before their distances from nodes count;
     and the size and the weight (2, N) of every node's section, 0 without one.
 
     The usual radius of a branch is that of its sections of more than ``slight`` weight. ``clear`` (N,): see
-    `branch_paths.clear_of_junctions`. ``in_loop`` (N,) are nodes in loops and between them: there, sections across a
-    whole plate count less than those beside a hole. In a branch they may be all that there are.
+    `branch_paths.clear_of_junctions`. ``is_strict`` (N,) are the nodes at which wide sections count less: in a loop, those
+    across a whole plate less than those beside a hole. In a branch they may be all that there are.
     """
-    wide = np.where(in_loop[limb], found.radius / (LOPSIDED * found.size), 0.0)
+    wide = np.where(is_strict[limb], found.radius / (LOPSIDED * found.size), 0.0)
     weight = clear[limb] / (1 + wide**STEEP)
     width = np.full(len(clear), np.nan)
     width[limb[weight > slight]] = found.radius[weight > slight]

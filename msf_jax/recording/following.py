@@ -3,8 +3,8 @@
 A node follows the cross-sections of its limb, in whose middle centring put it. Their corners are stored as fractions of
 mesh edges, so a section moves, turns and bulges with the surface. Along a branch, the centroids c are smoothed by the
 energy of `centring`, with its weights w and its stiffness alpha at the recorded curve. There are two differences: w
-also acts along the branch, so nodes go with a limb that is stretched; and a membrane mu instead of anchors carries
-along the nodes without a section:
+also acts along the branch, so nodes go with a limb that is stretched; and a membrane mu carries along the nodes without
+a section:
 
     minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2.
 
@@ -180,7 +180,9 @@ def _sections(
     nearest: np.ndarray,
     is_held: np.ndarray,
 ) -> tuple[BoundCorners, np.ndarray]:
-    """The sections that go around nodes, with weights as in `centring`, and the size (N,) of the nodes' limbs.
+    """The sections that go around nodes, with weights as in `centring` in loops, and the size (N,) of the nodes' limbs.
+
+    Nodes in a sheet would move as much as its vertices by noise if wide sections counted.
 
     ``size`` (N,) is an estimate of the latter. Sections that the lid of an opening cuts off are left out.
     """
@@ -194,7 +196,7 @@ def _sections(
     found = sections.measured(shape, x[limb], tangent[limb], corners)
     is_good = found.is_around
     node, found = limb[is_good], sections.Sections(*(field[is_good] for field in found))
-    weight, everywhere = centring.weighed(paths, clear, node, found, SLIGHT, graphs.core(len(clear), edges))
+    weight, everywhere = centring.weighed(paths, clear, node, found, SLIGHT, np.ones(len(x), dtype=bool))
     size = measures.sizes(x, paths, *everywhere, clearance=radii)
     centroid, radius = found.centroid, found.radius
     weight /= (1 + (np.linalg.norm(x[node] - centroid, axis=1) / (centring.STRAY * radius)) ** 2) ** 2
