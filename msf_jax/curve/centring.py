@@ -151,8 +151,8 @@ def weighed(
     and the size and the weight (2, N) of every node's section, 0 without one.
 
     The usual radius of a branch is that of its sections of more than ``slight`` weight. ``clear`` (N,): see
-    `branch_paths.clear_of_junctions`. ``is_strict`` (N,) are the nodes at which wide sections count less: in a loop, those
-    across a whole plate less than those beside a hole. In a branch they may be all that there are.
+    `branch_paths.clear_of_junctions`. ``is_strict`` (N,) are the nodes at which wide sections count less: in a loop,
+    those across a whole plate less than those beside a hole. In a branch they may be all that there are.
     """
     wide = np.where(is_strict[limb], found.radius / (LOPSIDED * found.size), 0.0)
     weight = clear[limb] / (1 + wide**STEEP)
