@@ -2,9 +2,9 @@
 
 A node follows the cross-sections of its limb, in whose middle centring put it. Their corners are stored as fractions of
 mesh edges, so a section moves, turns and bulges with the surface. Along a branch, the centroids c are smoothed by the
-energy of `centring`, with its weights w and its stiffness alpha at the recorded curve. There are two differences: w
-also acts along the branch, so nodes go with a limb that is stretched; and a membrane mu carries along the nodes without
-a section:
+energy of `centring`, with its weights w and its stiffness alpha at the recorded curve. There are three differences:
+wide sections count less everywhere, not in loops only; w also acts along the branch, so nodes go with a limb that is
+stretched; and a membrane mu carries along the nodes without a section:
 
     minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2.
 
