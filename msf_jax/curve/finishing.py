@@ -13,7 +13,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.clock import Clock, Stopped
-from msf_jax.curve import branches, centring, handle_loops, junctions, moves, resampling
+from msf_jax.curve import branches, centring, handle_loops, junctions, moves, resampling, side_branches
 from msf_jax.curve.draft import Draft, Job, reduced
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap
@@ -258,7 +258,7 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
     """The junctions of tubes are where the axes of their branches meet, and no others are left."""
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     x, is_held = draft.vertices, draft.is_held
-    trunk, is_aside, is_part = junctions.bulged(x, draft.edges, is_held, radii)
+    trunk, is_aside, is_part = side_branches.bulged(x, draft.edges, is_held, radii)
     if is_aside.any():
         held, handles = is_held | draft.is_leaf() | ~is_part, job.shape.handles
         x = centring.centre(
@@ -266,7 +266,7 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
         )
         draft, radii = draft.changed(x), job.coarse.approximate_clearance(x)[0]
     is_leaf = draft.is_leaf()
-    draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
+    draft = draft.changed(*side_branches.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
     draft = _without_new_ends(draft, is_leaf)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
