@@ -70,6 +70,13 @@ def test_finer_details_only_add_limbs():
     assert all(each.detail > 0.5 for each in found[0.5].finer)
 
 
+@pytest.mark.parametrize(("height", "num"), [(0.17, 2), (0.05, 0)])
+def test_the_finest_detail_asks_for_a_third_of_what_a_limb_needs(height, num):
+    """`LEAST_RAISED`: feet that stick out by half of their radius, and by a sixth."""
+    assert len(limbs_of(ball_with_feet(height), 0.15, 0.6).caps) == 0
+    assert len(limbs_of(ball_with_feet(height), 0.15, 1.0).caps) == num
+
+
 @pytest.mark.parametrize(
     ("solid", "edge"),
     [
