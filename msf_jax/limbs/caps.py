@@ -41,9 +41,7 @@ BODY = 0.25  # of the surface of a solid with handles: its two blunt ends have m
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
-LEAST_RAISED = (
-    0.35  # of what a limb needs: less is none at any detail; at 0.2, of what is added more than half is bumps
-)
+LEAST_RAISED = 0.35  # of what a limb needs: less is none at any detail; with 0.2, more than half of those are bumps
 LARGEST_CAP = 0.25  # of the surface: caps of limbs that only stand out
 OBLIQUE = 3.5  # slenderness from which on a base can be oblique: at the end, rings are so by exp(-4) of that
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
