@@ -38,6 +38,7 @@ TOLERANCE = 0.02  # clearances: a round in which the root mean square of all ste
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
 ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
+FOLDED = 1e-3  # limb sizes, of two for a straight branch: a shorter chord has no direction, as the branch runs back
 LOPSIDED, STEEP = 1.6, 8  # section radius over size at which a section of a loop counts half; exponent of that ratio
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
 STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
@@ -100,7 +101,8 @@ def centre(
         tangent = unit(ahead)
         clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
         clear[is_aside] = 0.0
-        limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (clearance > 0))
+        is_across = np.linalg.norm(ahead, axis=1) > FOLDED * size
+        limb = np.flatnonzero((degree > 0) & (clear > 0) & is_across & ~is_held & (clearance > 0))
         found = known.at(shape, x, tangent, size, near, limb)
         middle, reach = np.zeros_like(x), np.zeros(num)
         middle[limb], reach[limb] = found.centroid, found.radius
@@ -223,8 +225,7 @@ class _System:
         self.off = np.einsum("nij,nj->ni", flat, x[limb] - found.centroid)
         slide = np.einsum("nij,nj->ni", flat, found.slide)
         own = flat - slide[:, :, None] * t[:, None, :]
-        length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
-        turn = -flat @ found.turn @ flat / length[:, None, None]
+        turn = -flat @ found.turn @ flat / np.linalg.norm(ahead[limb], axis=1)[:, None, None]
         reach = chord[limb].tocoo()
         row = np.concatenate([np.arange(len(limb)), reach.row])
         column = np.concatenate([limb, reach.col])

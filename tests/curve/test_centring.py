@@ -37,6 +37,16 @@ def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
     assert curve.report.loops == curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
 
 
+def test_a_branch_that_runs_back_along_itself_is_centred():
+    """`FOLDED`: the chord around its turn has no length, and a plane across it turned by any step, without bound."""
+    shape, scale = unit_shape(tube([[0, 0, 0], [1, 0.2, 0], [2, 0, 0]]))
+    there = scale * np.array([[0.3, 0.1, 0.05], [0.6, 0.1, 0.02], [0.9, 0.2, 0.0], [1.1, 0.22, 0.03]])
+    x, edges = path([*there, *there[-2::-1]])
+    found = centring.centre(shape, x, edges, none_held(x))
+    assert np.isfinite(found).all() and np.linalg.norm(found - x, axis=1).max() < 0.3 * scale
+    assert containment.is_inside(shape, found[edges[:, 0]], found[edges[:, 1]]).all()
+
+
 @pytest.mark.parametrize("name", ["table", pytest.param("stool-3", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("form", ["coarse", "coarse-turned"])
 def test_a_seat_on_legs_has_a_symmetric_curve(name, form):
