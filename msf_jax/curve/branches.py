@@ -11,9 +11,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
-# of the sum of their radii: junctions are merged that are joined by a shorter path, so balls that overlap by a quarter.
-# Of as-found solids, no two are 0.66 to 0.8 apart; those of fingers or of shoulders are nearer, a neck is longer
-NEAR = 0.72
+NEAR = 1.0  # radii, the larger of the two: junctions are merged that are joined by a shorter path
 
 
 def nearest_on_branch(
@@ -60,7 +58,7 @@ def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | N
 def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Merge junctions that are near in terms of both of their balls, at the one with the largest radius.
+    """Merge junctions whose path is within the ball of one of them, at the one with the largest radius.
 
     Returns which nodes stay (N,), the target of each node (N,), and the edges. Junctions whose merge would remove a
     loop, or lead it around other ``handles``, are not merged, and nodes of ``is_held`` (N,) stay."""
@@ -72,7 +70,7 @@ def merge_junctions(
     paths = [path for path in graphs.trace(len(vertices), edges) if min(degree[path[0]], degree[path[-1]]) > 2]
 
     def apart(path: list[int]) -> float:
-        return float(arc_length(vertices[path])[-1] / max(radii[path[0]] + radii[path[-1]], 1e-300))
+        return float(arc_length(vertices[path])[-1] / max(radii[path[0]], radii[path[-1]], 1e-300))
 
     for path in sorted(paths, key=apart):  # the nearest first, so that the order of the nodes does not decide
         if is_held[path[1:-1]].any():
@@ -80,7 +78,7 @@ def merge_junctions(
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
         a, b = target[path[0]], target[path[-1]]
         length = float(arc_length(vertices[path])[-1])
-        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * (radii[a] + radii[b])
+        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
         if a != b and is_near and not is_held[target == b].any():
             tried, added = target.copy(), moved.copy()
             steps = handles.classes(vertices[path[:-1]], vertices[path[1:]])

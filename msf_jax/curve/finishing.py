@@ -230,7 +230,7 @@ def centre_nodes(
 
 
 def merge_junctions(draft: Draft, job: Job) -> Draft:
-    """Junctions whose balls overlap are merged."""
+    """Junctions inside the ball of another one are merged."""
     if not job.prune:
         return draft
     x = draft.vertices
@@ -241,7 +241,7 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
 
 
 def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
-    """Junctions are where the axes of their branches meet, and the balls of no two overlap much."""
+    """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
     if centre:
         draft = centre_nodes(draft, job, hold_leaves, FIRST_ROUNDS, is_far=True)
     return merge_junctions(draft, job)

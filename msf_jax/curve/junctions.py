@@ -8,7 +8,7 @@ point m nearest to all tangents,
     minimise  sum over the branches |(I - d d^T) (m - p)|^2,
 
 is the junction, if it is nearly on each, and sees the places where the branches are on their axes. Limbs that leave a
-large ball side by side begin near its middle c: s |m - c|^2 is added, and each turns into its axis gradually.
+large ball side by side begin near its middle, and each turns into its axis gradually.
 """
 
 from itertools import pairwise
@@ -19,7 +19,7 @@ import numpy as np
 from msf_jax.curve.side_branches import CLEAR, KEPT, keeps_radius
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.geometry import ROUNDING, arc_length, at, unit
 from msf_jax.topology import graphs
 
 BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight; 0.08 for an arc of 6 radii
@@ -137,7 +137,7 @@ def _own_stretch(
     x: np.ndarray, path: np.ndarray, size: float, radii: np.ndarray, is_link: bool, has_ball: bool
 ) -> OwnStretch | None:
     """Where the branch ``path`` (k,), with ``radii`` (k,), usually ``size``, is on its own, and its axis there. It may
-    be a link, which ends at a junction, and begin in a ball. None if it is too short."""
+    be a link, which ends at a junction, and begin in a ball. None if it is too short, or too bent for that ball."""
     along = arc_length(x[path])
     # Behind that ball: in there, the curve runs to its middle.
     in_ball = np.flatnonzero(has_ball & (radii[: len(path) // 2] > BALL * size))
@@ -146,8 +146,10 @@ def _own_stretch(
     is_own = is_beyond & keeps_radius(along, radii, size) & (along <= along[is_thick.argmax()] + LATER * size)
     is_own = is_own if is_own.any() else is_thick  # a short one, or one with a neck
     start, last = along[is_own.argmax()] + BEGIN * size, along[-1] - is_link * BEGIN * size
-    length = min(AXIS * size, last - start)
-    if length <= 0:
+    # A line is prolonged by no more than its own length, so that a limb that is curved does not count as straight.
+    ball = float(along[in_ball.max(initial=0)])
+    length = min(max(AXIS * size, ball), last - start)
+    if length <= ROUNDING * size:
         return None
     # Through two points of its first straight stretch, as an oblique branch bends until it is on its axis. If none is
     # straight, through three of the first.
@@ -158,9 +160,11 @@ def _own_stretch(
     is_straight = bent <= BENT * size
     first = int(is_straight.argmax())
     is_bent = not is_straight[first]
+    if is_bent and length < ball:
+        return None
     step = slice(None, None, 1 if is_bent else 2)
     axis = np.pad(np.polyfit(place[first][step], three[first][step], 1 + is_bent), ((1 - is_bent, 0), (0, 0)))
-    return OwnStretch(path, size, along, start + shift[first], last, float(along[in_ball.max(initial=0)]), axis)
+    return OwnStretch(path, size, along, start + shift[first], last, ball, axis)
 
 
 def _common_place(
@@ -170,7 +174,8 @@ def _common_place(
     from its axis falls along a branch. ``is_one`` says that it is for one junction. None if axes do not meet.
 
     Axes that are parallel, or pass each other, meet nowhere. But in a ball that is larger than all branches they come
-    together nevertheless. Of the places near to all of them, it is the one nearest to the middle of the ball.
+    together nevertheless. With T m = q for the place nearest to them, and c for the middle of the ball, it is where
+    |T m - q|^2 + s^2 |m - c|^2 is least: near c in the directions in which the axes do not tell, and nearest in others.
     """
     size = np.array([each.size for each in own])
     _, slope, p = np.array([each.axis for each in own]).swapaxes(0, 1)
@@ -185,5 +190,5 @@ def _common_place(
         return None
     spots = np.concatenate([at(x[each.path], each.along, np.linspace(0, each.ball, SPOTS)) for each in own])
     deepest = spots[shape.approximate_clearance(spots)[0].argmax()]
-    meet = np.linalg.solve(total + SPREAD * np.eye(3), push + SPREAD * deepest)
+    meet = np.linalg.solve(total @ total + SPREAD**2 * np.eye(3), total @ push + SPREAD**2 * deepest)
     return (meet, 2) if shape.approximate_clearance(meet[None])[0][0] > BALL * size.max() else None

@@ -45,7 +45,7 @@ def moved(shape, x, edges, is_held=None):
 
 
 def test_the_junction_of_a_narrow_fork_is_where_its_axes_meet():
-    """`USUAL`, `AXIS`: it was in front of the crotch, where the ball is half as large."""
+    """`AXIS`: it was in front of the crotch, where the ball is half as large."""
     shape, x, edges, chains = fork(30, 2.9)
     assert shape.clearance(x[:1])[0] < 0.6
     found = moved(shape, x, edges)

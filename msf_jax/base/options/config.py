@@ -108,8 +108,8 @@ class Config:
             `limbs.protrusion`): none at 0, and any that might be a limb from 0.83 on. Nested: a finer detail
             only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
         least_slenderness: of the solid's limbs (see `limbs.caps`): length over radius, and half of that below
-            0.12 % of the surface. Each limb gets one branch, others are removed, and junctions whose balls
-            overlap become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball
+            0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball
+            become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball
             on a wall, 0.5, and of the corner of a box, up to 0.6.
         coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over.
             The cost of a run then depends on the solid's shape, and hardly on the number of its vertices. 0 collapses
