@@ -174,6 +174,35 @@ def test_a_limb_is_on_its_own_behind_the_ball_that_it_leaves(ball, aside):
     assert found.report.is_sound
 
 
+@pytest.mark.slow  # two limbs are below
+def test_the_middle_of_a_ball_counts_where_axes_do_not_tell():
+    """`SPREAD`: parallel but for 2 degrees of error, they had drawn the junction half a radius along themselves."""
+    arms = [(np.array([0, y, 0]), np.array([7, y, 0]), 0.4) for y in (-1.0, 0.0, 1.0)]
+    junctions, _ = ball_with(2.0, [*arms, (np.zeros(3), np.array([-7.0, 0, 0]), 0.5)])
+    assert len(junctions) == 1 and np.linalg.norm(junctions) < 0.15
+
+
+def arms_of(ball, bend):
+    """The junctions of a ball with four arms of radius 0.5 that bend down with a radius ``bend``."""
+    turn = np.linspace(0, min(2.0, 12 / bend), 14)
+    arc = np.stack([0.6 * ball + bend * np.sin(turn), 0 * turn, bend * (np.cos(turn) - 1)], axis=1)
+    solids = [trimesh.creation.icosphere(subdivisions=3, radius=ball)]
+    for k in range(4):
+        around = trimesh.transformations.rotation_matrix(np.pi / 2 * k, [0, 0, 1])[:3, :3]
+        edges = np.stack([np.arange(13), np.arange(1, 14)], axis=1)
+        solids.append(shapes.solid_around(arc @ around.T, edges, np.full(14, 0.5), 0.4))
+    found = msf_jax.skeletonize(trimesh.boolean.union(solids, engine="manifold"))
+    return found.vertices[np.bincount(found.edges.ravel()) > 2]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("ball", "bend"), [(3.0, 5.0), (5.0, 2.5)])
+def test_a_limb_that_is_curved_is_not_prolonged_as_a_line(ball, bend):
+    """Over four radii it looked straight; prolonged by six, it missed the ball's middle by 1.2 to 3.2."""
+    junctions = arms_of(ball, bend)
+    assert len(junctions) == 1 and np.linalg.norm(junctions) < 0.5
+
+
 def test_limbs_that_leave_a_ball_side_by_side_begin_near_its_middle():
     """Two of 0.45, parallel, and one behind: the junction had been at their crotch, and aside."""
     arms = [(np.array([0, s * 0.7, 0]), np.array([7, s * 0.7, 0]), 0.45) for s in (1, -1)]
