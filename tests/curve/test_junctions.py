@@ -178,7 +178,7 @@ def test_a_limb_is_on_its_own_behind_the_ball_that_it_leaves(ball, aside):
 def test_the_middle_of_a_ball_counts_where_axes_do_not_tell():
     """`SPREAD`: parallel but for 2 degrees of error, they had drawn the junction half a radius along themselves."""
     arms = [(np.array([0, y, 0]), np.array([7, y, 0]), 0.4) for y in (-1.0, 0.0, 1.0)]
-    junctions, _ = ball_with(2.0, [*arms, (np.zeros(3), np.array([-7.0, 0, 0]), 0.5)])
+    junctions, _ = ball_with(2.0, [*arms, (np.zeros(3), np.array([-7.0, 0, 0]), 0.52)])
     assert len(junctions) == 1 and np.linalg.norm(junctions) < 0.15
 
 
