@@ -149,7 +149,7 @@ def _own_stretch(
     # A line is prolonged by no more than its own length, so that a limb that is curved does not count as straight.
     ball = float(along[in_ball.max(initial=0)])
     length = min(max(AXIS * size, ball), last - start)
-    if length <= ROUNDING * size:
+    if size <= 0 or length <= ROUNDING * size:  # most of it is on the surface, or it is too short
         return None
     # Through two points of its first straight stretch, as an oblique branch bends until it is on its axis. If none is
     # straight, through three of the first.

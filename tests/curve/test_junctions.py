@@ -215,6 +215,12 @@ def test_limbs_that_leave_a_ball_side_by_side_begin_near_its_middle():
         assert np.einsum("ki,ki->k", step[1:], step[:-1]).min() > np.cos(np.radians(15))
 
 
+def test_a_branch_on_the_surface_has_no_axis():
+    """Of an open part: its nodes have no radius, but for the one at a ball."""
+    x, path = np.arange(6.0)[:, None] * [1.0, 0, 0], np.arange(6)
+    assert junctions._own_stretch(x, path, 0.0, np.array([1.0, 0, 0, 0, 0, 0]), False, True) is None
+
+
 def test_a_held_junction_stays():
     shape, x, edges, _ = fork(30, 2.9)
     np.testing.assert_array_equal(moved(shape, x, edges, np.arange(len(x)) == 0), x)
