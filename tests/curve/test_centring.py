@@ -5,14 +5,12 @@ import numpy as np
 import pytest
 import trimesh
 from curve_cases import bow, none_held, path, tube, turns_of, unit_shape
-from scipy import spatial
 
 import msf_jax
-from msf_jax.curve import centring, moves
+from msf_jax.curve import centring
 from msf_jax.inside import containment
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit
-from tests.benchmarks import machined, parts, solids
 
 
 @pytest.mark.slow  # plates with holes are in test_handle_loops
@@ -35,42 +33,6 @@ def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
     curve = msf_jax.skeletonize(mesh)
     assert np.array(seen).shape == (2, 2) and np.array(seen).all()
     assert curve.report.loops == curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
-
-
-def test_a_branch_that_runs_back_along_itself_is_centred():
-    """`FOLDED`: the chord around its turn has no length, and a plane across it turned by any step, without bound."""
-    shape, scale = unit_shape(tube([[0, 0, 0], [1, 0.2, 0], [2, 0, 0]]))
-    there = scale * np.array([[0.3, 0.1, 0.05], [0.6, 0.1, 0.02], [0.9, 0.2, 0.0], [1.1, 0.22, 0.03]])
-    x, edges = path([*there, *there[-2::-1]])
-    found = centring.centre(shape, x, edges, none_held(x))
-    assert np.isfinite(found).all() and np.linalg.norm(found - x, axis=1).max() < 0.3 * scale
-    assert containment.is_inside(shape, found[edges[:, 0]], found[edges[:, 1]]).all()
-
-
-@pytest.mark.parametrize("name", ["table", pytest.param("stool-3", marks=pytest.mark.slow)])
-@pytest.mark.parametrize("form", ["coarse", "coarse-turned"])
-def test_a_seat_on_legs_has_a_symmetric_curve(name, form):
-    """All sections of the seat are wide, and counted for nothing: the curve in it stayed where the flow had left it."""
-    solid = (solids.SOLIDS | parts.PARTS)[name](solids.size_of(name, 0))
-    turn, mesh = solids.turn_of(name, form, 0), solid.mesh(form)
-    curve = msf_jax.skeletonize((mesh.vertices @ turn.T, np.array(mesh.faces)))
-    points = machined.sampled(curve.vertices @ turn, curve.edges)
-    images = [machined.apart(points, points @ matrix.T) for matrix in solid.symmetries]
-    assert max(images) < machined.ASYMMETRY * solid.width
-
-
-def test_loops_of_small_holes_are_in_a_plate_and_not_at_its_holes():
-    """The branches of such a loop with junctions are bent at rest, too: stiffness over the plate's width drew them to
-    the hole. The middle between a hole and the edge beside it is 0.28 away from the hole's."""
-    places = [(x, y) for x in (-1.1, 1.1) for y in (-0.6, 0.6)]
-    plate = manifold3d.Manifold.cube([3.2, 2.2, 0.25], True)
-    for x, y in places:
-        plate -= manifold3d.Manifold.cylinder(1, 0.06, circular_segments=16, center=True).translate([x, y, 0])
-    found = plate.to_mesh()
-    curve = msf_jax.skeletonize(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
-    assert curve.report.loops == curve.report.cycles == 4
-    away = spatial.distance.cdist(places, curve.vertices[:, :2]).min(axis=1)
-    assert away.min() > 0.18 and np.abs(curve.vertices[:, 2]).max() < 0.03
 
 
 def test_a_shifted_axis_goes_back_to_the_middle():
@@ -120,25 +82,6 @@ def test_a_budget_that_is_spent_leaves_one_round():
     assert budget.was_hit
 
 
-def test_a_step_that_goes_back_is_shortened(monkeypatch):
-    """Steps that go as far beyond the middle as they came from: the second one, halved, ends there."""
-    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
-    nodes, edges = path(scale * np.linspace([-0.5, 0, 0.02], [0.5, 0, 0.02], 9))
-    seen = []
-
-    class Overshooting:
-        def __init__(self, x, paths, span, limb, *rest):
-            seen.append(x)
-            self.off = np.zeros((len(limb), 3))
-
-        def step(self, weight):
-            return np.array([0, 0, -2]) * seen[-1]
-
-    monkeypatch.setattr(centring, "_System", Overshooting)
-    x = centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
-    np.testing.assert_allclose(np.array([*seen, x])[:, 4, 2], 0.02 * scale * np.array([1, -1, 0, 0]), atol=1e-12)
-
-
 @pytest.mark.parametrize(("num", "held"), [(48, []), (200, []), (200, [100])])
 def test_the_nodes_of_a_ring_do_not_go_round(num, held):
     """However unevenly they are spaced: a ring has no end that would hold them. Nor does it fold back on itself."""
@@ -153,20 +96,3 @@ def test_the_nodes_of_a_ring_do_not_go_round(num, held):
         assert np.abs(np.linalg.norm(x[:, :2], axis=1) / scale - 1).max() < 0.01
         assert np.abs(x[:, 2]).max() < 0.01 * scale
         assert np.abs(np.angle((x[:, 0] + 1j * x[:, 1]) * np.exp(-1j * angle))).max() < 0.01
-
-
-def test_a_centring_in_a_plate_ends_after_six_rounds(monkeypatch):
-    """There its steps get no shorter: the limit on the rounds ends it. One of 40 rounds does not end by itself."""
-    shape, scale = unit_shape(trimesh.creation.box((4, 3, 0.03)).subdivide_to_size(0.5))
-    t = np.linspace(-1, 1, 60)
-    bent = scale * np.stack([t, 0.8 * np.cos(3 * t), 0 * t], axis=1)
-    seen = []
-
-    def counted(*given):
-        seen.append(given)
-        return taken(*given)
-
-    taken = moves.taken
-    monkeypatch.setattr(moves, "taken", counted)
-    centring.centre(shape, *path(bent), none_held(bent))
-    assert len(seen) == 6

@@ -18,8 +18,6 @@ from msf_jax.inside.roadmap import Roadmap
 from msf_jax.skeleton.report import loops_of
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION
-from msf_jax.solid.handles import Handles
-from msf_jax.solid.solid import Solid
 from msf_jax.topology.graphs import cycle_count, shortest_forest
 
 
@@ -124,18 +122,6 @@ def test_moves_scales_and_numbers_do_not_matter(seed):
     assert counts(found) == (2, 1, 2, 0, 0)
 
 
-def test_float32_and_faces_in_the_plane_of_the_curve_do_not_matter():
-    """A ring of squares on a grid of 1/8, whose curve runs through points of the same grid."""
-    step = np.array([[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]])
-    cells = [manifold3d.Manifold.cube([0.125] * 3).translate((0.125 * x, 0.125 * y, 0.0)) for x, y in step]
-    found = sum(cells[1:], cells[0]).to_mesh()
-    shape = Enclosure(found.vert_properties[:, :3].astype(np.float32).astype(float), found.tri_verts.astype(np.int64))
-    middle = np.column_stack([0.125 * step + 0.0625, np.full(8, 0.0625)])
-    assert counts(proof(shape, middle)) == (1, 0, 0, 0, 0)
-    along = shape.handles.linking(middle, middle + np.array([0, 0, 0.0625]))  # up to the surface, and back
-    np.testing.assert_array_equal(along, -shape.handles.linking(middle + np.array([0, 0, 0.0625]), middle))
-
-
 def test_edges_side_by_side_are_cycles_around_nothing():
     """The same edge twice, either way, and an edge from a node to itself; components apart; no edge; no node."""
     line, ends = circle(1.0), cycle(120)
@@ -223,36 +209,6 @@ def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypat
     monkeypatch.setattr(handle_loops, "MOST_LINKING", 0)
     report = msf_jax.skeletonize(torus()).report
     assert report.loops is None and not report.is_sound and "too many for a curve" in str(report)
-
-
-@pytest.mark.slow  # one loop that is missing is above
-def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(monkeypatch):
-    """From a lone node, one in each round, so that loops begin at loops before them. The linking numbers of the curve
-    are computed once for all rounds, and the class of each edge between balls, too."""
-    mesh = shapes.plate(4)
-    solid, asked = Solid(np.array(mesh.vertices), np.array(mesh.faces)), []
-    nodes = Roadmap(solid.shape, is_inside).nearest(solid.shape.vertices[:1], np.ones(1))[0]
-    windings, classes = Handles.windings, Handles.classes
-
-    def counted(self, *given):
-        asked.append("windings")
-        return windings(self, *given)
-
-    def seen(self, a, b):
-        asked.extend(zip(map(tuple, a.tolist()), map(tuple, b.tolist()), strict=True))
-        return classes(self, a, b)
-
-    monkeypatch.setattr(Handles, "windings", counted)
-    monkeypatch.setattr(Handles, "classes", seen)
-    monkeypatch.setattr(handle_loops, "AT_ONCE", 1)
-    roadmap = Roadmap(solid.shape, is_inside)
-    x, e = handle_loops.completed(roadmap, nodes, NO_EDGES, 4)
-    assert asked.count("windings") == 1
-    of_curve = set(map(tuple, x.tolist()))
-    of_balls = [ends for ends in asked if ends != "windings" and not of_curve & set(ends)]
-    assert len(of_balls) == len(set(of_balls)) > 100
-    monkeypatch.undo()
-    assert cycle_count(len(x), e) == (1, 4) and counts(handle_loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
 @pytest.mark.slow  # as rare

@@ -130,13 +130,3 @@ def test_cap_measures_what_a_disc_cuts_off(make):
             assert rings > 1 or set(region.tolist()) == set(np.flatnonzero(away < level).tolist())
     assert num > 5
     assert (rows[:4, 0] == 0).all() == (make is dented)
-
-
-def test_a_cap_below_the_least_area_counts_half():
-    mesh, tip = pear()
-    caps = caps_of(mesh)
-    tip = int(np.linalg.norm(caps.surface.points - tip, axis=1).argmin())
-    nobody = np.zeros(len(caps.surface.points), dtype=np.int64)
-    plain, small = (caps.grown(tip, nobody, least=least)[0] for least in (0.0, 1.0))
-    np.testing.assert_allclose(2 * small[:, 0], plain[:, 0])
-    np.testing.assert_array_equal(small[:, 1:], plain[:, 1:])

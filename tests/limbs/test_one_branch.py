@@ -1,10 +1,7 @@
 """One branch for each limb: which leaves stay, ends that are laid on the rings of their limbs, and lost limbs."""
 
-import manifold3d
 import numpy as np
 import pytest
-import trimesh
-from conftest import torus
 from curve_cases import bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
 from graph_cases import as_edges
 from limb_cases import LIMB, RADIUS, block, fingers, legs, solid
@@ -15,7 +12,6 @@ from msf_jax import ground_truth
 from msf_jax.curve import finishing
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
-from msf_jax.limbs.ends import LimbAxis
 from msf_jax.topology.graphs import cycle_count
 
 LINE = np.linspace([-1.0, 0, 0], [1, 0, 0], 41)
@@ -50,37 +46,6 @@ def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
         x[2, 2] = height
         x[1, 2] = 0.95
         assert one_branch.choose(caps, caps.shape, x, edges, np.arange(4) == 2, 1.2).leaf[number[0]] == stays
-
-
-def test_a_leaf_behind_a_hole_across_a_limb_is_not_at_its_end():
-    """`LimbAxis.reach`: the hole is narrower than rings are apart, and the middle of one is in it, or wider."""
-    for radius in (0.3, 0.8):
-        bore = manifold3d.Manifold.cylinder(4, radius, radius, 24, True)
-        bar = manifold3d.Manifold.cube((12, 2.6, 2.6), True) - bore.translate((3, 0, 0)) - bore.translate((-3, 0, 0))
-        caps = Caps(solid(bar, 0.4))
-        for low, high, num in ((-1.0, 1.0, 0), (-5.0, 1.0, 1), (-5.0, 5.0, 2)):
-            x = np.array([[low, 0, 0], [0, 0, 0], [high, 0, 0]])
-            leaf = one_branch.choose(caps, caps.shape, x, as_edges([(0, 1), (1, 2)]), none_held(x), 1.2).leaf
-            assert len(leaf) == 2 and sum(node >= 0 for node in leaf) == num
-
-
-@pytest.mark.parametrize("back", [0.5, 1.5])
-@pytest.mark.parametrize("is_turned", [False, True])
-def test_an_end_that_runs_back_beside_its_branch_is_laid_straight(back, is_turned):
-    """On a straight tube, by so many radii: two leaves, and no second strand."""
-    shape, scale = unit_shape(tube(LINE, 0.2))
-    ahead = [*np.linspace(-0.5, 0.5, 14), 0.505, *(0.5 - 0.1 * back * np.arange(1, 3))]
-    nodes, edges = path(scale * np.array([[x, 0.02 * (k > 14), 0] for k, x in enumerate(ahead)]))
-    x, edges = limbed(shape, nodes[::-1] if is_turned else nodes, edges)
-    leaves = leaves_at(x, edges)
-    np.testing.assert_allclose(np.sort(leaves[:, 0]) / scale, [-0.94, 0.94], atol=0.02)
-    assert length_of(x, edges) < 1.02 * 1.88 * scale
-
-
-def test_a_curve_that_runs_to_and_fro_in_a_ball_keeps_an_edge():
-    shape, scale = unit_shape(trimesh.creation.icosphere(3))
-    nodes, edges = path(scale * np.array([[0.01 * (k // 2) + 0.3 * (k % 2), 0, 0] for k in range(10)]))
-    assert len(limbed(shape, nodes, edges)[1])
 
 
 @pytest.mark.parametrize("turn", [0.02, 0.3])
@@ -124,38 +89,6 @@ def test_both_ends_of_a_short_branch_are_carried_on(at):
     assert len(leaves) == 2
     assert np.abs(np.sort(leaves[:, 0] / scale) - [-0.9, 0.9]).max() < 0.05
     assert length_of(x, edges) < 1.9 * scale
-
-
-def test_an_end_is_found_however_far_it_is():
-    """A mesh with edges of a hundred radii leaves that much of a limb."""
-    shape, scale = unit_shape(tube(LINE, 0.01))
-    x, edges = limbed(shape, *path(LINE[15:25] * scale))
-    leaves = leaves_at(x, edges)
-    assert len(leaves) == 2 and np.abs(leaves[:, 0] / scale).min() > 0.98
-    assert length_of(x, edges) < 2.0 * scale
-
-
-def test_a_ring_that_is_open_is_not_gone_round_and_a_spur_in_a_limb_goes():
-    num = 240
-    shape, scale = unit_shape(torus(1, 0.1, num, 12))
-    x, edges = limbed(shape, *path(scale * bow(1.0, num + 1)[5:-5]))
-    assert length_of(x, edges) < 2 * np.pi * scale
-    line = np.linspace([-1.0, 0, 0], [1, 0, 0], 120)
-    shape, scale = unit_shape(tube(line, 0.01))
-    x, edges = path(np.concatenate([line[2:-2], [[-0.45, 0.003, 0], [-0.44, 0.004, 0]]]) * scale)
-    edges[len(edges) - 2, 0] = 31
-    x, edges = limbed(shape, x, edges)
-    assert len(leaves_at(x, edges)) == 2 and 1.97 < length_of(x, edges) / scale < 2.01
-
-
-def test_the_last_three_widths_of_a_branch_are_laid():
-    """`LAST`: a curve beside the axis of a tube is on it near the ends only."""
-    shape, scale = unit_shape(tube(LINE, 0.1))
-    nodes, edges = path(scale * (LINE[1:-1] + [0, 0.03, 0]))
-    x, _ = limbed(shape, nodes, edges)
-    from_end, off = 0.97 - np.abs(nodes[:, 0]) / scale, np.abs(x[: len(nodes), 1]) / scale
-    assert off[from_end < 0.2].max() < 0.02
-    np.testing.assert_array_equal(x[: len(nodes)][from_end > 0.35], nodes[from_end > 0.35])
 
 
 @pytest.mark.parametrize("at", [2.0, pytest.param(7.5, marks=pytest.mark.slow)])
@@ -216,54 +149,6 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     assert new[:, 2].max() == pytest.approx(1.5 - 0.3 * RADIUS, abs=0.03)
 
 
-def test_a_limb_that_ends_in_a_toe_is_no_second_strand_of_its_leg():
-    """The curve leads through the leg to a toe beside it; the axis of the leg goes on to its own toe."""
-    leg = manifold3d.Manifold.cylinder(4.0, 0.5, 0.5, 32)
-    toe = manifold3d.Manifold.cylinder(1.5, 0.15, 0.15, 16).translate((0, 0, -1.4))
-    body = manifold3d.Manifold.cube((4, 4, 2), True).translate((0, 0, 5))
-    parts = [leg, toe.translate((0.3, 0, 0)), toe.translate((-0.3, 0, 0)), body]
-    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
-    x, edges = legs([(0.0, 0, 5), (0, 0, 0.3), (0.3, 0, -0.2), (0.3, 0, -1.3)], step=0.25)
-    axis = LimbAxis(
-        np.array([(-0.3, 0, z) for z in (-1.3, -0.6, -0.1)] + [(0.0, 0, z) for z in (0.5, 2, 3.9)]), 0.15, 9
-    )
-    x, edges = one_branch.grown(shape, x, edges, one_branch.Choice(np.zeros(len(x)), [-1], [axis], False))
-    assert len(leaves_at(x, edges)) == 3 and np.bincount(edges.ravel()).max() == 3
-    fork = x[np.bincount(edges.ravel()).argmax()]
-    assert -0.2 < fork[2] < 1.0
-
-
-def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_body_nearby():
-    """The nearest node is of the other finger, and the nearest ball is the body's, across a gap."""
-    palm = manifold3d.Manifold.cube((2, 0.6, 2), True)
-    finger = manifold3d.Manifold.cylinder(1.5, 0.2, 0.2, 24)
-    body = manifold3d.Manifold.sphere(3.0, 64).translate((0, 3.35, 1.2))
-    bridge = manifold3d.Manifold.cylinder(1.5, 0.25, 0.25, 24).rotate((-90, 0, 0)).translate((0, 0, -0.8))
-    parts = [palm, finger.translate((0.3, 0, 0.8)), finger.translate((-0.3, 0, 0.8)), body, bridge]
-    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
-    x, _ = legs(
-        [(0, 0, -0.4), (0.3, 0, 0.6), (0.3, 0, 2.1)],
-        [(0, 0, -0.4), (0, 0, -0.8), (0, 3.35, -0.8), (0, 3.35, 2.0)],
-        step=0.1,
-    )
-    base = np.array([-0.3, 0, 1.2])
-    radius, away = shape.approximate_clearance(x)[0], np.linalg.norm(x - base, axis=1)
-    assert x[away.argmin(), 2] > 1.0 and x[(away - radius).argmin(), 1] > 0.5
-    begin = x[one_branch.beginning(shape, x, radius, base)]
-    assert abs(begin[1]) < 0.1 and begin[2] < 1.0
-
-
-def test_no_branch_begins_at_a_leaf_where_the_way_to_all_nodes_is_closed():
-    """The curve runs in one arm of a U, the limb is at the end of the other: the nearest node is the curve's end."""
-    arm = manifold3d.Manifold.cube((0.5, 0.5, 3), True)
-    floor = manifold3d.Manifold.cube((2.5, 0.5, 0.5), True).translate((0, 0, -1.5))
-    parts = [arm.translate((1, 0, 0)), arm.translate((-1, 0, 0)), floor]
-    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
-    x = np.array([[1.0, 0, height] for height in (-0.9, -0.1, 0.7, 1.4)])
-    base, radius = np.array([-1.0, 0, 1.2]), np.array([0.25, 0.25, 0.25, -np.inf])
-    assert one_branch.beginning(shape, x, radius, base) == 2
-
-
 def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
     shape = solid(fingers(), 0.15)
@@ -272,22 +157,3 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     leaves = found.vertices[found.is_leaf()]
     assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)
     assert cycle_count(len(found.vertices), found.edges) == (1, 0)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("turn", [0.7])
-def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
-    """Not legs into corners, and no bump is left out, however it is turned."""
-
-    def cube(size):
-        return manifold3d.Manifold.cube((size, size, size), True)
-
-    bumps = [
-        manifold3d.Manifold.sphere(0.45, 24).translate(tuple(place)) for place in 1.2 * np.r_[np.eye(3), -np.eye(3)]
-    ]
-    for body, count in ((cube(2.0), 1), (sum(bumps, cube(2.0)), 6)):
-        found = body.rotate((40 * turn, 70 * turn, 20 * turn)).refine_to_length(0.15).to_mesh()
-        vertices = np.array(found.vert_properties[:, :3], dtype=float)
-        branches = msf_jax.skeletonize((vertices, found.tri_verts)).branches
-        assert len(branches) == count
-        assert max(branch.length for branch in branches) < 1.06 * min(branch.length for branch in branches) < 3.6 * 1.06

@@ -5,13 +5,12 @@ from itertools import pairwise
 import networkx as nx
 import numpy as np
 import pytest
-from graph_cases import GRAPHS, NONE, as_edges, chain, degrees, graphs
+from graph_cases import GRAPHS, as_edges, chain, degrees, graphs
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from msf_jax.limbs import pruning
 from msf_jax.limbs.pruning import by_balls, measure
-from msf_jax.topology.graphs import trace
 
 Balls = tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -81,21 +80,6 @@ def test_where_no_radius_is_known_all_stays_and_what_is_outside_goes(radius):
     assert not prune(vertices, edges, radii, 0.1)[0][-3:].any()
 
 
-def test_a_leaf_in_the_ball_of_its_junction_has_none():
-    vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
-    radii[0] = 0.8
-    assert by_leaf(vertices, edges, radii)[len(vertices) - 1] == 0
-
-
-def test_a_branch_in_the_ball_of_one_of_its_nodes_has_none():
-    """Its junction is aside, near the surface, as where wavefronts meet in a corner."""
-    vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
-    assert by_leaf(vertices, edges, radii)[len(vertices) - 1] > 1
-    own = next(path for path in trace(len(vertices), edges) if len(vertices) - 1 in (path[0], path[-1]))
-    radii[own[len(own) // 2]] = 0.6
-    assert by_leaf(vertices, edges, radii)[len(vertices) - 1] == 0
-
-
 @pytest.mark.parametrize("name", ["path", "edge", "loop", "theta", "lone node", "figure eight", "spectacles"])
 def test_what_cannot_go_is_infinitely_slender(name):
     """Loops, paths between junctions, and whole components."""
@@ -104,35 +88,6 @@ def test_what_cannot_go_is_infinitely_slender(name):
     found = branches_of(*balls)
     assert found and all(branch.slenderness == np.inf for branch in found)
     assert prune(*balls, np.inf)[0].all()
-
-
-def test_only_the_stick_of_a_lollipop_can_go():
-    num, pairs, _ = GRAPHS["lollipop"]
-    balls = np.random.default_rng(3).normal(size=(num, 3)), as_edges(pairs), np.full(num, 99.0)
-    stick, sweet = sorted(branches_of(*balls))
-    assert stick.nodes[0] == 0 and 0 <= stick.slenderness < 1
-    assert sweet.nodes[0] == 2 and sweet.slenderness == np.inf
-    stays, target = prune(*balls, np.inf)
-    assert stays.tolist() == [False, False, True, True, True] and target.tolist() == [2, 2, 2, 3, 4]
-
-
-def test_an_edge_that_is_there_twice_counts_once():
-    x, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
-    doubled = np.concatenate([edges, edges[:6, ::-1], edges[-1:]])
-    assert by_leaf(x, doubled, radii) == by_leaf(x, edges, radii)
-    for least in (8.0, 30.0):
-        stays = [prune(x, e, radii, least)[0] for e in (edges, doubled)]
-        np.testing.assert_array_equal(*stays)
-
-
-def test_lengths_are_those_of_the_paths():
-    found = branches_of(*star_of([1.0, 2.5, 0.75], 0.1))
-    assert sorted(branch.length for branch in found) == pytest.approx([0.75, 1.0, 2.5])
-    square = np.array([[0.0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0]])
-    (loop,) = branches_of(square, as_edges(chain(0, 1, 2, 3, 0)), np.ones(4))
-    assert loop.length == pytest.approx(10) and loop.nodes[0] == loop.nodes[-1]
-    (lone,) = branches_of(np.zeros((1, 3)), NONE, np.ones(1))
-    assert lone.length == 0 and lone.nodes == [0]
 
 
 def test_the_surface_of_a_branch_is_that_of_its_own_nodes():
@@ -151,15 +106,6 @@ def test_the_surface_of_a_branch_is_that_of_its_own_nodes():
 # The order of removal
 
 
-def test_a_threshold_is_not_pruned_itself():
-    balls = star_of([1.0, 2.0, 3.0], 0.25)
-    least = min(by_leaf(*balls).values())
-    assert prune(*balls, least)[0].all()
-    stays, target = prune(*balls, np.nextafter(least, 9))
-    np.testing.assert_array_equal(np.flatnonzero(~stays), np.arange(1, 5))
-    assert (target[1:5] == 0).all()
-
-
 def test_the_least_goes_first_and_the_rest_is_measured_again():
     """Of three legs all below the threshold only the shortest goes: the others are one branch then, without an end."""
     for order in ([1.0, 1.5, 2.0], [2.0, 1.0, 1.5], [1.5, 2.0, 1.0]):
@@ -172,25 +118,6 @@ def test_the_least_goes_first_and_the_rest_is_measured_again():
 def test_at_no_limit_a_tree_becomes_a_path():
     stays, _ = prune(*star_of([1.0, 2.0, 3.0, 4.0, 5.0], 0.25), np.inf)
     assert np.flatnonzero(stays).tolist() == [0, *range(25, 61)]  # the two longest legs
-
-
-def test_of_equal_ones_the_order_of_nodes_decides():
-    stays, _ = prune(*star_of([1.0, 1.0, 1.0, 1.0], 0.25), np.inf)
-    assert np.flatnonzero(~stays).tolist() == [*range(1, 9)]
-
-
-def test_a_fork_that_loses_a_prong_is_one_limb():
-    """Its prongs are shorter than their radius; the one that stays is measured with the stem, and stays."""
-    x, edges, radii = star_of([3.0, 3.0, 2.0], 0.25)
-    tip = len(x) - 1
-    x = np.concatenate([x, x[tip] + np.array([[0.2, 0, 0.2], [-0.2, 0, 0.25]])])
-    edges, radii = np.concatenate([edges, [[tip, tip + 1], [tip, tip + 2]]]), np.full(len(x), 0.25)
-    before = by_leaf(x, edges, radii)
-    assert max(before[tip + 1], before[tip + 2]) < 1
-    stays, target = prune(x, edges, radii, 4.0)
-    (gone,) = np.flatnonzero(~stays)
-    assert gone in (tip + 1, tip + 2) and target[gone] == tip
-    assert not prune(x, edges, radii, 9.9)[0][tip - 7 :].any()  # less slender than that, all of it goes
 
 
 def test_a_node_goes_to_a_junction_that_stays():
@@ -213,19 +140,6 @@ def test_a_held_branch_stays_and_others_go():
         is_held[[] if held is None else held] = True
         stays, _ = prune(vertices, edges, radii, 100.0, is_held)
         assert np.flatnonzero(~stays).tolist() == [node for leg in gone for node in each[leg]], held
-
-
-def test_a_branch_that_becomes_worth_less_when_a_twig_goes_is_removed_too():
-    # Three arms meet in a large ball, node 0. A thin branch, the nodes 31 to 38, ends within that ball, but outside of
-    # the small ball at its node 33, where a twig begins: node 39.
-    vertices, edges, radii = star_of([10.0, 10.0, 10.0], 0.3, 1.0)
-    thin = np.linspace([-0.1, 0, 0], [-0.8, 0, 0], 8)
-    vertices = np.concatenate([vertices, thin, [[-0.3, 0.12, 0]]])
-    edges = np.concatenate([edges, as_edges(chain(0, *range(31, 39))), [[33, 39]]])
-    radii = np.concatenate([[1.0], radii[1:], np.full(9, 0.1)])
-    assert by_leaf(vertices, edges, radii)[38] > 1
-    stays, target = prune(vertices, edges, radii, 1.0)
-    assert np.flatnonzero(~stays).tolist() == [*range(31, 40)] and (target[~stays] == 0).all()
 
 
 @st.composite
@@ -317,36 +231,3 @@ def test_a_higher_threshold_keeps_fewer_nodes_and_all_of_them_stay_at_a_lower_on
     kept = [prune(*balls, least)[0] for least in sorted(thresholds)]
     for lower, higher in pairwise(kept):
         assert not (higher & ~lower).any()
-
-
-def comb(teeth: np.ndarray, spacing: int = 8) -> tuple[np.ndarray, np.ndarray]:
-    """A long trunk with a tooth of four nodes on every eighth of its own."""
-    num = spacing * (len(teeth) + 1) + 1
-    vertices = [0.25 * np.arange(num)[:, None] * [1.0, 0, 0]]
-    pairs = chain(*range(num))
-    for k, period in enumerate(teeth):
-        foot, first = spacing * (k + 1), num + 4 * k
-        vertices.append(vertices[0][foot] + period * np.arange(1, 5)[:, None] / 4 * [0, 1.0, 0])
-        pairs += chain(foot, *range(first, first + 4))
-    return np.concatenate(vertices), as_edges(pairs)
-
-
-@pytest.mark.parametrize("order", ["one end to the other", "at random", "equal"])
-def test_pruning_is_linear_in_the_branches(order):
-    """Counted in nodes that are measured; twice as many teeth may take a tenth more than twice that."""
-    spent = []
-    for num in (100, 200, 400):
-        teeth = np.full(num, 0.9) if order == "equal" else np.linspace(0.3, 0.9, num)
-        teeth = np.random.default_rng(1).permutation(teeth) if order == "at random" else teeth
-        x, edges = comb(teeth)
-        slenderness, counts = by_balls(x, np.full(len(x), 0.25)), [0]
-
-        def counted(walk, counts=counts, slenderness=slenderness):
-            nodes = list(walk)
-            counts[0] += len(nodes)
-            return slenderness(iter(nodes))
-
-        stays, _ = pruning.prune(len(x), edges, counted, 5.0, np.zeros(len(x), dtype=bool))
-        assert stays.sum() == len(x) - 4 * num
-        spent.append(counts[0])
-    assert spent[1] < 2.2 * spent[0] and spent[2] < 2.2 * spent[1]

@@ -6,7 +6,6 @@ import pytest
 import trimesh
 
 import msf_jax
-from msf_jax.flow import curves
 from msf_jax.inside import containment
 from msf_jax.limbs.reeb_curve import reeb_curve
 from msf_jax.meshes import checking
@@ -103,21 +102,6 @@ def test_the_limbs_of_a_plant_of_long_triangles_end_on_their_axes():
         assert ((aside < 0.25 * radius) & (np.abs(away @ way + 0.3 * radius) < 0.3 * radius)).sum() == 1
 
 
-@pytest.mark.parametrize("num", [16, 34])
-def test_a_thick_stem_that_ends_in_a_plane_has_one_end_there(num):
-    """The distance along the surface is largest at several corners of the plane, one step of a thin branch apart."""
-    found = laid(*plant(num)[:2])
-    assert found is not None and (np.bincount(found[1].ravel()) == 1).sum() == num + 2
-
-
-@pytest.mark.parametrize("first", [1.0, 2.0, 4.0])
-def test_a_limb_shorter_than_it_is_wide_has_an_end(first):
-    """The stem's base, which has a ring or two before branches leave it."""
-    vertices, faces, _ = plant(17, first)
-    found = laid(vertices, faces)
-    assert found is not None and np.isfinite(found[0]).all() and (np.bincount(found[1].ravel()) == 1).sum() >= 18
-
-
 def frame(radius: float) -> tuple[np.ndarray, np.ndarray]:
     """The twelve edges of a cube of side 1, as round bars joined by balls."""
     corners = np.array(list(np.ndindex(2, 2, 2)), dtype=float)
@@ -141,14 +125,6 @@ def test_a_curve_of_the_flow_that_is_outside_gives_way():
     assert off.max() < 0.2 * 0.02  # two coordinates are 0 or 1
 
 
-@pytest.mark.slow
-def test_a_plant_of_many_branches_keeps_them():
-    """The flow's curve is inside, but has lost most of the limbs."""
-    vertices, faces, axes = plant(200)
-    found = msf_jax.skeletonize((vertices, faces))
-    assert found.num_leaves == len(axes) + 1
-
-
 def test_a_finer_wire_a_plate_and_a_thick_one_are_left_to_the_flow():
     assert laid(*wire(snake(301), 0.02, sides=12)) is None
     plate = trimesh.creation.box((0.5, 0.08, 0.004)).subdivide_to_size(0.006)
@@ -166,14 +142,6 @@ def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_ma
     on_curve = curve.vertices[curve.mesh_map]
     assert np.linalg.norm(on_curve - vertices, axis=1).max() < 0.02
     assert not msf_jax.skeletonize((vertices, faces), pins=[0, 120]).report.notes  # no wavefronts; pins are not inside
-
-
-def test_the_reeb_curve_is_taken_where_the_flow_has_left_a_tangle(monkeypatch):
-    monkeypatch.setattr(curves, "MOST_VOLUME", -1.0)  # whatever is left of the volume is too much
-    report = msf_jax.skeletonize(wire(snake(61), 0.01)).report
-    assert report.is_sound and len(report.notes) == 1 and "wavefronts" in report.notes[0]
-    notes = msf_jax.skeletonize(wire(snake(61), 0.01), pins=[0]).report.notes
-    assert any("1 of 1 curves not finished" in note for note in notes)
 
 
 def test_joined_wires_are_one_tree():
