@@ -9,19 +9,16 @@ Help and errors appear without delay: commands import modules on demand, and JAX
 """
 
 import argparse
-import importlib
 import io
 import os
 import sys
 from collections.abc import Sequence
-from concurrent.futures import wait
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from msf_jax.app import shaping
-from msf_jax.app.parser import configured, parsed, parser_of, repair_of
-from msf_jax.base.clock import TICK, Clock, Work, counted
+from msf_jax.app.interrupts import held_interrupts
+from msf_jax.app.parser import REPAIRS, configured, parser_of
+from msf_jax.app.shaping import UNCHANGED, Shaping, asked_for, scaled, shaped
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.skeleton.formats import export
@@ -30,24 +27,21 @@ from msf_jax.skeleton.formats.text import plain
 if TYPE_CHECKING:
     import numpy as np
 
-    from msf_jax.base.options import Config
     from msf_jax.skeleton.skeleton import Skeleton
 
-UNCHANGED = shaping.Shaping()
 INTERRUPTED = 130  # the exit code after Ctrl-C, as of other programs
-LEVEL = "TF_CPP_MIN_LOG_LEVEL"  # the variable by which XLA chooses what to print
 LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
-    arguments = parsed(_parser(), sys.argv[1:] if argv is None else list(argv))
+    commands = {"skeletonize": _skeletonize, "demo": _demo, "batch": _batch, "view": _view, "track": _track}
+    arguments = parser_of(commands | {"report": _report}).parse_args(argv)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a name may have characters that the terminal's encoding has not
             stream.reconfigure(errors="backslashreplace")
     try:
-        with counted():
-            return arguments.run(arguments)
+        return arguments.run(arguments)
     except (MeshError, ConfigError, FlowError) as error:
         return _fail(str(error), 2)
     except UnicodeEncodeError as error:
@@ -61,13 +55,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """The command as a process. After Ctrl-C it ends without waiting for threads that still compile or compute."""
-    code = main()
-    if code == INTERRUPTED and "msf_jax.app.workers" not in sys.modules:  # a batch computes nothing here
-        for stream in filter(None, (sys.stdout, sys.stderr)):
-            stream.flush()
-        os._exit(code)
-    sys.exit(code)
+    """The command as a process."""
+    sys.exit(main())
 
 
 def _fail(message: str, code: int) -> int:
@@ -78,162 +67,56 @@ def _fail(message: str, code: int) -> int:
 
 def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
-    if os.environ.get(LEVEL, "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
-        os.environ[LEVEL] = "3"  # hides a false alarm of XLA, see `cache_compilations`
+    if os.environ.get("TF_CPP_MIN_LOG_LEVEL", "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
+        os.environ["TF_CPP_MIN_LOG_LEVEL"] = "3"  # hides a false alarm of XLA, see `cache_compilations`
+    with held_interrupts():
+        import jax
 
-    def imported() -> Any:
-        return [importlib.import_module(name) for name in ("jax", "msf_jax.device.caching", "msf_jax.flow.skeletonize")]
-
-    # On another thread, which Ctrl-C leaves to itself: JAX crashes if its import is interrupted.
-    work = Work(imported)
-    while not wait([work], TICK).done:
-        pass
-    jax, caching, _ = work.result()
+        import msf_jax
+        import msf_jax.flow.skeletonize
     jax.config.update("jax_enable_x64", not arguments.float32)
-    caching.cache_compilations()
+    msf_jax.cache_compilations()
 
 
-def _view(arguments: argparse.Namespace) -> int:
-    _check_is_there(arguments.mesh)
-    target = _target(arguments, ".html")
-    if target.suffix.lower() != ".html":
-        raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
-    weights, config = configured(arguments)
-    mesh, accepted = _accepted(arguments, config)
-    _start_jax(arguments)
-    from msf_jax.flow.skeletonize import skeletonize
-
-    skeleton = skeletonize(accepted, weights, config, progress=not arguments.quiet)
-    skeleton.view(mesh, target)
-    _tell(skeleton, [target], arguments.quiet)
-    return 0
-
-
-def _accepted(
-    arguments: argparse.Namespace, config: "Config", asked: shaping.Shaping = UNCHANGED
-) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
+def _accepted(arguments: argparse.Namespace, asked: Shaping = UNCHANGED) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
     """The mesh as it was read, in the requested units, and its checked surface; a `MeshError` if it is refused."""
     from msf_jax.meshes import checking, reading
 
-    with counted() as presses:
-        clock = Clock(config.max_seconds, presses)
-        with clock.before_curve():
-            mesh = clock.call(partial(reading.read, arguments.mesh, finite=not arguments.repair))
-            mesh = shaping.scaled(mesh, asked)
-            return mesh, clock.call(checking.prepare, mesh, repair_of(arguments))
-
-
-def _track(arguments: argparse.Namespace) -> int:
-    from msf_jax.app import track
-    from msf_jax.skeleton.formats import export
-    from msf_jax.skeleton.formats.importing import read_curve
-
-    paths = track.frames_in(arguments.folder, arguments.output)
-    export.writer_for(f"curve{arguments.format}")  # refuses a wrong suffix before the run, not after it
-    if arguments.mesh.lower().endswith(".npz"):
-        _start_jax(arguments)
-        skeleton = read_curve(arguments.mesh)
-    else:
-        weights, config = configured(arguments)
-        _, accepted = _accepted(arguments, config)
-        _start_jax(arguments)
-        from msf_jax.flow.skeletonize import skeletonize
-
-        skeleton = skeletonize(accepted, weights, config, progress=not arguments.quiet)
-    table, lacking, doubtful = track.run(
-        skeleton, paths, arguments.output, suffix=arguments.format, progress=not arguments.quiet
-    )
-    if not arguments.quiet:
-        print(f"{len(paths)} frames, {len(paths) - len(lacking)} curves; see {table}")
-    for line in (lacking + doubtful)[:LISTED]:
-        _fail(f"warning: {line}", 1)
-    if len(lacking + doubtful) > LISTED:
-        _fail(f"and {len(lacking + doubtful) - LISTED} more, in {table}", 1)
-    return min(len(lacking), 1)
-
-
-def _batch(arguments: argparse.Namespace) -> int:
-    weights, config = configured(arguments, evaluate=arguments.evaluate)
-    folder = Path(arguments.folder)
-    if not folder.is_dir():
-        raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
-    from msf_jax.meshes import reading
-
-    known = reading.readable_suffixes()
-    out = Path(arguments.output).resolve()
-    if out == folder.resolve():
-        raise ConfigError(f"OUT_DIR is IN_DIR, {arguments.output!r}: expected another folder for the curves")
-    paths = [path for path in sorted(folder.rglob("*")) if path.suffix.lower().lstrip(".") in known and path.is_file()]
-    paths = [path for path in paths if out not in path.resolve().parents]
-    if not paths:
-        raise ConfigError(f"no mesh in {str(folder)!r}: expected files that end in one of {', '.join(known)}")
-    _start_jax(arguments)
-    from msf_jax.app import batch
-
-    done = batch.run(
-        paths,
-        arguments.output,
-        weights=weights,
-        config=config,
-        repair=repair_of(arguments),
-        suffix=arguments.format,
-        jobs=arguments.jobs,
-        shaping=shaping.asked_for(arguments),
-        scheduler=arguments.scheduler,
-        retry=arguments.retry,
-        timeout=arguments.timeout,
-        progress=not arguments.quiet,
-    )
-    if not arguments.quiet:
-        print(f"{len(done.rows)} meshes, {done.num_done} of them now, {done.num_failed} failed; see {done.manifest}")
-    failed = [row for row in done.rows if row["error"]]
-    for row in failed[:LISTED]:
-        _fail(f"{row['path']}: {row['error']}", 1)
-    if len(failed) > LISTED:
-        _fail(f"and {len(failed) - LISTED} more that failed, in {done.manifest}", 1)
-    return min(done.num_failed, 1)
+    mesh = scaled(reading.read(arguments.mesh, finite=not arguments.repair), asked)
+    return mesh, checking.prepare(mesh, REPAIRS[arguments.repair])
 
 
 def _skeletonize(arguments: argparse.Namespace) -> int:
     _check_is_there(arguments.mesh)
     target = _target(arguments, ".swc")
     render = export.writer_for(target)  # refuses a wrong suffix before the flow, not after it
-    _check_bones(arguments, target)
-    asked = shaping.asked_for(arguments)
+    is_rig = target.name.lower().endswith(".glb")
+    if arguments.bones is not None and not is_rig:
+        raise ConfigError(f"--bones is for a rig, and {target.name!r} holds none: expected -o with .glb")
+    if arguments.bones is not None and arguments.bones < 1:
+        raise ConfigError(f"--bones is {arguments.bones}: expected a whole number above 0")
+    asked = asked_for(arguments)
     picture = None
     if arguments.picture is not None:
         picture = _checked_target(arguments.picture, arguments.mesh, str(target))
         if picture.suffix.lower() != ".png":
             raise ConfigError(f"the picture is a PNG file: expected a name that ends in .png, not {picture.name!r}")
-    if arguments.checkpoint is not None:
-        others = [arguments.mesh, str(target), *([arguments.picture] if arguments.picture else [])]
-        _checked_target(arguments.checkpoint, *others)
     weights, config = configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
-    mesh, accepted = _accepted(arguments, config, asked)
+    mesh, accepted = _accepted(arguments, asked)
     _start_jax(arguments)
     from msf_jax.flow.skeletonize import skeletonize
 
     stopped = ""
     try:
-        skeleton = skeletonize(
-            accepted,
-            weights,
-            config,
-            pins=arguments.pin,
-            repair=repair_of(arguments),
-            checkpoint=arguments.checkpoint,
-            progress=not arguments.quiet,
-        )
+        skeleton = skeletonize(accepted, weights, config, pins=arguments.pin, progress=not arguments.quiet)
     except Interrupted as interruption:
         skeleton = interruption.flow.skeleton
         stopped = f"interrupted: {target} has the curve so far"
-        stopped += f"; the same command continues from {arguments.checkpoint}" if arguments.checkpoint else ""
-    skeleton = shaping.shaped(skeleton, asked)
-    is_whole = asked.scale == 1  # then a format that contains the mesh has its file's materials, too
-    source = arguments.mesh if is_whole else mesh
+    skeleton = shaped(skeleton, asked)
+    source = arguments.mesh if asked.scale == 1 else mesh  # a format that contains the mesh has its file's materials
     notes: tuple[str, ...] = ()
     files: dict[Path, str | bytes]
-    if target.name.lower().endswith(".glb"):
+    if is_rig:
         from msf_jax.skeleton.formats import gltf
 
         rig = skeleton.rig(bones=arguments.bones, mesh=source)
@@ -247,53 +130,86 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     code = _finish(skeleton, files, arguments.quiet)
     for note in notes:
         _fail(f"rig: {note}", code)
-    if stopped:
-        return _fail(stopped, INTERRUPTED)
-    if arguments.checkpoint and "max_seconds" in skeleton.report.reason:
-        _fail(f"max_seconds reached: the same command continues from {arguments.checkpoint}", code)
-    elif arguments.checkpoint:  # the curve is written, so the checkpoint is no longer needed
-        Path(arguments.checkpoint).unlink(missing_ok=True)
-    return code
+    return _fail(stopped, INTERRUPTED) if stopped else code
 
 
-def _check_bones(arguments: argparse.Namespace, target: Path) -> None:
-    """Refuse a number of bones that no file can have, before the flow."""
-    if arguments.bones is not None and not target.name.lower().endswith(".glb"):
-        raise ConfigError(f"--bones is for a rig, and {target.name!r} holds none: expected -o with .glb")
-    if arguments.bones is not None and arguments.bones < 1:
-        raise ConfigError(f"--bones is {arguments.bones}: expected a whole number above 0")
+def _view(arguments: argparse.Namespace) -> int:
+    _check_is_there(arguments.mesh)
+    target = _target(arguments, ".html")
+    if target.suffix.lower() != ".html":
+        raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
+    weights, config = configured(arguments)
+    mesh, accepted = _accepted(arguments)
+    _start_jax(arguments)
+    from msf_jax.flow.skeletonize import skeletonize
+
+    skeleton = skeletonize(accepted, weights, config, progress=not arguments.quiet)
+    skeleton.view(mesh, target)
+    _tell(skeleton, [target], arguments.quiet)
+    return 0
 
 
-def _check_is_there(path: str) -> None:
-    """Report a missing mesh before a bad output path."""
-    if not os.path.exists(path):
-        raise MeshError(f"no file {path!r}: check the path")
+def _track(arguments: argparse.Namespace) -> int:
+    from msf_jax.app import track
+
+    paths = track.frames_in(arguments.folder, arguments.output)
+    export.writer_for(f"curve{arguments.format}")  # refuses a wrong suffix before the run, not after it
+    if arguments.mesh.lower().endswith(".npz"):
+        _start_jax(arguments)
+        from msf_jax.skeleton.formats.importing import read_curve
+
+        skeleton = read_curve(arguments.mesh)
+    else:
+        weights, config = configured(arguments)
+        _, accepted = _accepted(arguments)
+        _start_jax(arguments)
+        from msf_jax.flow.skeletonize import skeletonize
+
+        skeleton = skeletonize(accepted, weights, config, progress=not arguments.quiet)
+    table, lacking, doubtful = track.run(
+        skeleton, paths, arguments.output, suffix=arguments.format, progress=not arguments.quiet
+    )
+    if not arguments.quiet:
+        print(f"{len(paths)} frames, {len(paths) - len(lacking)} curves; see {table}")
+    _list([f"warning: {line}" for line in lacking + doubtful], f"more, in {table}")
+    return min(len(lacking), 1)
 
 
-def _target(arguments: argparse.Namespace, suffix: str) -> Path:
-    """The file of the result: the given one, or one beside the mesh, which must not exist yet."""
-    if arguments.output is not None:
-        return _checked_target(arguments.output, arguments.mesh)
-    target = _checked_target(str(Path(arguments.mesh).with_suffix(suffix)), arguments.mesh)
-    goes_on = getattr(arguments, "checkpoint", None) and Path(arguments.checkpoint).exists()  # of an interrupted run
-    if target.exists() and not (arguments.force or goes_on):
-        raise ConfigError(f"{str(target)!r} exists already: name another file with -o, or add --force")
-    return target
+def _batch(arguments: argparse.Namespace) -> int:
+    from msf_jax.meshes import reading
+
+    weights, config = configured(arguments, evaluate=arguments.evaluate)
+    paths = reading.meshes_in(arguments.folder, arguments.output, is_deep=True)
+    _start_jax(arguments)
+    from msf_jax.app import batch
+
+    done = batch.run(
+        paths,
+        arguments.output,
+        weights=weights,
+        config=config,
+        repair=REPAIRS[arguments.repair],
+        suffix=arguments.format,
+        jobs=arguments.jobs,
+        shaping=asked_for(arguments),
+        scheduler=arguments.scheduler,
+        retry=arguments.retry,
+        timeout=arguments.timeout,
+        progress=not arguments.quiet,
+    )
+    if not arguments.quiet:
+        print(f"{len(done.rows)} meshes, {done.num_done} of them now, {done.num_failed} failed; see {done.manifest}")
+    failed = [f"{row['path']}: {row['error']}" for row in done.rows if row["error"]]
+    _list(failed, f"more that failed, in {done.manifest}")
+    return min(done.num_failed, 1)
 
 
-def _checked_target(path: str, *others: str) -> Path:
-    """``path``, if it can be written to and is not one of ``others``."""
-    target = Path(path)
-    folder = Path(os.path.realpath(path)).parent  # of the target, if it is a link
-    if not path or target.is_dir():
-        raise ConfigError(f"{path!r} is no file name: expected the name of a file to write")
-    if not folder.is_dir():
-        raise ConfigError(f"no folder {str(folder)!r} to write {target.name!r} to: create it first")
-    if not os.access(folder, os.W_OK):
-        raise ConfigError(f"cannot write to {str(folder)!r}: choose another folder for {target.name!r}")
-    if any(os.path.realpath(path) == os.path.realpath(other) for other in others):
-        raise ConfigError(f"{path!r} is given for two files, and one would overwrite the other: choose another name")
-    return target
+def _list(lines: list[str], rest: str) -> None:
+    """Print the first lines, and how many others there are."""
+    for line in lines[:LISTED]:
+        _fail(line, 1)
+    if len(lines) > LISTED:
+        _fail(f"and {len(lines) - LISTED} {rest}", 1)
 
 
 def _demo(arguments: argparse.Namespace) -> int:
@@ -323,6 +239,37 @@ def _report(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _check_is_there(path: str) -> None:
+    """Report a missing mesh before a bad output path."""
+    if not os.path.exists(path):
+        raise MeshError(f"no file {path!r}: check the path")
+
+
+def _target(arguments: argparse.Namespace, suffix: str) -> Path:
+    """The file of the result: the given one, or one beside the mesh, which must not exist yet."""
+    if arguments.output is not None:
+        return _checked_target(arguments.output, arguments.mesh)
+    target = _checked_target(str(Path(arguments.mesh).with_suffix(suffix)), arguments.mesh)
+    if target.exists() and not arguments.force:
+        raise ConfigError(f"{str(target)!r} exists already: name another file with -o, or add --force")
+    return target
+
+
+def _checked_target(path: str, *others: str) -> Path:
+    """``path``, if it can be written to and is not one of ``others``."""
+    target = Path(path)
+    folder = Path(os.path.realpath(path)).parent  # of the target, if it is a link
+    if not path or target.is_dir():
+        raise ConfigError(f"{path!r} is no file name: expected the name of a file to write")
+    if not folder.is_dir():
+        raise ConfigError(f"no folder {str(folder)!r} to write {target.name!r} to: create it first")
+    if not os.access(folder, os.W_OK):
+        raise ConfigError(f"cannot write to {str(folder)!r}: choose another folder for {target.name!r}")
+    if any(os.path.realpath(path) == os.path.realpath(other) for other in others):
+        raise ConfigError(f"{path!r} is given for two files, and one would overwrite the other: choose another name")
+    return target
+
+
 def _finish(skeleton: "Skeleton", files: dict[Path, str | bytes], quiet: bool) -> int:
     """Write ``files``, all of them rendered before, and print the report."""
     for path, content in files.items():
@@ -333,18 +280,10 @@ def _finish(skeleton: "Skeleton", files: dict[Path, str | bytes], quiet: bool) -
 
 def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
     if not quiet:
-        import numpy as np
-
-        num_tips = int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
-        print(f"nodes: {len(skeleton.vertices)}, edges: {len(skeleton.edges)}, tips: {num_tips}")
+        print(f"nodes: {len(skeleton.vertices)}, edges: {len(skeleton.edges)}, tips: {skeleton.num_leaves}")
         print(skeleton.report)
         print("wrote " + ", ".join(map(str, written)))
-    if not skeleton.report.is_sound and sys.stderr is not None:
-        print("msf-jax: warning: look at this curve before you use it: its report is not sound", file=sys.stderr)
+    if not skeleton.report.is_sound:
+        _fail("warning: look at this curve before you use it: its report is not sound", 0)
     elif not skeleton.report.are_limbs:
         _fail(f"warning: the topology is right, but these are no limbs: {'; '.join(skeleton.report.not_limbs)}", 0)
-
-
-def _parser() -> argparse.ArgumentParser:
-    run = {"skeletonize": _skeletonize, "demo": _demo, "batch": _batch, "view": _view, "track": _track}
-    return parser_of(run | {"report": _report})

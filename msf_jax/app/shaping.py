@@ -2,7 +2,6 @@
 
 import argparse
 import math
-import os
 from typing import TYPE_CHECKING, NamedTuple
 
 from msf_jax.base.errors import ConfigError
@@ -26,6 +25,9 @@ class Shaping(NamedTuple):
     radius: str | None = None
 
 
+UNCHANGED = Shaping()
+
+
 def add_options(parser: argparse.ArgumentParser) -> None:
     """The options that `asked_for` reads."""
     after = parser.add_argument_group(
@@ -42,7 +44,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     after.add_argument(
         "--root",
         metavar="R",
-        help="of the tree: the node nearest to x,y,z, soma, or thickest; implies --tree",
+        help="of the tree: the node nearest to x,y,z, soma, or thickest, as --root=1,2,3; implies --tree",
     )
     after.add_argument(
         "--radius",
@@ -62,17 +64,7 @@ def asked_for(arguments: argparse.Namespace) -> Shaping:
         root = arguments.root if arguments.root in ("soma", "thickest") else _place(arguments.root)
     scale = 1.0 if arguments.scale is None else arguments.scale
     lengths = arguments.resample, arguments.simplify, arguments.heal
-    return Shaping(scale, _text(arguments.units or ""), *lengths, root, arguments.radius)
-
-
-def _text(units: str) -> str:
-    """``units``, read as UTF-8 where the locale has another encoding."""
-    try:
-        if any("\ud800" <= letter <= "\udfff" for letter in units):  # bytes that the locale has no letter for
-            units = os.fsencode(units).decode()
-    except UnicodeError:
-        raise ConfigError(f"--units is {units!a}: expected text in UTF-8") from None
-    return units
+    return Shaping(scale, arguments.units or "", *lengths, root, arguments.radius)
 
 
 def _place(text: str) -> tuple[float, ...]:

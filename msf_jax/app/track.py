@@ -20,16 +20,9 @@ def frames_in(folder: str, output: str) -> list[Path]:
     """The meshes in ``folder``, frame2 before frame10.
 
     Raises:
-        ConfigError: the folder has no mesh, or ``output`` is that folder.
+        ConfigError: the folder has no mesh or two of one name, or ``output`` is that folder.
     """
-    if not Path(folder).is_dir():
-        raise ConfigError(f"no folder {folder!r}: expected one with meshes")
-    if Path(output).resolve() == Path(folder).resolve():
-        raise ConfigError(f"OUT_DIR is FRAMES, {output!r}: expected another folder for the curves")
-    known = reading.readable_suffixes()
-    paths = [path for path in Path(folder).iterdir() if path.suffix.lower().lstrip(".") in known and path.is_file()]
-    if not paths:
-        raise ConfigError(f"no mesh in {folder!r}: expected files that end in one of {', '.join(known)}")
+    paths = reading.meshes_in(folder, output)
     stems = [path.stem for path in paths]
     twice = sorted({stem for stem in stems if stems.count(stem) > 1})
     if twice:

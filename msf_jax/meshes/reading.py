@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from scipy import spatial
 from trimesh.resolvers import FilePathResolver
 
-from msf_jax.base.errors import MeshError
+from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import is_traced, traced
 from msf_jax.meshes.decoding import decoded
 from msf_jax.meshes.files import gltf, obj, off, ply, stl, unpacking
@@ -104,6 +104,26 @@ def readable_suffixes() -> list[str]:
     """The suffixes of mesh files that can be read, without the dot."""
     known = set(trimesh.available_formats()) - ARCHIVES - VTK  # VTK's are read by pyvista alone, also beside meshio
     return sorted((known | VTK) if importlib.util.find_spec("pyvista") else known)
+
+
+def meshes_in(folder: str, output: str, *, is_deep: bool = False) -> list[Path]:
+    """The mesh files of a folder, and with ``is_deep`` of its subfolders, but those in ``output``; sorted by name.
+
+    Raises:
+        ConfigError: there is no such folder, it has no mesh, or ``output`` is that folder.
+    """
+    given, out = Path(folder), Path(output).resolve()
+    if not given.is_dir():
+        raise ConfigError(f"no folder {folder!r}: expected one with meshes")
+    if out == given.resolve():
+        raise ConfigError(f"{output!r} is the folder of the meshes, too: expected another one for the curves")
+    known = readable_suffixes()
+    files = sorted(given.rglob("*") if is_deep else given.iterdir())
+    paths = [path for path in files if path.suffix.lower().lstrip(".") in known and path.is_file()]
+    paths = [path for path in paths if out not in path.resolve().parents]
+    if not paths:
+        raise ConfigError(f"no mesh in {folder!r}: expected files that end in one of {', '.join(known)}")
+    return paths
 
 
 def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:

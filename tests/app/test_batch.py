@@ -12,7 +12,8 @@ import sys
 import threading
 import time
 import warnings
-from contextlib import nullcontext, suppress
+from concurrent.futures import Executor, Future
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,9 +23,7 @@ import pytest
 import trimesh
 
 from msf_jax import Config, ConfigError, Weights, batch
-from msf_jax.app import manifest
 from msf_jax.app.cli import main
-from msf_jax.base.clock import counted
 
 NUM, BROKEN = 5, 2
 WORK = batch.work
@@ -58,18 +57,30 @@ def table(path):
     return rows
 
 
+class Here(Executor):
+    """Does each job at once, in this thread."""
+
+    def submit(self, call, /, *args, **options):
+        future = Future()
+        try:
+            future.set_result(call(*args, **options))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
 @pytest.fixture
 def here(monkeypatch):
     """No process is started: this one does the work of all. How many were asked for."""
     asked = []
 
-    def alone(num):
+    @contextmanager
+    def alone(num, settings, cache):
         asked.append(num)
-        return nullcontext(lambda jobs: (batch.work(job) for job in jobs))
+        yield Here()
 
-    monkeypatch.setattr(batch, "_in_processes", alone)
-    yield asked
-    jax.config.update("jax_enable_x64", True)  # a worker sets what its job says
+    monkeypatch.setattr(batch, "_processes", alone)
+    return asked
 
 
 def test_what_failed_is_done_again_when_asked_for(folder, here, tmp_path):
@@ -90,27 +101,22 @@ def test_what_failed_is_done_again_when_asked_for(folder, here, tmp_path):
     assert changed.num_done == 2
 
 
-@pytest.mark.slow  # one after the other is quick
-def test_two_batches_at_once_have_all_rows_in_one_table(folder, here, tmp_path, monkeypatch):
-    """The second one begins while the first computes, and ends just before the first writes its table."""
-    first, second = [folder / "0.off", folder / "2.off"], [folder / "4.off", folder / "broken.off"]
-    write, begun = manifest.write_whole, []
+def test_a_second_batch_into_a_folder_is_refused_meanwhile(folder, here, tmp_path, monkeypatch):
+    first, second = [folder / "0.off", folder / "2.off"], [folder / "4.off"]
 
-    def late(path, content):
-        if not begun:
-            begun.append(path)
+    def late(job):
+        with pytest.raises(ConfigError, match="another batch writes to"):
             batch.run(second, tmp_path)
-        write(path, content)
+        return WORK(job)
 
-    monkeypatch.setattr(manifest, "write_whole", late)
-    done = batch.run(first, tmp_path)
-    assert len(done.rows) == 2 and done.num_failed == 0
-    names = [Path(row["path"]).name for row in table(done.manifest)]
-    assert names == ["0.off", "2.off", "4.off", "broken.off"]
+    monkeypatch.setattr(batch, "work", late)
+    assert batch.run(first, tmp_path).num_failed == 0
+    monkeypatch.setattr(batch, "work", WORK)
+    done = batch.run(second, tmp_path)
+    assert [Path(row["path"]).name for row in table(done.manifest)] == ["0.off", "2.off", "4.off"]
     (tmp_path / "4.off.swc").unlink()  # a row without its curve is not in the table, nor one of other settings
     changed = batch.run(first[:1], tmp_path, weights=Weights(w_M=0.3))
-    assert [Path(row["path"]).name for row in table(changed.manifest)] == ["0.off", "2.off", "broken.off"]
-    assert len(changed.rows) == 1
+    assert [Path(row["path"]).name for row in table(changed.manifest)] == ["0.off", "2.off"] and len(changed.rows) == 1
 
 
 @pytest.fixture(scope="module")
@@ -175,7 +181,7 @@ def test_a_scheduler_that_dies_is_named(folder, tmp_path):
     try:
         with (
             warnings.catch_warnings(),
-            pytest.raises(ConnectionError, match=f"the Dask scheduler at '{address}' has ended"),
+            pytest.raises(ConnectionError, match="the Dask scheduler has ended"),
         ):
             warnings.simplefilter("ignore")  # its own, on closing
             batch.run(paths_in(folder), tmp_path / "out", scheduler=address)
@@ -207,14 +213,6 @@ def test_killed_half_way_it_does_the_rest(folder, here, tmp_path):
     assert len(table(done.manifest)) == NUM + BROKEN and done.num_failed == BROKEN
 
 
-@pytest.mark.system
-def test_workers_are_replaced(folder, tmp_path, monkeypatch):
-    """After every mesh, and none is lost."""
-    monkeypatch.setattr(batch, "TASKS", 1)
-    done = batch.run([folder / "0.off", folder / "broken.off"], tmp_path, jobs=1)
-    assert len(done.rows) == done.num_done == 2
-
-
 def dying(job):
     """A worker that is killed on one of the meshes, as by the system when memory runs out."""
     if job.source.endswith("2.off"):
@@ -233,7 +231,7 @@ def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch
 @pytest.mark.slow  # of what the command passes on and prints; processes are above
 def test_on_the_command_line(folder, here, tmp_path, capsys):
     assert main(["batch", str(folder), str(tmp_path / "out"), "--jobs", "3"]) == 1
-    assert here == [3]
+    assert here[0] == 3
     said = capsys.readouterr()
     assert f"{NUM + BROKEN} meshes, {NUM + BROKEN} of them now, {BROKEN} failed" in said.out
     assert re.search(r"broken.off: cannot read.*\n.*open.ply: the mesh is open", said.err)
@@ -257,43 +255,29 @@ def test_a_mesh_that_takes_too_long_has_an_error_and_the_others_a_curve(folder, 
     read = batch.reading.read
 
     def slow(path, **options):
-        end = time.monotonic() + 60
-        while path.endswith("0.off") and time.monotonic() < end:
-            time.sleep(0.01)
+        time.sleep(0.3 * path.endswith("0.off"))
         return read(path, **options)
 
-    monkeypatch.setattr(batch.reading, "read", slow)
     paths, long = [folder / "0.off", folder / "2.off"], 50.0
     batch.run(paths[1:], tmp_path, timeout=long)
-    done = batch.run(paths, tmp_path, timeout=0.05)
+    monkeypatch.setattr(batch.reading, "read", slow)
+    done = batch.run(paths, tmp_path, timeout=0.2)
     assert done.num_done == 1  # a curve that is there stays, whatever the timeout was
     errors = {Path(row["path"]).name: row["error"] for row in done.rows}
-    late = "it took more than 0.05 seconds: expected less, by timeout (--timeout); --retry tries it again"
-    assert errors == {"0.off": late, "2.off": ""}
+    assert errors["2.off"] == "" and "0.2" in errors["0.off"] and "seconds" in errors["0.off"]
     monkeypatch.setattr(batch.reading, "read", read)
     assert batch.run(paths, tmp_path, timeout=long, retry=True).num_failed == 0
 
 
-@pytest.mark.parametrize("when", ["in an import, which keeps it", "between two rows"])
-def test_ctrl_c_ends_a_batch_with_the_rows_so_far(folder, here, tmp_path, monkeypatch, ctrl_c, when):
-    if when.startswith("in"):
-        monkeypatch.setattr(batch, "work", lambda _: pytest.fail("it was begun"))
-        with counted():
-            with suppress(KeyboardInterrupt):
-                signal.raise_signal(signal.SIGINT)
-            with pytest.raises(KeyboardInterrupt, match="interrupted: 0 of 2 done; start again to go on"):
-                batch.run([folder / "0.off", folder / "2.off"], tmp_path)
-        return
+def test_ctrl_c_ends_a_batch_with_the_rows_so_far(folder, here, tmp_path, monkeypatch, ctrl_c):
+    def interrupted(running, **_):
+        raise KeyboardInterrupt
 
-    def pressed(job):
-        if job.source.endswith("2.off"):
-            signal.raise_signal(signal.SIGINT)
-        return WORK(job)
-
-    monkeypatch.setattr(batch, "work", pressed)
-    with pytest.raises(KeyboardInterrupt, match="interrupted: 1 of 2 done; start again to go on"):
-        batch.run([folder / "0.off", folder / "2.off"], tmp_path)
-    assert len(table(tmp_path / batch.MANIFEST)) == 1
+    monkeypatch.setattr(batch, "wait", interrupted)
+    paths = [folder / f"{number}.off" for number in (0, 2, 4)]
+    with pytest.raises(KeyboardInterrupt, match="interrupted: 2 of 3 done; start again to go on"):
+        batch.run(paths, tmp_path, jobs=1)
+    assert len(table(tmp_path / batch.MANIFEST)) == 2
 
 
 def endless(job):
