@@ -7,19 +7,45 @@ print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
-import ast
-import pkgutil
-import sys
+import importlib
 from typing import Any
 
 from msf_jax.base import version
-from msf_jax.base.clock import imported
 
-_STUB = ast.parse(pkgutil.get_data(__name__, "__init__.pyi") or b"")
-# The module of each public name. It is imported on first access: a program that needs no JAX does not import it.
-_HOMES = {
-    alias.name: str(node.module) for node in _STUB.body if isinstance(node, ast.ImportFrom) for alias in node.names
+# The public names of each module, which is imported when one of them is used first: a program that needs no JAX does
+# not import it. Editors and type checkers read `__init__.pyi`.
+_NAMES = {
+    "": "ground_truth guide metrics shapes view",
+    "app": "batch",
+    "base.binding": "Binding",
+    "base.errors": "ConfigError FlowError Interrupted MeshError",
+    "base.options": "Config CurveOptions FlowOptions PreprocessingOptions SolverOptions read_weights save_weights",
+    "device": "Weights",
+    "device.caching": "cache_compilations",
+    "flow.loop": "contract",
+    "flow.skeletonize": "skeletonize",
+    "flow.state": "Flow",
+    "gradients": "losses torch",
+    "gradients.batch": "Batch stack",
+    "gradients.follow": "Followed follow",
+    "gradients.replay": "replay replay_meso replay_radii",
+    "gradients.sensitivity": "sensitivity",
+    "gradients.tape": "Tape",
+    "gradients.track": "Track track",
+    "inside.preprocessing": "reconstruct voronoi_poles",
+    "limbs.pruning": "Branch",
+    "meshes.reading": "MeshLike read_mesh",
+    "meshes.repair": "Repair",
+    "skeleton.formats.importing": "read_curve",
+    "skeleton.framing.frame": "Frame",
+    "skeleton.report": "Report",
+    "skeleton.rigging.rig": "Rig",
+    "skeleton.skeleton": "Skeleton",
+    "tuning": "objectives",
+    "tuning.result": "Tuned",
+    "tuning.tuner": "tune",
 }
+_HOMES = {name: module for module, names in _NAMES.items() for name in names.split()}
 
 __version__ = version.VERSION
 __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
@@ -28,10 +54,10 @@ __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    home = imported(_HOMES[name])
-    # A name that its home does not define is a module in it. A module of this package is none of its names yet.
-    is_module = home is sys.modules[__name__] or not hasattr(home, name)
-    value = imported(f"{_HOMES[name]}.{name}") if is_module else getattr(home, name)
+    home = importlib.import_module(f"{__name__}.{_HOMES[name]}".rstrip("."))
+    # A name that its home does not define is a module in it, and so is each name of this package itself.
+    is_module = not _HOMES[name] or not hasattr(home, name)
+    value = importlib.import_module(f"{home.__name__}.{name}") if is_module else getattr(home, name)
     globals()[name] = value
     return value
 

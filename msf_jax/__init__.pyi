@@ -1,4 +1,4 @@
-"""The public names, once: editors and type checkers read them here, and `__init__.py` does."""
+"""The public names of `__init__.py`, for editors and type checkers."""
 
 from msf_jax import ground_truth as ground_truth
 from msf_jax import guide as guide
@@ -16,8 +16,8 @@ from msf_jax.base.options import CurveOptions as CurveOptions
 from msf_jax.base.options import FlowOptions as FlowOptions
 from msf_jax.base.options import PreprocessingOptions as PreprocessingOptions
 from msf_jax.base.options import SolverOptions as SolverOptions
-from msf_jax.base.weights import read_weights as read_weights
-from msf_jax.base.weights import save_weights as save_weights
+from msf_jax.base.options import read_weights as read_weights
+from msf_jax.base.options import save_weights as save_weights
 from msf_jax.device import Weights as Weights  # importing `device` registers it as a pytree
 from msf_jax.device.caching import cache_compilations as cache_compilations
 from msf_jax.flow.loop import contract as contract

@@ -7,9 +7,8 @@ from typing import Any
 import shtab
 
 from msf_jax.app import shaping
-from msf_jax.base.options import SYSTEMS, Config, Weights
+from msf_jax.base.options import SYSTEMS, Config, Weights, read_weights
 from msf_jax.base.version import VERSION
-from msf_jax.base.weights import read_weights
 from msf_jax.skeleton.formats import export
 
 WEIGHTS = {

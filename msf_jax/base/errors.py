@@ -1,10 +1,6 @@
-"""The exceptions of this package, one for each kind of cause, and how it warns of old names."""
+"""The exceptions of this package, one for each kind of cause."""
 
-import sys
-import warnings
 from typing import Any
-
-OWN = ("msf_jax", "dataclasses", "copy")  # packages whose lines are no user's, in a warning of an old name
 
 
 class MeshError(ValueError):
@@ -30,11 +26,3 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, message: str, flow: Any) -> None:
         super().__init__(message)
         self.flow = flow
-
-
-def deprecated(message: str) -> None:
-    """A `DeprecationWarning` at the line outside of this package, of `dataclasses` and of `copy`, that led here."""
-    frame, level = sys._getframe(1), 2  # `warn` counts this function as 1
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] in OWN:
-        frame, level = frame.f_back, level + 1
-    warnings.warn(message, DeprecationWarning, stacklevel=level)

@@ -86,7 +86,7 @@ def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layo
     return LaplacianRows(weight, weight)
 
 
-# By the names of `base.options.groups.LAPLACIANS`. `assemble` overwrites the values of unused slots.
+# By the names of `base.options.LAPLACIANS`. `assemble` overwrites the values of unused slots.
 WEIGHTS = {
     "mean_value": _mean_value,
     "cotangent": _cotangents,

@@ -18,7 +18,7 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.flow import assembly
 from msf_jax.flow.checkpoint import Checkpoint, run_of
 from msf_jax.flow.curves import curve_of
-from msf_jax.flow.request import checked_options, checked_pins, refusing, weights_of_vertices
+from msf_jax.flow.request import checked_options, checked_pins, weights_of_vertices
 from msf_jax.flow.starting import init
 from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State
 from msf_jax.flow.stepping import step
@@ -37,7 +37,6 @@ SHORTEST_PERIOD = 20  # iterations: shorter periods of the threshold count as th
 STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a default period is shorter
 
 
-@refusing
 def contract(
     mesh: "MeshLike",
     weights: Weights | None = None,

@@ -1,31 +1,14 @@
 """Checks of a run's arguments: weights, configuration, pins."""
 
 import reprlib
-from collections.abc import Callable, Iterable
-from dataclasses import fields
-from functools import wraps
-from typing import Any, ParamSpec, TypeVar
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights, is_traced, traced
-from msf_jax.base.options.groups import known
 from msf_jax.meshes.checking import Surface
-
-Given = ParamSpec("Given")
-Answer = TypeVar("Answer")
-
-
-def refusing(call: Callable[Given, Answer]) -> Callable[Given, Answer]:
-    """``call``, with a `ConfigError` for a keyword that it does not take, such as an option of a config."""
-
-    @wraps(call)
-    def checked(*args: Given.args, **given: Given.kwargs) -> Answer:
-        known(call, given, (field.name for field in fields(Config)))
-        return call(*args, **given)
-
-    return checked
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:

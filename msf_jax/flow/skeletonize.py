@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from msf_jax import metrics
-from msf_jax.base.errors import ConfigError, Interrupted, deprecated
+from msf_jax.base.errors import ConfigError, Interrupted
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
-from msf_jax.flow.request import checked_options, refusing
+from msf_jax.flow.request import checked_options
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
@@ -20,7 +20,6 @@ JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex n
 SAMPLE_SPACING = 0.005  # diagonals: spacing of the sample points at which two curves are compared
 
 
-@refusing
 def skeletonize(
     mesh: "MeshLike",
     weights: Weights | None = None,
@@ -31,7 +30,6 @@ def skeletonize(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
     jittered_runs: int = 0,
-    spread: int | None = None,
 ) -> Skeleton:
     """The curve skeleton of a closed triangle mesh, by Medial Skeletonization Flow.
 
@@ -49,7 +47,6 @@ def skeletonize(
         jittered_runs: the number of extra runs on the mesh with noise of 1e-4 diagonals at every vertex.
             ``report.figures`` says how far their curves are from this one: "spread" is the mean distance in both
             directions, in median radii; "spread_leaves" is the largest difference in the number of leaves.
-        spread: the old name of ``jittered_runs``.
 
     Returns:
         The curve in the caller's units, with radii, the map from the input's vertices, and a report. Look at the report
@@ -65,9 +62,6 @@ def skeletonize(
         Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``. Before the
             first iteration has ended there is none, and a plain KeyboardInterrupt is raised.
     """
-    if spread is not None:
-        deprecated(f"spread is deprecated: use skeletonize(jittered_runs={spread!r})")
-        jittered_runs = spread
     if isinstance(jittered_runs, bool) or not isinstance(jittered_runs, int | np.integer) or jittered_runs < 0:
         raise ConfigError(f"jittered_runs is {jittered_runs!r}: expected a number of runs, 0 or more")
     weights, config = checked_options(weights, config)

@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from msf_jax.base.binding import Binding, Sizes, capacity_for, padded, unpadded
-from msf_jax.base.errors import ConfigError, deprecated
+from msf_jax.base.errors import ConfigError
 from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients.follow import Followed
 from msf_jax.skeleton.skeleton import Skeleton
@@ -46,15 +46,12 @@ class Batch:
     def __len__(self) -> int:
         return self.vertices.shape[0]
 
-    def unstack(self, followed: Any = None) -> list[Followed]:
+    def unstack(self, followed: Any) -> list[Followed]:
         """The followed curves one by one, without padding, as NumPy arrays.
 
         Args:
             followed: the result of ``jax.vmap(msf_jax.follow)`` for this batch, nodes (B, N, 3) and radii (B, N).
         """
-        if followed is None:
-            deprecated("Batch.unstack() without an argument is deprecated: use Batch.members()")
-            return self.members()  # pyright: ignore[reportReturnType]  # as in 0.4.0
         counts = np.asarray(self.bindings.live.nodes)
         nodes, radii = (jax.device_get(part) for part in followed)
         return [Followed(nodes[k, :count], radii[k, :count]) for k, count in enumerate(counts)]

@@ -35,7 +35,7 @@ FORMAT_VERSION = 4  # of the format: files of other versions are refused
 RECORDS = {  # the types that a file may contain, by name
     kind.__name__: kind
     for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, *GROUPS.values())
-} | {"Config": Config.of_members}
+} | {"Config": Config}
 FEWEST_NODES = 64  # rows of nodes in a padded tape, at least: capacities are 64, 128, 256, ...
 FEWEST_MESO = 512  # rows of vertices of the contracted surface, at least: 512, 1024, 2048, ...
 

@@ -8,15 +8,14 @@ Each vertex of the result is one of the caller's, so that weights, pins and grad
 vertices of an extruded rim, where a lid would cut through the surface (see `rim_extrusion`).
 """
 
-import numbers
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.base.options.groups import known, taking
+from msf_jax.base.options import Options, number
 from msf_jax.meshes.filling import filled
 from msf_jax.meshes.rim_extrusion import extruded
 from msf_jax.meshes.sheets import cut_apart, is_double, is_wall, left_alone, oriented, twins
@@ -32,9 +31,8 @@ LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
 NO_VOLUME = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
-@taking(known)
 @dataclass(frozen=True)
-class Repair:
+class Repair(Options):
     """Limits of the repair in `skeletonize`. Lengths are fractions of the bounding box's diagonal.
 
     Attributes:
@@ -48,27 +46,14 @@ class Repair:
             joined pieces. The vertices of dropped pieces go to the nearest node.
 
     Raises:
-        ConfigError: ``most_parts`` is no whole number above 0, another value is no number from 0 to 1, or a
-            name is unknown.
+        ConfigError: ``most_parts`` is no whole number above 0, or another value is no number from 0 to 1.
     """
 
-    weld: float = 1e-6
-    largest_hole: float = 1.0
-    smallest_part: float = 0.0
-    join: float | None = None
-    most_parts: int = 128
-
-    def __post_init__(self) -> None:
-        for member in fields(self):
-            value = getattr(self, member.name)
-            if member.name == "join" and value is None:
-                continue
-            if member.name == "most_parts":
-                if isinstance(value, bool) or not isinstance(value, numbers.Integral) or value < 1:
-                    raise ConfigError(f"Repair.most_parts is {value!r}: expected a whole number of 1 or more")
-                continue
-            if isinstance(value, bool) or not isinstance(value, numbers.Real) or not 0 <= float(value) <= 1:
-                raise ConfigError(f"Repair.{member.name} is {value!r}: expected a number from 0 to 1")
+    weld: float = number(1e-6, 0, 1)
+    largest_hole: float = number(1.0, 0, 1)
+    smallest_part: float = number(0.0, 0, 1)
+    join: float | None = number(None, 0, 1)
+    most_parts: int = number(128, 1, np.inf)
 
 
 def as_repair(repair: Any) -> Repair | None:

@@ -1,26 +1,22 @@
 """Other curves of the same mesh: pruned, with other nodes, smoothed, or with radii of another kind."""
 
-import importlib.util
 import numbers
 from dataclasses import replace
-from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax import metrics
-from msf_jax.base.errors import ConfigError, deprecated
+from msf_jax.base.errors import ConfigError
 from msf_jax.curve import finishing, resampling
 from msf_jax.inside import containment
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
-from msf_jax.skeleton import converting
 from msf_jax.skeleton.centrelines import table
-from msf_jax.skeleton.formats import tables
 from msf_jax.skeleton.report import assessed
-from msf_jax.skeleton.source import bound, known
+from msf_jax.skeleton.source import known
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -28,13 +24,6 @@ if TYPE_CHECKING:
 
 NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
 TRIED = 0.1  # share of the tolerance of `simplified`, within which nodes are tried
-# What takes the place of names that `Skeleton` had in 0.4.0.
-NOW = {
-    "table": "use Skeleton.columns, a dictionary of arrays, or Skeleton.to_pandas, a pandas.DataFrame",
-    "changed": "it was meant for this package; other curves of a mesh are made by prune, resample, smooth and the like",
-    "inside_of": "it was meant for this package; use msf_jax.metrics.evaluate",
-    "surface": "it was meant for this package; use Skeleton.source",
-}
 MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 
 
@@ -213,19 +202,3 @@ def _away(points: np.ndarray) -> np.ndarray:
     along, offset = points[-1] - points[0], points - points[0]
     t = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
     return np.linalg.norm(offset - t[:, None] * along, axis=1)
-
-
-def by_old_name(skeleton: "Skeleton", name: str) -> Any:
-    """What a skeleton of 0.4.0 had by that ``name``, with a deprecation; an AttributeError if there was nothing."""
-    if name not in NOW:
-        raise AttributeError(f"{type(skeleton).__name__!r} object has no attribute {name!r}")
-    deprecated(f"Skeleton.{name} is deprecated: {NOW[name]}")
-    if name == "surface":
-        return bound(skeleton.source, skeleton.mesh_map)
-    return partial({"table": _table, "changed": changed, "inside_of": inside_of}[name], skeleton)
-
-
-def _table(skeleton: "Skeleton", of: str = "branches") -> Any:
-    """A data frame, or a dictionary of arrays if pandas is not installed."""
-    has_pandas = importlib.util.find_spec("pandas") is not None
-    return converting.pandas_of(skeleton, of) if has_pandas else tables.columns_of(skeleton, of)

@@ -4,6 +4,7 @@ Its leaves are its arrays, and those of its binding if it has one. Its report an
 function of a skeleton is compiled for each skeleton. Its ``binding`` has no static fields, and shares programs.
 """
 
+import dataclasses
 from typing import Any
 
 import jax
@@ -15,15 +16,15 @@ class Static:
     """The static part of a skeleton. Report and source are compared by identity, because comparing values is slow."""
 
     def __init__(self, skeleton: Any):
-        self.report, self.source, self.roots = skeleton.report, skeleton.source, skeleton.roots
+        names = [field.name for field in dataclasses.fields(skeleton) if field.name not in NAMES]
+        self.values = {name: getattr(skeleton, name) for name in names}
+        self._key = tuple(id(value) if name in ("report", "source") else value for name, value in self.values.items())
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Static):
-            return False
-        return self.report is other.report and self.source is other.source and self.roots == other.roots
+        return isinstance(other, Static) and self._key == other._key
 
     def __hash__(self) -> int:
-        return hash((id(self.report), id(self.source), self.roots))
+        return hash(self._key)
 
 
 def register(kind: Any) -> None:
@@ -43,7 +44,7 @@ def register(kind: Any) -> None:
         skeleton = object.__new__(kind)
         *arrays, binding = children
         vars(skeleton).update(zip(NAMES, arrays, strict=True))
-        vars(skeleton).update(report=static.report, source=static.source, roots=static.roots)
+        vars(skeleton).update(static.values)
         if binding is not None:
             vars(skeleton)["binding"] = binding
         return skeleton

@@ -67,11 +67,6 @@ class Skeleton:
         inside = "" if np.isnan(self.report.inside) else f", {100 * self.report.inside:.2f} % inside"
         return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {cycles}{inside})"
 
-    if not TYPE_CHECKING:  # type checkers report the old names
-
-        def __getattr__(self, name: str) -> Any:
-            return changes.by_old_name(self, name)
-
     @property
     def length(self) -> float:
         """Length of all edges, in the caller's units."""

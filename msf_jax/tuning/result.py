@@ -6,8 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.base.options import Weights
-from msf_jax.base.weights import save_weights
+from msf_jax.base.options import Weights, save_weights
 from msf_jax.flow.state import Flow
 from msf_jax.gradients.tape import Comparison
 

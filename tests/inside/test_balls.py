@@ -46,5 +46,5 @@ def test_balls_replay_to_the_run():
         blob(3, 2), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(poles="balls"))
     )
     assert np.abs(np.asarray(msf_jax.replay(run.tape, run.weights)) - run.curve.vertices).max() < 1e-9
-    with pytest.raises(ConfigError, match="unknown poles 'ball'"):
+    with pytest.raises(ConfigError, match="poles is 'ball': expected"):
         Config(preprocessing=PreprocessingOptions(poles="ball"))

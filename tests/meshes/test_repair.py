@@ -176,7 +176,6 @@ def test_of_very_many_parts_the_largest_are_kept():
     [
         (lambda: Repair(weld=-1.0), "Repair.weld is -1.0: expected a number from 0 to 1"),
         (lambda: Repair(largest_hole=True), "Repair.largest_hole is True"),
-        (lambda: Repair(largest_holes=0.1), "Repair has no 'largest_holes': expected one of weld, largest_hole, "),
         (lambda: Repair(most_parts=0), "Repair.most_parts is 0: expected a whole number of 1 or more"),
         (lambda: msf_jax.skeletonize((VERTICES, FACES), repair="yes"), "repair is 'yes': expected True, False"),
     ],

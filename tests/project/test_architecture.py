@@ -126,14 +126,6 @@ def test_every_module_of_the_geometry_has_its_tests_in_the_file_of_its_name():
     assert not [name for name in TESTED_BY.values() if not (TESTS / f"{name}.py").exists()]
 
 
-def test_every_file_of_tests_is_in_a_chapter_and_has_a_name_of_its_own():
-    """Pytest imports a file by that name alone. Tests of a module in no folder are in none, too."""
-    files = list(TESTS.rglob("test_*.py"))
-    assert len({path.name for path in files}) == len(files) > 90
-    assert {path.parent.name for path in files if path.parent != TESTS} <= {*ORDER, "project"}
-    assert {path.stem.removeprefix("test_") for path in files if path.parent == TESTS} <= set(ORDER)
-
-
 # Names of 0.3.0 and before, for which the field has terms: see the table in the change log.
 PRIVATE = """about_clearance approach chamber chambers course hub hubs look looks passage passages persistence recipe
 room rooms rough skirt skirts tooth twig twigs unfold unfolded wave waves way ways wing wings"""
@@ -168,13 +160,3 @@ def homes():
         for name in names:
             found[name].add(path.relative_to(ROOT).as_posix())
     return found
-
-
-def test_one_name_is_one_thing():
-    """A class or type has its name alone in the package; a constant shares it with two others at most."""
-    found = homes()
-    constants = {name for name in found if name.isupper()}
-    types = {name for name in found if name.lstrip("_")[:1].isupper()} - constants
-    assert len(types) > 200 and len(constants) > 400
-    assert not {name: sorted(found[name]) for name in types if len(found[name]) > 1}
-    assert not {name: sorted(found[name]) for name in constants if len(found[name]) > MOST_HOMES}

@@ -1,0 +1,518 @@
+"""The options of a run: `Weights`, which are differentiable, and `Config`, which is not.
+
+A `Config` holds what users set often, and groups of the other options. Each class checks its own values. A jitted step
+depends on a `Config` only through its `StepSettings`.
+"""
+
+import dataclasses
+import json
+import math
+import numbers
+import os
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+
+SMOOTH = (
+    1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by up to 2e-3 of an objective
+)
+TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
+SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.system``
+LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``FlowOptions.laplacian``
+POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
+FACTORED = "factored"  # the preconditioner that the host factorises
+SOLVED_BY = ("jacobi", FACTORED)  # values of ``SolverOptions.preconditioner``
+FEWEST_EIGENVECTORS = 4  # a constant and three coordinates: with fewer, a rebuilt mesh has no volume
+FORMAT = "msf_jax weights"  # marks a file of weights
+
+
+@dataclass(frozen=True)
+class Weights:
+    """Weights of the flow, a pytree. They multiply rows, so energies scale with their squares (article Eq. 2).
+
+    Attributes:
+        w_L: contraction, >= 0.
+        w_H: attraction to the vertex's current position, > 0, which keeps the system definite.
+        w_M: attraction to the Voronoi pole, >= 0.
+        smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
+
+    All are dimensionless. Only the ratios of w_L, w_H and w_M matter: a larger w_L / w_H contracts more in one
+    iteration. Weights are equal if all their numbers are equal. Weights with arrays have no hash.
+
+    Raises:
+        ConfigError: a value is negative or not finite.
+    """
+
+    w_L: Any = 1.0
+    w_H: Any = 0.1
+    w_M: Any = 0.4
+    smoothing: Any = 0.001
+
+    def __post_init__(self) -> None:
+        self.check()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Weights):
+            return NotImplemented
+        pairs = list(zip(vars(self).values(), vars(other).values(), strict=True))
+        return all(a is b or (not is_traced(a) and not is_traced(b) and np.array_equal(a, b)) for a, b in pairs)
+
+    def check(self) -> None:
+        """Raise a `ConfigError` unless all weights are in range. Traced values are not checked."""
+        for name, value in vars(self).items():
+            if is_traced(value):
+                continue
+            try:
+                array = np.asarray(np.nan if isinstance(value, str) else value, dtype=np.float64)
+            except (TypeError, ValueError):
+                array = np.array(np.nan)
+            if isinstance(value, bool) or not (np.isfinite(array) & (array >= 0)).all():
+                raise ConfigError(f"Weights.{name} is {value!r}: expected a finite number of 0 or more")
+            if name == "w_H" and not (array > 0).all():
+                raise ConfigError(f"Weights.w_H is {value!r}: expected more than 0, or the system is singular")
+
+
+def traced(what: str, instead: str) -> str:
+    """What a run says of ``what``, which JAX traces."""
+    return (
+        f"the {what} are traced by JAX, and a run makes decisions that it cannot trace: make the run outside of "
+        f"jax.jit, jax.grad and jax.vmap, and use {instead} inside"
+    )
+
+
+def is_traced(value: Any) -> bool:
+    """Whether ``value`` is a tracer of JAX."""
+    jax = sys.modules.get("jax")  # if JAX was not imported, there are no tracers
+    return jax is not None and isinstance(value, jax.core.Tracer)
+
+
+def save_weights(weights: Weights, path: str | os.PathLike[str]) -> None:
+    """Write ``weights`` to a JSON file: numbers, or lists with one for each vertex of the mesh.
+
+    Raises:
+        ConfigError: a weight is not finite.
+        OSError: the file cannot be written; what was there before is untouched.
+    """
+    values = {name: np.asarray(value, dtype=np.float64) for name, value in vars(weights).items()}
+    for name, value in values.items():
+        if not np.isfinite(value).all():
+            raise ConfigError(f"Weights.{name} is not finite: expected numbers")
+    content = {"format": FORMAT, "version": 1, "weights": {name: value.tolist() for name, value in values.items()}}
+    write_whole(path, json.dumps(content, indent=1) + "\n")
+
+
+def read_weights(path: str | os.PathLike[str]) -> Weights:
+    """The weights in a file that `save_weights` or `Tuned.save` wrote.
+
+    Raises:
+        ConfigError: the file is of another kind; the message says what was found.
+        OSError: the file cannot be read.
+    """
+    name = Path(path).name
+    if Path(path).exists() and not Path(path).is_file():  # reading a pipe would wait
+        raise ConfigError(f"{name!r} is not a regular file: expected a file that save_weights wrote")
+    try:
+        content = json.loads(Path(path).read_text("utf-8"))
+        if content["format"] != FORMAT or content["version"] != 1:
+            raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
+        held = {key: np.array(value, dtype=np.float64) for key, value in content["weights"].items()}
+        if set(held) - set(vars(Weights())):
+            raise ValueError(f"there is no weight {min(set(held) - set(vars(Weights())))!r}")
+        if not all(value.ndim <= 1 and np.isfinite(value).all() for value in held.values()):
+            raise ValueError("a weight is neither a number nor a list of numbers")
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise ConfigError(f"{name!r} has no weights ({error}): expected a file that save_weights wrote") from error
+    return Weights(**{key: float(value) if value.ndim == 0 else value for key, value in held.items()})
+
+
+def number(default: float | None, low: float, high: float) -> Any:
+    """A field of `Options` from ``low`` to ``high``; of whole numbers, if its default is one."""
+    return field(default=default, metadata={"range": (low, high)})
+
+
+def choice(default: str, values: tuple[str, ...]) -> Any:
+    """A field of `Options` that has one of ``values``."""
+    return field(default=default, metadata={"values": values})
+
+
+class Options:
+    """A dataclass that checks its fields: `number`, `choice`, and flags. None is allowed where it is the default."""
+
+    def __post_init__(self) -> None:
+        for member in fields(self):  # pyright: ignore[reportArgumentType]
+            value, default = getattr(self, member.name), member.default
+            named = f"{type(self).__name__}.{member.name} is {value!r}: expected"
+            if isinstance(default, bool) and not isinstance(value, bool):
+                raise ConfigError(f"{named} True or False")
+            if "values" in member.metadata and value not in member.metadata["values"]:
+                raise ConfigError(f"{named} one of {', '.join(member.metadata['values'])}")
+            if "range" in member.metadata and not (value is None and default is None):
+                is_whole = isinstance(default, int)
+                kind = numbers.Integral if is_whole else numbers.Real
+                low, high = member.metadata["range"]
+                if isinstance(value, bool) or not isinstance(value, kind) or not low <= float(value) <= high:
+                    bounds = f"of {low} or more" if high == math.inf else f"from {low} to {high}"
+                    raise ConfigError(f"{named} a {'whole ' * is_whole}number {bounds}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class PreprocessingOptions(Options):
+    """The surface before the flow, and its poles.
+
+    Attributes:
+        reconstruct_mesh: number of eigenvectors kept in the mesh that is contracted; 0 uses the mesh itself.
+        reconstruct_poles: number of eigenvectors kept in the mesh that poles are computed on; 0 uses the mesh itself.
+        exact_reconstruction: whether reconstruction computes eigenvectors, as in the article. Else it applies a
+            polynomial of the Laplacian, whose cut-off is less sharp, in a twentieth of the time or less.
+        resample: target edge length that the mesh is resampled to before poles are computed; 0 keeps its sampling.
+        refine: edges longer than this, and longer than two radii of their limb, are split before the flow, so that the
+            limbs and holes of a coarse mesh are resolved; 0 splits none.
+        use_poles: whether poles pull at all.
+        poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": balls if the solid is
+            thin, else Voronoi poles. On a thin solid a Voronoi diagram takes minutes, and ``reconstruct_poles`` is left
+            out, because it would remove most of the solid.
+        pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
+            surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
+
+    Raises:
+        ConfigError: a value is out of its range.
+    """
+
+    reconstruct_mesh: int = number(0, 0, math.inf)
+    reconstruct_poles: int = number(200, 0, math.inf)
+    exact_reconstruction: bool = False
+    resample: float = number(0.0, 0, 0.5)
+    refine: float = number(0.02, 0, 1)
+    use_poles: bool = True
+    poles: str = choice("auto", POLES)
+    pole_confidence: bool = False
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if 0 < self.resample < 1e-3:  # millions of vertices
+            raise ConfigError(
+                f"PreprocessingOptions.resample is {self.resample}: expected 0 (off) or at least 0.001 of the diagonal"
+            )
+        if any(0 < kept < FEWEST_EIGENVECTORS for kept in (self.reconstruct_poles, self.reconstruct_mesh)):
+            raise ConfigError(
+                f"fewer than {FEWEST_EIGENVECTORS} eigenvectors rebuild no volume: expected 0 (off) or at least "
+                f"{FEWEST_EIGENVECTORS}"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlowOptions(Options):
+    """The iterations: contraction, edits of the surface, and when the flow has converged.
+
+    Attributes:
+        laplacian: "mean_value" (article Eq. 4), "cotangent" with negative sums set to 0, "signed_cotangent" with
+            negative sums kept, or "uniform".
+        edit_connectivity: whether each iteration collapses and splits edges, and fixes vertices.
+        threshold_min, threshold_step, threshold_max: saw-tooth of the collapse threshold t_c (article 3.2.6): it starts
+            at the least, rises by the step in each iteration, and falls back above the largest; a step of 0 keeps it
+            constant. The article's program has 0.002 and 0.0001; the larger defaults, 0.005 and 0.0005, take a quarter
+            of the iterations, and their curves have fewer side branches and are more inside.
+        split_angle: theta_s in degrees: an edge whose two opposite angles are larger is split.
+        w_L_growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps w_L constant.
+        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L starts at 400 times the square
+            root of the mean area of a face (Au et al. 2008).
+        volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
+            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume. With
+            a volume_tolerance of 0 a run makes all of its iterations.
+        free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
+
+    Raises:
+        ConfigError: a value is out of its range.
+    """
+
+    laplacian: str = choice("mean_value", LAPLACIANS)
+    edit_connectivity: bool = True
+    threshold_min: float = number(0.005, 1e-5, 0.5)
+    threshold_step: float = number(0.0005, 0, 0.5)
+    threshold_max: float = number(0.016, 0, 0.5)
+    split_angle: float = number(110.0, 90, 180)
+    w_L_growth: float = number(1.0, 1, 100)
+    w_H_follows_area: bool = False
+    volume_tolerance: float = number(1e-4, 0, 1)
+    area_tolerance: float = number(0.01, 0, 1)
+    free_tolerance: float = number(0.01, 0, 1)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.threshold_max < self.threshold_min:
+            raise ConfigError(
+                f"FlowOptions.threshold_max is {self.threshold_max}, below threshold_min {self.threshold_min}: "
+                "expected threshold_min <= threshold_max"
+            )
+        if self.w_H_follows_area and self.edit_connectivity:
+            raise ConfigError("w_H_follows_area needs edit_connectivity=False: a merged vertex has no first area")
+
+    @property
+    def thresholds(self) -> tuple[float, float, float]:
+        """The least threshold, its step, and the largest: the arguments of `fixing.threshold`."""
+        return self.threshold_min, self.threshold_step, self.threshold_max
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolverOptions(Options):
+    """The linear solves of the contraction, by conjugate gradients (CG).
+
+    Attributes:
+        tolerance: residual of a solve, relative to the right-hand side, at which it ends.
+        step_tolerance: a solve also ends when a CG step moves no vertex by more than this part of t_c. This says little
+            about its error, see ``Report.unsolved``.
+        max_steps: CG steps after which a solve gives up; the report counts such solves (``out_of_steps``).
+        preconditioner: "jacobi", or "factored", a sparse factorisation that the host computes in every iteration, for
+            systems too ill-conditioned for "jacobi" (see `numerics.factors`). Such systems are solved in float64,
+            whatever JAX is set to.
+
+    Raises:
+        ConfigError: a value is out of its range.
+    """
+
+    tolerance: float = number(3e-3, 0, 1)
+    step_tolerance: float = number(0.03, 0, 1)
+    max_steps: int = number(2000, 1, math.inf)
+    preconditioner: str = choice("jacobi", SOLVED_BY)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOptions(Options):
+    """How the curve is extracted from the contracted surface, and finished.
+
+    Attributes:
+        surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
+            nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
+        centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
+        extend_tips: whether branches end on the axes of their limbs' ends (see `limbs.ends`), and limbs that the
+            flow has missed get one.
+
+    Raises:
+        ConfigError: a value is neither True nor False.
+    """
+
+    surgery: bool = False
+    centre: bool = True
+    extend_tips: bool = True
+
+
+@dataclass(frozen=True)
+class Solver:
+    """Settings of conjugate gradients.
+
+    tolerance: residual relative to the right-hand side, at which the solve ends. max_steps: CG steps after which the
+    solve gives up. preconditioner: one of `SOLVED_BY`.
+    """
+
+    tolerance: float
+    max_steps: int
+    preconditioner: str = "jacobi"
+
+
+@dataclass(frozen=True)
+class StepSettings:
+    """The settings that a jitted step depends on, besides the layout of its buffers; `Config` explains them."""
+
+    laplacian: str
+    solver: Solver
+    step_tolerance: float
+    w_H_follows_area: bool
+
+
+GROUPS: dict[str, type[Options]] = {
+    "preprocessing": PreprocessingOptions,
+    "flow": FlowOptions,
+    "solver": SolverOptions,
+    "curve": CurveOptions,
+}  # of a `Config`
+
+
+@dataclass(frozen=True, kw_only=True)
+class Config(Options):
+    """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
+
+    ``Config()`` is the article's system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on. Here
+    are the options that the command line has, too; the others are in groups, as ``config.flow.split_angle``. The
+    constructor takes groups: ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and the systems take
+    changes of groups: ``Config.au2008(flow={"w_L_growth": 1.2})``.
+
+    Attributes:
+        detail: which limbs that are shorter than ``least_slenderness`` asks have a branch, because they stand out (see
+            `limbs.protrusion`): none at 0, and any that might be a limb from 0.83 on. Nested: a finer detail
+            only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
+        least_slenderness: of the solid's limbs (see `limbs.caps`): length over radius, and half of that below
+            0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball
+            become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball
+            on a wall, 0.5, and of the corner of a box, up to 0.6.
+        coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over.
+            The cost of a run then depends on the solid's shape, and hardly on the number of its vertices. 0 collapses
+            none. If it would change the volume by a twentieth, as of a thin plate, the mesh is not coarsened. On a limb
+            of radius r below 0.005, this length and t_c are multiplied by r / 0.005, so that a wire keeps its length.
+        max_iterations: the flow gives up after this many iterations.
+        max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
+            The checking of the mesh counts; on the command line all since its begin does.
+            How far the curve is then depends on the machine. If no iteration has ended, a `FlowError` is raised.
+        evaluate: whether the report gets the figures of `metrics.evaluate`.
+        check: whether to verify after every round of edits that the surface is a closed manifold of the same genus.
+        preprocessing, flow, solver, curve: the groups; each has a page of its own.
+        system: "msf", "tagliasacchi2012" or "au2008": the system that this was made from, whose weights
+            `default_weights` returns. Only the systems' own constructors set it.
+
+    Raises:
+        ConfigError: a value is out of its range.
+    """
+
+    detail: float = number(0.5, 0, 1)
+    least_slenderness: float = number(1.0, 0, math.inf)
+    coarsen: float = number(0.005, 0, 0.1)
+    max_iterations: int = number(200, 1, math.inf)
+    max_seconds: float | None = number(None, 0, math.inf)
+    evaluate: bool = False
+    check: bool = False
+    preprocessing: PreprocessingOptions = field(default_factory=PreprocessingOptions)
+    flow: FlowOptions = field(default_factory=FlowOptions)
+    solver: SolverOptions = field(default_factory=SolverOptions)
+    curve: CurveOptions = field(default_factory=CurveOptions)
+    system: str = choice("msf", SYSTEMS)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name, kind in GROUPS.items():
+            if not isinstance(getattr(self, name), kind):
+                found = type(getattr(self, name)).__name__
+                raise ConfigError(f"Config.{name} is a {found}: expected a msf_jax.{kind.__name__}")
+        if self.system != "msf" and self.flow == FlowOptions():
+            raise ConfigError(f"system only names the default weights: expected Config.named({self.system!r}, ...)")
+
+    def replace(self, **changes: Any) -> "Config":
+        """This configuration with ``changes``. Those of a group may be a dictionary: ``flow={"split_angle": 120}``.
+
+        Raises:
+            ConfigError: a value is out of its range.
+        """
+        for name, value in changes.items():
+            if name in GROUPS and isinstance(value, Mapping):
+                changes[name] = dataclasses.replace(getattr(self, name), **value)
+        return dataclasses.replace(self, **changes)
+
+    @classmethod
+    def tagliasacchi2012(cls, **changes: Any) -> "Config":
+        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles of the unfiltered surface, constant t_c.
+
+        Its weights, `default_weights`, have no smoothing. Entries of L are limited as in the default system.
+        """
+        base = cls(
+            system="tagliasacchi2012",
+            coarsen=0.0,
+            preprocessing=PreprocessingOptions(reconstruct_poles=0, resample=0.01, refine=0.0, poles="voronoi"),
+            flow=FlowOptions(laplacian="cotangent", threshold_min=0.002, threshold_step=0.0),
+        )
+        return base.replace(**changes)
+
+    @classmethod
+    def au2008(cls, **changes: Any) -> "Config":
+        """Au et al. 2008: contraction to a millionth of the volume without poles or edits, then surgery and recentring.
+
+        ``Config.au2008(curve={"surgery": False})`` extracts the curve from that contraction as in the other systems.
+        ``curve={"centre": True, "extend_tips": True}`` finishes the curve as in the other systems. It differs from the
+        paper in these points:
+
+        - In the paper w_L starts at 0.001 times the square root of a face's mean area, in units that are not given.
+          Here it starts at 400 times that root, in diagonals; else the first twenty steps would do nothing.
+        - If the height of a triangle is less than 0.3 of its longest edge, its three cotangents are multiplied by the
+          same factor below 1. Otherwise vertices at a limb's tip diverge along the limb. Negative cotangents are kept,
+          as in the paper: without them limbs become shorter, and the surface crumples.
+        - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, instead of by factorisation.
+          A factor of their square root is the preconditioner (see `numerics.factors`).
+        - Coordinates are rounded to a millionth of the diagonal at the start. One-ring areas are at least 1e-14.
+        - Surgery tests whether a merge would pinch a loop of the solid (see `meso.homology`). The paper tests
+          whether the edges i -> k and k -> j bound a face, and a ring of three edges around a limb would never
+          collapse.
+        - Before surgery, edges shorter than ``threshold_min`` are collapsed to their midpoints, in rounds of
+          independent edges. The surface has thousands of vertices for each node of the curve, and this reduces them.
+        - The cost of a half-edge collapse is updated when it has risen, or its sampling cost has fallen by a tenth.
+        - Recentring weights boundary loops by their length, and moves a leaf like the node before it. Junctions within
+          one ball are merged, as for the other systems.
+        - Spurious branches within a limb and branches into blunt corners are pruned, and edges outside the solid are
+          moved inside. ``least_slenderness=0`` keeps these branches, and all junctions.
+        """
+        base = cls(
+            system="au2008",
+            coarsen=0.0,
+            preprocessing=PreprocessingOptions(reconstruct_poles=0, refine=0.0, use_poles=False),
+            flow=FlowOptions(
+                laplacian="signed_cotangent",
+                edit_connectivity=False,
+                threshold_min=0.002,
+                threshold_step=0.0,
+                w_L_growth=2.0,
+                w_H_follows_area=True,
+                volume_tolerance=1e-6,
+                area_tolerance=1.0,
+            ),
+            solver=SolverOptions(tolerance=1e-12, step_tolerance=0.005, preconditioner=FACTORED),
+            curve=CurveOptions(surgery=True, centre=False, extend_tips=False),
+        )
+        return base.replace(**changes)
+
+    @classmethod
+    def smooth(cls, iterations: int = 6, **changes: Any) -> "Config":
+        """The default system without decisions: ``iterations`` steps of the mesh as it is, with tight solves.
+
+        Before the curve is extracted no edge is collapsed or split and no vertex is fixed, and only their number ends
+        the iterations. So the contracted surface is a smooth function of the weights and of the vertices, and the
+        replay of one tape is a fresh run at any weights, in float64. This is what `tune` needs for weights per vertex.
+        A run with this preset takes several times the CG steps. A surface that is not edited also contracts along its
+        limbs, so that a curved limb may leave its axis with the default weights.
+        """
+        base = cls(
+            coarsen=0.0,
+            max_iterations=iterations,
+            preprocessing=PreprocessingOptions(refine=0.0),
+            flow=FlowOptions(edit_connectivity=False, volume_tolerance=0.0),
+            solver=SolverOptions(tolerance=SMOOTH, step_tolerance=0.0),
+        )
+        return base.replace(**changes)
+
+    def tight(self) -> "Config":
+        """This configuration with solves to a residual of 1e-6 at least, none of which ends by the length of a step.
+
+        With loose solves a derivative does not predict a fresh run, even where no decision changes: each run stops
+        elsewhere. A tight run takes several times the CG steps. A "factored" system is solved tightly as it is.
+        """
+        if self.solver.preconditioner == FACTORED:
+            return self
+        return self.replace(solver={"tolerance": min(self.solver.tolerance, TIGHT), "step_tolerance": 0.0})
+
+    @classmethod
+    def named(cls, system: str, **changes: Any) -> "Config":
+        """The configuration of the ``system`` of that name: "msf", "tagliasacchi2012" or "au2008"."""
+        makers = {"tagliasacchi2012": cls.tagliasacchi2012, "au2008": cls.au2008}
+        if system not in SYSTEMS:
+            raise ConfigError(f"unknown system {system!r}: expected one of {', '.join(SYSTEMS)}")
+        return makers[system](**changes) if system in makers else cls().replace(**changes)
+
+    @property
+    def on_device(self) -> StepSettings:
+        """The settings that a jitted step depends on. A change of any other setting compiles nothing again."""
+        return StepSettings(
+            laplacian=self.flow.laplacian,
+            solver=Solver(self.solver.tolerance, self.solver.max_steps, self.solver.preconditioner),
+            step_tolerance=self.solver.step_tolerance,
+            w_H_follows_area=self.flow.w_H_follows_area,
+        )
+
+    def default_weights(self) -> Weights:
+        """The weights that go with this system."""
+        return {
+            "msf": Weights(),
+            "tagliasacchi2012": Weights(w_L=1.0, w_H=0.1, w_M=0.2, smoothing=0.0),
+            "au2008": Weights(w_L=1.0, w_H=1.0, w_M=0.0, smoothing=0.0),
+        }[self.system]
