@@ -43,7 +43,7 @@ from msf_jax.meshes.reading import MeshLike as MeshLike
 from msf_jax.meshes.reading import read_mesh as read_mesh
 from msf_jax.meshes.repair import Repair as Repair
 from msf_jax.skeleton.formats.importing import read_curve as read_curve
-from msf_jax.skeleton.framing.frame import Frame as Frame
+from msf_jax.skeleton.framing import Frame as Frame
 from msf_jax.skeleton.report import Report as Report
 from msf_jax.skeleton.rigging.rig import Rig as Rig
 from msf_jax.skeleton.skeleton import Skeleton as Skeleton

@@ -13,7 +13,7 @@ from scipy import spatial
 from msf_jax.curve import branch_paths
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, arc_length, at, cross, unit
+from msf_jax.solid.geometry import ROUNDING, arc_length, at, cross, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
 OFF = 0.2  # radii: a branch that is farther from its axis, or an axis from its trunk, is not on it
@@ -129,7 +129,7 @@ def meeting(side: Side, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, 
     part = graphs.labels(len(x), *edges[~_is_first(edges, side)].T)
     numbers = np.flatnonzero(is_trunk & (part[edges[:, 0]] != part[side.path[1]]))
     trunk = edges[numbers]
-    share, place, off = _nearest_on(x[trunk], side.place, -side.heading)
+    share, place, off = nearest_to_ray(x[trunk], side.place, -side.heading)
     ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
     along = np.linalg.norm(place - side.exit, axis=1)
     is_by = (off < OFF * ball) & (along < AXIS_REACH * ball)
@@ -219,18 +219,3 @@ def attached(
         edges = np.concatenate([np.delete(edges, gone, axis=0), added])
         is_trunk = np.append(np.delete(is_trunk, gone), is_added)
     return x, edges
-
-
-def _nearest_on(
-    segment: np.ndarray, place: np.ndarray, heading: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of each ``segment`` (S, 2, 3), where it is nearest to the ray from ``place`` (3,) along the unit vector
-    ``heading`` (3,): the share (S,) of its length, the point (S, 3), and its distance (S,) from the ray."""
-    start, span = segment[:, 0] - place, segment[:, 1] - segment[:, 0]
-    # Without the component along the ray, the nearest point of the segment to the origin.
-    flat, flat_span = (each - np.outer(each @ heading, heading) for each in (start, span))
-    share = np.clip(-np.einsum("si,si->s", flat, flat_span) / np.maximum((flat_span**2).sum(axis=1), 1e-300), 0.0, 1.0)
-    meet = segment[:, 0] + share[:, None] * span
-    back = (meet - place) @ heading
-    off = np.linalg.norm(meet - place - np.maximum(back, 0.0)[:, None] * heading, axis=1)
-    return share, meet, off

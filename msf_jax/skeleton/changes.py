@@ -14,7 +14,7 @@ from msf_jax.curve import finishing, resampling
 from msf_jax.inside import containment
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
-from msf_jax.skeleton.centrelines import table
+from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.report import assessed
 from msf_jax.skeleton.source import known
 from msf_jax.topology import graphs
@@ -127,7 +127,7 @@ def with_radii(skeleton: "Skeleton", of: str) -> "Skeleton":
     balls = replace(skeleton, radii=source.solid.radii(skeleton.vertices), radius_of="ball")
     if of == "ball":
         return balls
-    area = table.node_columns(balls)["area"]
+    area = centrelines.node_columns(balls)["area"]
     radii = np.where(np.isfinite(area), np.sqrt(np.maximum(area, 0.0) / np.pi), balls.radii)
     return replace(balls, radii=radii, radius_of=of)
 

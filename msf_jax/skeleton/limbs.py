@@ -2,7 +2,7 @@
 are.
 
 For a branch of length l outside the balls of its junctions, in a part of the solid of volume V (see
-`centrelines.profiles.swept_volumes`) with cross-sections of area A,
+`measures.swept_volumes`) with cross-sections of area A,
 
     unexplained = max(l - V / A, 0),
 
@@ -17,7 +17,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.curve import branch_paths
-from msf_jax.skeleton.centrelines.profiles import volumes_of
+from msf_jax.skeleton.measures import volumes_of
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, unit

@@ -16,10 +16,9 @@ from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.pruning import Branch
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording import following
-from msf_jax.skeleton import changes, converting, precomputed, pytree, slopes, trees
+from msf_jax.skeleton import changes, converting, framing, precomputed, pytree, slopes, trees
 from msf_jax.skeleton.formats import export, tables
-from msf_jax.skeleton.framing import fitting
-from msf_jax.skeleton.framing.frame import Frame
+from msf_jax.skeleton.framing import Frame
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
@@ -333,7 +332,7 @@ class Skeleton:
             ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no cross-section, or the
                 surface that the curve was made from is not known.
         """
-        return fitting.frame_of(self, tolerance)
+        return framing.frame_of(self, tolerance)
 
     def view(self, mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.

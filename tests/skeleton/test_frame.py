@@ -12,10 +12,8 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError, shapes
-from msf_jax.skeleton.framing import fitting
-from msf_jax.skeleton.framing.frame import Frame
-from msf_jax.skeleton.framing.joints import wires_of
-from msf_jax.skeleton.framing.section_properties import section_of, torsion_of
+from msf_jax.skeleton.framing import Frame, meet_axes, torsion_of, trace_wires
+from msf_jax.skeleton.measures import section_of
 from msf_jax.skeleton.skeleton import Skeleton
 
 SIDES = 24
@@ -64,9 +62,9 @@ def test_axes_that_are_parallel_meet_at_the_place_on_the_curve_and_others_at_the
     """The least squares of the equation by hand, its weight 1e-3: for axes x and y the place counts 1 / 1001."""
     place = np.array([[2.0, 3.0, 4.0], [0, 0, 0], [0, 0, 0]])
     pair, middle = np.array([[1, 0], [0, 2]]), np.array([[-1.0, 0, 0], [1.0, 0, 0]])
-    straight = fitting._met(place, pair, middle, np.array([[1.0, 0, 0], [1.0, 0, 0]]))[0]
+    straight = meet_axes(place, pair, middle, np.array([[1.0, 0, 0], [1.0, 0, 0]]))[0]
     np.testing.assert_allclose(straight, [2.0, 3e-3 / 2.001, 4e-3 / 2.001], rtol=1e-9)
-    corner = fitting._met(place, pair, middle * [1, 0, 0], np.array([[1.0, 0, 0], [0, 1.0, 0]]))[0]
+    corner = meet_axes(place, pair, middle * [1, 0, 0], np.array([[1.0, 0, 0], [0, 1.0, 0]]))[0]
     np.testing.assert_allclose(corner, [1.002 / 1.001, 3e-3 / 1.001, 4e-3 / 2.001], rtol=1e-9)
 
 
@@ -264,8 +262,8 @@ def test_a_bend_near_an_end_is_a_joint_and_a_rounded_one_is_one():
         stops = np.linspace(0, along[-1], 75)
         points = np.stack([np.interp(stops, along, path[:, axis]) for axis in range(3)], axis=1)
         edges = np.stack([np.arange(74), np.arange(1, 75)], axis=1)
-        found = wires_of(points, edges, np.full(75, 0.3), 0.3)
-        assert len(found.wires) == 3 and found.is_end.sum() == 2
+        found = trace_wires(points, edges, np.full(75, 0.3), 0.3)
+        assert len(found.nodes) == 3 and (np.bincount(found.members.ravel()) == 1).sum() == 2
 
 
 def test_joints_nearer_than_the_tolerance_are_one_and_others_are_not(cantilever):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import networkx as nx
 import numpy as np
 
-from msf_jax.skeleton.centrelines.table import branch_columns, node_columns
+from msf_jax.skeleton.centrelines import branch_columns, node_columns
 from msf_jax.skeleton.formats.text import number, point
 from msf_jax.topology import graphs
 

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.skeleton.centrelines.axes import axis_columns, cylinder_columns
-from msf_jax.skeleton.centrelines.table import Columns, branch_columns, node_columns
+from msf_jax.skeleton.centrelines import Columns, axis_columns, branch_columns, cylinder_columns, node_columns
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

@@ -1,0 +1,368 @@
+"""Tables of measurements: a row for each branch, node, axis of a plant, or cylinder of a model of a tree.
+
+Branches lead away from roots. An axis, as botanists count them, goes on through a fork: of the branches that leave the
+fork, the thickest and straightest continues the axis. That is the one with the largest
+
+    r (1 + cos a) / 2,
+
+r its mean radius, a its angle to the branch before the fork, 0 if straight. The others begin axes of the next order.
+The main axis has order 0. The Strahler order of a branch that ends in a tip is 1. Before a fork it is the largest after
+the fork, or one more if several have that (Strahler 1957).
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.curve import branches
+from msf_jax.skeleton.measures import Profiles, frames_of, profiles_of, volumes_of
+from msf_jax.solid.geometry import arc_length, at, nearest_to_ray, unit
+from msf_jax.topology import graphs
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+AWAY = 1.5  # radii of a junction: nearer to it, a branch still bends towards its middle
+BEYOND = 2.0  # radii of a junction: a branch's direction is taken over this length, from `AWAY` on
+LEAST_BEYOND = 1.0  # radii of a junction: the least such length, where another junction is near
+INSERTION_REACH = 3.0  # mean radii of the parent: length, in one direction, over which directions are taken
+Columns = dict[str, np.ndarray]
+
+
+def direct_paths(paths: Iterable[np.ndarray], roots: Iterable[int]) -> tuple[list[np.ndarray], dict[int, int]]:
+    """The nodes of each of ``paths`` away from the ``roots``; and the path before each, -1 at a root, for those that
+    are connected to a root, in the order in which they are reached. A path leads both ways from a root within it."""
+    paths, above = list(paths), {}
+    at_node: dict[int, list[int]] = {}
+    for number, nodes in enumerate(paths):
+        for end in {int(nodes[0]), int(nodes[-1])}:
+            at_node.setdefault(end, []).append(number)
+    inside = {int(node): number for number, nodes in enumerate(paths) for node in nodes[1:-1]}
+    for root in roots:
+        queue = [(int(root), -1)]  # a junction, and the path by which it was reached
+        if root in inside:
+            first = inside[root]
+            above[first] = -1
+            queue = [(int(paths[first][0]), first), (int(paths[first][-1]), first)]
+        for node, before in queue:
+            for number in at_node.get(node, []):
+                if number not in above:
+                    above[number] = before
+                    if paths[number][0] != node:
+                        paths[number] = paths[number][::-1]
+                    queue.append((int(paths[number][-1]), number))
+    return paths, above
+
+
+class DirectedBranches(NamedTuple):
+    """Branches directed away from the root. nodes: those of each branch, the end nearer to the root first. parent: (B,)
+    the branch before each, -1 for those at a root. degree: (N,) the number of edges at each node of the curve."""
+
+    nodes: list[np.ndarray]
+    parent: np.ndarray
+    degree: np.ndarray
+
+
+def direct_branches(skeleton: "Skeleton") -> DirectedBranches:
+    """The branches of ``skeleton``, in the order of its ``branches``, from its roots, or in each component from the tip
+    of its thickest limb, or from its thickest node if it has no tip."""
+    num, roots = len(skeleton.vertices), skeleton.roots
+    degree = graphs.degrees(num, skeleton.edges)
+    paths = [np.array(nodes) for nodes in graphs.trace(num, skeleton.edges)]
+    if not roots:
+        size = skeleton.radii / (1 + skeleton.radii.max())  # below 1, so that tips, with sizes above 1, go first
+        for nodes in paths:
+            for tip in nodes[[0, -1]][degree[nodes[[0, -1]]] == 1]:
+                size[tip] = 1 + np.median(skeleton.radii[nodes])
+        roots = branches.roots_of(num, skeleton.edges, size, None)
+    paths, above = direct_paths(paths, roots)
+    parent = [above.get(number, -1) for number in range(len(paths))]
+    return DirectedBranches(paths, _whole(parent), degree)
+
+
+def _whole(numbers: Sequence[int]) -> np.ndarray:
+    return np.array(numbers, dtype=np.int64)
+
+
+def branch_columns(skeleton: "Skeleton") -> Columns:
+    """The columns of the table of branches."""
+    paths, parent, degree = directed = direct_branches(skeleton)
+    points = [skeleton.vertices[nodes] for nodes in paths]
+    length = np.array([arc_length(path)[-1] for path in points])
+    chord = np.array([np.linalg.norm(path[-1] - path[0]) for path in points])
+    size = np.array([radii_without_ends(skeleton, nodes, degree) for nodes in paths]).reshape(len(paths), 3)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        tortuosity = np.where(chord > 0, length / chord, np.where(length > 0, np.inf, np.nan))
+    return {
+        "branch": np.arange(len(paths)),
+        "start": _whole([nodes[0] for nodes in paths]),
+        "end": _whole([nodes[-1] for nodes in paths]),
+        "parent": parent,
+        "is_tip": np.array([degree[nodes[-1]] == 1 for nodes in paths], dtype=bool),
+        "length": length,
+        "chord": chord,
+        "tortuosity": tortuosity,
+        "mean_radius": size[:, 0],
+        "least_radius": size[:, 1],
+        "largest_radius": size[:, 2],
+        "volume": _branch_volumes(skeleton, len(paths)),
+        "angle": _fork_angles(skeleton, directed),
+        "slenderness": np.array([branch.slenderness for branch in skeleton.branches], dtype=float),
+        "surface": np.array([branch.surface for branch in skeleton.branches], dtype=float),
+    }
+
+
+def node_columns(skeleton: "Skeleton") -> Columns:
+    """The columns of the table of nodes. A junction belongs to the first of its branches."""
+    num, branch = len(skeleton.vertices), np.full(len(skeleton.vertices), -1)
+    along, curvature, torsion = np.full((3, num), np.nan)
+    tangent = np.full((num, 3), np.nan)
+    for number, nodes in reversed(list(enumerate(direct_branches(skeleton).nodes))):
+        points = skeleton.vertices[nodes]
+        branch[nodes], along[nodes] = number, arc_length(points)
+        if len(nodes) > 1 and arc_length(points)[-1] > 0:
+            tangent[nodes], curvature[nodes], torsion[nodes] = frames_of(points, skeleton.radii[nodes])
+    sections = np.full((4, num), np.nan)
+    known = np.isfinite(tangent).all(axis=1)
+    if skeleton.source is not None and known.any():
+        places = skeleton.vertices[known], tangent[known], skeleton.radii[known]
+        sections[:, known] = profiles_of(skeleton.source.solid, *places)
+    profiles = Profiles(*sections)
+    return {
+        "node": np.arange(num),
+        **dict(zip("xyz", skeleton.vertices.T, strict=True)),
+        "radius": skeleton.radii,
+        "branch": branch,
+        "along": along,
+        **dict(zip(("tangent_x", "tangent_y", "tangent_z"), tangent.T, strict=True)),
+        "curvature": curvature,
+        "torsion": torsion,
+        "area": profiles.area,
+        "perimeter": profiles.perimeter,
+        "largest_diameter": profiles.largest,
+        "least_diameter": profiles.least,
+    }
+
+
+def radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> tuple[float, float, float]:
+    """Mean, least and largest radius of a branch without its ends: within a radius of a tip balls are smaller, and
+    within the ball of a junction larger, than along the branch."""
+    radii, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
+    usual = float(np.median(radii))
+    first, last = (
+        radii[k] if degree[nodes[k]] > 2 else usual if degree[nodes[k]] == 1 and not is_open else 0.0
+        for k, is_open in ((0, nodes[0] in skeleton.openings), (-1, nodes[-1] in skeleton.openings))
+    )
+    is_own = (along >= first) & (along <= along[-1] - last)
+    if not is_own.any():
+        is_own[np.abs(along - along[-1] / 2).argmin()] = True
+    own, stops = radii[is_own], along[is_own]
+    mean = np.trapezoid(own, stops) / (stops[-1] - stops[0]) if stops[-1] > stops[0] else own.mean()
+    return float(mean), float(own.min()), float(own.max())
+
+
+def _degrees_between(one: np.ndarray, other: np.ndarray) -> float:
+    """The angle between two unit vectors."""
+    return float(np.degrees(np.arccos(np.clip(one @ other, -1.0, 1.0))))
+
+
+def _fork_angles(skeleton: "Skeleton", directed: DirectedBranches) -> np.ndarray:
+    """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
+    NaN at a root."""
+    paths, parent, degree = directed
+    angles = np.full(len(paths), np.nan)
+    for number in np.flatnonzero((parent >= 0) & [len(nodes) > 1 for nodes in paths]).tolist():
+        nodes, mother = paths[number], paths[parent[number]]
+        mother = mother if mother[-1] != nodes[0] else mother[::-1]
+        ahead, back = (_direction_from(skeleton, each, degree) for each in (nodes, mother))
+        angles[number] = _degrees_between(-ahead, back)
+    return angles
+
+
+def _direction_from(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> np.ndarray:
+    """(3,) the direction of a branch away from the junction at its first node.
+
+    It leaves out the part that bends towards this junction, and the part that bends towards one at the last node.
+    """
+    points = skeleton.vertices[nodes]
+    along, radius = arc_length(points), float(skeleton.radii[nodes[0]])
+    first, last = AWAY * radius, AWAY * float(skeleton.radii[nodes[-1]]) * (degree[nodes[-1]] > 2)
+    least = min(LEAST_BEYOND * radius, along[-1] / 2)
+    begin, end = first, min(first + BEYOND * radius, along[-1] - last)
+    if end - begin < least:  # centred where both junctions are equally many radii away
+        middle = along[-1] * first / (first + last) if first + last > 0 else along[-1]
+        begin = min(max(middle - least / 2, 0.0), along[-1] - least)
+        end = begin + least
+    near, far = at(points, along, np.array([begin, end]))
+    return unit(far - near)
+
+
+def _branch_volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
+    """(B,) the volume between each branch and the faces that belong to it; NaN if the surface is not known."""
+    if skeleton.source is None:
+        return np.full(num, np.nan)
+    solid = skeleton.source.solid
+    if skeleton.source.input_of_vertex is not None:
+        node = skeleton.mesh_map[skeleton.source.input_of_vertex]
+    else:
+        node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
+    nodes = solid.enter(skeleton.vertices)
+    radii = skeleton.radii / solid.diagonal
+    return volumes_of(solid.shape, nodes, skeleton.edges, radii, node) * solid.diagonal**3
+
+
+class Axis(NamedTuple):
+    """branches: their numbers, from the base to the tip. nodes: along all of them. parent: the number of the axis that
+    it leaves, or -1. order: 0 of a main axis. position: length of the parent up to the fork."""
+
+    branches: list[int]
+    nodes: np.ndarray
+    parent: int
+    order: int
+    position: float
+
+
+class Plant(NamedTuple):
+    """All axes, parents first, those of a parent from its base to its tip. strahler: (B,) the Strahler order of each
+    branch. degree: (N,) of each node."""
+
+    axes: list[Axis]
+    strahler: np.ndarray
+    degree: np.ndarray
+
+
+def axes_of(skeleton: "Skeleton") -> Plant:
+    """The axes of the branches of ``skeleton``, away from its roots, see `direct_branches`."""
+    paths, parent, degree = directed = direct_branches(skeleton)
+    radius = np.array([radii_without_ends(skeleton, nodes, degree)[0] for nodes in paths])
+    angle = np.nan_to_num(_fork_angles(skeleton, directed))
+    worth = radius * (1 + np.cos(np.radians(angle))) / 2
+    after = [np.flatnonzero(parent == number).tolist() for number in range(len(paths))]
+    axes: list[Axis] = []
+    waiting = [(number, -1, 0, 0.0) for number in np.flatnonzero(parent < 0).tolist()]
+    for number, above, order, position in waiting:
+        own, leaving, along = [number], [], 0.0
+        while True:
+            last = own[-1]
+            along += float(arc_length(skeleton.vertices[paths[last]])[-1])
+            # A root in the middle of a branch has branches at both of its ends.
+            onward = [each for each in after[last] if paths[each][0] == paths[last][-1]]
+            goes_on = max(onward, key=lambda each: worth[each], default=-1)
+            leaving += [(each, along) for each in onward if each != goes_on]
+            leaving += [(each, 0.0) for each in after[last] if each not in onward]
+            if goes_on < 0:
+                break
+            own.append(goes_on)
+        nodes = np.concatenate([paths[own[0]], *(paths[each][1:] for each in own[1:])])
+        waiting += [(each, len(axes), order + 1, place) for each, place in sorted(leaving, key=lambda each: each[1])]
+        axes.append(Axis(own, nodes, above, order, position))
+    strahler = np.ones(len(paths), dtype=np.int64)
+    for branch in (branch for axis in reversed(axes) for branch in reversed(axis.branches)):  # from the tips
+        if after[branch]:
+            beyond = strahler[after[branch]]
+            strahler[branch] = beyond.max() + (np.sum(beyond == beyond.max()) > 1)
+    return Plant(axes, strahler, degree)
+
+
+def axis_columns(skeleton: "Skeleton") -> Columns:
+    """The columns of the table of axes."""
+    axes, strahler, degree = axes_of(skeleton)
+    num, volume = len(axes), _branch_volumes(skeleton, len(strahler))
+    size = np.array([radii_without_ends(skeleton, axis.nodes, degree)[:2] for axis in axes]).reshape(num, 2)
+    along = np.array([arc_length(skeleton.vertices[axis.nodes])[-1] for axis in axes])
+    inserted = [_insert_axis(skeleton, axes, axis, size[axis.parent, 0]) for axis in axes]
+    position, angle, length = np.array(inserted).reshape(num, 3).T
+    above = _whole([axis.parent for axis in axes])
+    position += np.where(above >= 0, (length - along)[above], 0.0)  # from where the parent itself begins
+    internode, last = np.full(num, np.nan), dict[int, float]()
+    for number in np.argsort(position, kind="stable").tolist():
+        mother, place = axes[number].parent, float(position[number])
+        if mother >= 0:
+            internode[number] = place - last.get(mother, 0.0)
+            last[mother] = place
+    return {
+        "axis": np.arange(num),
+        "parent": above,
+        "order": _whole([axis.order for axis in axes]),
+        "strahler": _whole([strahler[axis.branches[0]] for axis in axes]),
+        "start": _whole([axis.nodes[0] for axis in axes]),
+        "end": _whole([axis.nodes[-1] for axis in axes]),
+        "position": position,
+        "internode": internode,
+        "angle": angle,
+        "length": length,
+        "chord": np.array([np.linalg.norm(np.diff(skeleton.vertices[axis.nodes[[0, -1]]], axis=0)) for axis in axes]),
+        "mean_radius": size[:, 0],
+        "least_radius": size[:, 1],
+        "volume": np.array([volume[axis.branches].sum() for axis in axes]),
+    }
+
+
+def _insert_axis(skeleton: "Skeleton", axes: list[Axis], axis: Axis, size: float) -> tuple[float, float, float]:
+    """Where ``axis`` begins on its parent, of the mean radius ``size``: the length of the parent up to there, the angle
+    between both in degrees, and the length of the axis from there; NaN and its length for a main axis.
+
+    Within its parent the curve bends towards the fork. So its first part outside is extended backwards, straight, to
+    where it is nearest to the parent."""
+    points, radii = skeleton.vertices[axis.nodes], skeleton.radii[axis.nodes]
+    along, reach = arc_length(points), INSERTION_REACH * size
+    if axis.parent < 0 or along[-1] == 0:
+        return np.nan, np.nan, float(along[-1])
+    mother = skeleton.vertices[axes[axis.parent].nodes]
+    above = arc_length(mother)
+    near = np.abs(above - axis.position) <= along[-1] + size
+    away = spatial.KDTree(mother[near]).query(points)[0]
+    outside = np.flatnonzero(away > size + radii)
+    begin = float(along[outside[0]]) if len(outside) else 0.0
+    end = min(begin + reach, float(along[-1]))
+    base, ahead = at(points, along, np.array([begin, end if end > begin else along[-1]]))
+    onward = unit(ahead - base)
+    _, feet, off = nearest_to_ray(np.stack([mother[:-1], mother[1:]], axis=1), base, -onward)
+    foot = feet[off.argmin()]
+    t = float(above[off.argmin()] + np.linalg.norm(foot - mother[off.argmin()]))
+    before, after = at(mother, above, np.clip([t - reach, t + reach], 0.0, above[-1]))
+    angle = _degrees_between(onward, unit(after - before))
+    return t, angle, float(along[-1] - begin + np.linalg.norm(base - foot))
+
+
+def cylinder_columns(skeleton: "Skeleton") -> Columns:
+    """The columns of the table of cylinders: one along each edge, by the names of TreeQSM as rTwig reads them.
+
+    Numbers of cylinders and branches begin with 1, and 0 is none. ``UnmodRadius`` is the mean of the radii at both
+    ends. In ``radius`` the part of an axis within its parent is as thick as the axis is outside.
+    """
+    axes = axes_of(skeleton).axes
+    first = np.cumsum([0, *(len(axis.nodes) - 1 for axis in axes)])
+    ends, radius = [np.empty((0, 2), dtype=np.int64)], [np.empty(0)]
+    parent, extension = np.zeros((2, first[-1]), dtype=np.int64)
+    into: dict[tuple[int, int], int] = {}  # the cylinder of an axis that ends in a node
+    for number, axis in enumerate(axes):
+        nodes, mine = axis.nodes, np.arange(first[number], first[number + 1])
+        ends.append(np.stack([nodes[:-1], nodes[1:]], axis=1))
+        own, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
+        if axis.parent >= 0:
+            outside = np.flatnonzero(along > own[0])
+            own = np.where(along <= own[0], np.minimum(own, own[outside[0]] if len(outside) else own[-1]), own)
+        radius.append((own[:-1] + own[1:]) / 2)
+        into |= {(number, int(node)): int(k) + 1 for node, k in zip(nodes[1:], mine, strict=True)}
+        if len(mine):
+            parent[mine[1:]], extension[mine[:-1]] = mine[:-1] + 1, mine[1:] + 1
+            parent[mine[0]] = into.get((axis.parent, int(nodes[0])), 0)
+    pairs = np.concatenate(ends)
+    tail, head = skeleton.vertices[pairs[:, 0]], skeleton.vertices[pairs[:, 1]]
+    branch = np.repeat(np.arange(len(axes)), np.diff(first))
+    return {
+        "radius": np.concatenate(radius),
+        "length": np.linalg.norm(head - tail, axis=1),
+        **dict(zip(("start.x", "start.y", "start.z"), tail.T, strict=True)),
+        **dict(zip(("axis.x", "axis.y", "axis.z"), unit(head - tail).T, strict=True)),
+        "parent": parent,
+        "extension": extension,
+        "added": np.zeros(first[-1], dtype=np.int64),
+        "UnmodRadius": skeleton.radii[pairs].mean(axis=1),
+        "branch": branch + 1,
+        "BranchOrder": _whole([axis.order for axis in axes])[branch],
+        "PositionInBranch": np.arange(first[-1]) - first[:-1][branch] + 1,
+    }

@@ -1,0 +1,209 @@
+"""Measures at places of a curve: tangents, curvature and torsion, cross-sections of the solid, volumes of branches.
+
+With s the arc length and x(s) the least-squares cubic over the nodes within a few radii,
+
+    tangent x' / |x'|,   curvature |x' x x''| / |x'|^3,   torsion (x' x x'') . x''' / |x' x x''|^2.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.solid import openings, sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length, cross, repeated, unit
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
+
+FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
+FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
+STRAIGHT = 0.02  # curvature times reach: below it, torsion is 0, because a straight line has none
+NEGLIGIBLE = 1e-9  # share of the largest eigenvalue of a fit: smaller ones, of too few nodes, count as 0
+LONGEST_FACE = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
+MOST_PARTS = 64  # parts along a side of a face, at most
+MOST_FACES = 50_000  # faces after splitting, about; bounds time and memory
+
+
+class Frames(NamedTuple):
+    """Values at the nodes of a branch. tangent: (n, 3), unit. curvature, torsion: (n,), in 1/length."""
+
+    tangent: np.ndarray
+    curvature: np.ndarray
+    torsion: np.ndarray
+
+
+def frames_of(points: np.ndarray, radii: np.ndarray) -> Frames:
+    """The frames of a branch through ``points`` (n, 3), n >= 2, in a limb of ``radii`` (n,)."""
+    num, along = len(points), arc_length(points)
+    index = np.arange(num)
+    first, last = np.maximum(index - FEWEST_FITTED, 0), np.minimum(index + FEWEST_FITTED, num - 1)
+    reach = np.maximum(FIT_REACH * radii, np.maximum(along - along[first], along[last] - along))
+    # A little more, so that the nodes at its ends count whatever the rounding; and more than 0, for nodes in one place.
+    reach = np.maximum(1.001 * reach, 1e-12 * max(along[-1], 1e-300))
+    begin = np.searchsorted(along, along - reach)
+    count = np.searchsorted(along, along + reach, side="right") - begin
+    row, k = repeated(count)
+    other = begin[row] + k
+    away = (along[other] - along[row]) / reach[row]
+    weight = np.maximum(1 - away**2, 0.0)[:, None] ** 2
+    power = np.stack([np.ones_like(away), away, away**2, away**3], axis=1)
+    starts = np.cumsum(count) - count
+    left = np.add.reduceat((weight * power)[:, :, None] * power[:, None, :], starts)
+    right = np.add.reduceat((weight * power)[:, :, None] * (points[other] - points[row])[:, None, :], starts)
+    fit = np.linalg.pinv(left, rcond=NEGLIGIBLE, hermitian=True) @ right
+    one, two, three = (factor * fit[:, k] / reach[:, None] ** k for k, factor in ((1, 1), (2, 2), (3, 6)))
+    binormal = cross(one, two)
+    size, speed = np.linalg.norm(binormal, axis=1), np.maximum(np.linalg.norm(one, axis=1), 1e-300)
+    curvature = size / speed**3
+    is_straight = curvature * reach < STRAIGHT
+    torsion = np.einsum("ij,ij->i", binormal, three) / np.where(is_straight, 1.0, size) ** 2
+    return Frames(unit(one), curvature, np.where(is_straight, 0.0, torsion))
+
+
+def axes_across(normals: np.ndarray) -> np.ndarray:
+    """(P, 2, 3) two unit vectors across each of the unit vectors ``normals`` (P, 3)."""
+    u = unit(cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)]))
+    return np.stack([u, cross(normals, u)], axis=1)
+
+
+class SectionLoop(NamedTuple):
+    """The edge of a cross-section. place: (3,) of its plane. axes: (2, 3) unit vectors in the plane. corners: (n, 2)
+    along the axes from the place, counterclockwise."""
+
+    place: np.ndarray
+    axes: np.ndarray
+    corners: np.ndarray
+
+
+def sections_through(
+    solid: Solid, points: np.ndarray, normals: np.ndarray, radii: np.ndarray
+) -> dict[int, SectionLoop]:
+    """The sections of ``solid`` through ``points`` (P, 3) across ``normals`` (P, 3), with radii of about ``radii``
+    (P,), by the number of the point; none where there is no closed loop around an area. In the caller's units.
+
+    A point at an opening, or so near an oblique or uneven one that the plane cuts its lid, has the section just inside
+    the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim.
+    """
+    given = solid.enter(points)
+    entered = openings.moved_inside(given, normals, solid.openings)
+    cut = sections.corners(solid.shape, entered, normals, radii / solid.diagonal)
+    is_whole = cut.is_closed & (sections.areas(solid.shape, cut, normals) > 0)
+    middle, axes = points + solid.diagonal * (entered - given), axes_across(normals)
+    corners = solid.leave(cut.places(solid.shape))
+    bounds = np.searchsorted(cut.loop, np.arange(len(points) + 1))
+    return {
+        k: SectionLoop(middle[k], axes[k], (corners[bounds[k] : bounds[k + 1]] - middle[k]) @ axes[k].T)
+        for k in np.flatnonzero(is_whole).tolist()
+    }
+
+
+class Section(NamedTuple):
+    """area. centroid: (2,). moments: (2, 2), the integrals of u u, u v, v v over the area, about the centroid."""
+
+    area: float
+    centroid: np.ndarray
+    moments: np.ndarray
+
+
+def section_of(corners: np.ndarray) -> Section:
+    """The properties of the polygon ``corners`` (n, 2), counterclockwise: sums over its edges (Green's theorem)."""
+    start = corners[0]
+    a = corners - start
+    b = np.roll(a, -1, axis=0)
+    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    area = twice.sum() / 2
+    centroid = (twice[:, None] * (a + b)).sum(axis=0) / (6 * area)
+    a, b = a - centroid, b - centroid
+    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    pairs = sum(np.einsum("n,ni,nj->ij", twice, each, each) for each in (a, b, a + b))
+    return Section(float(area), start + centroid, np.asarray(pairs) / 24)
+
+
+class Profiles(NamedTuple):
+    """Cross-sections at nodes (N,), in the caller's units, NaN where none was found. largest, least: diameters between
+    parallel lines, as measured by a calliper."""
+
+    area: np.ndarray
+    perimeter: np.ndarray
+    largest: np.ndarray
+    least: np.ndarray
+
+
+def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> Profiles:
+    """The `Profiles` of the sections through ``nodes`` (N, 3) across ``tangents`` (N, 3), see `sections_through`."""
+    profiles = Profiles(*np.full((4, len(nodes)), np.nan))
+    for node, (_, _, corners) in sections_through(solid, nodes, tangents, radii).items():
+        a, b = corners, np.roll(corners, -1, axis=0)
+        profiles.area[node] = (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2
+        profiles.perimeter[node] = np.linalg.norm(b - a, axis=1).sum()
+        try:
+            hull = spatial.ConvexHull(corners)
+        except spatial.QhullError:  # all in a line, but for rounding
+            continue
+        extreme = corners[hull.vertices]
+        profiles.largest[node] = spatial.distance.pdist(extreme).max()
+        # The least width of a polygon is across an edge of its convex hull.
+        profiles.least[node] = np.ptp(extreme @ hull.equations[:, :2].T, axis=0).min()
+    return profiles
+
+
+def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
+    """(num,) the volume between the faces of each ``group`` (F,) and the curve.
+
+    ``corners`` (F, 3, 3) of each face move straight to their ``feet`` (F, 3, 3) on the curve. The sides of the volume
+    that a face sweeps are shared with its neighbours, so the volumes of all faces of a closed surface add up to the
+    enclosed volume, because a curve encloses none.
+    """
+
+    # Six times the volume: the corners' part, less the feet's, and of each side, a ruled surface, the mean of its two
+    # triangulations.
+    a, b = np.moveaxis(corners, 1, 0), np.moveaxis(feet, 1, 0)
+    six = np.einsum("fi,fi->f", a[0], cross(a[1], a[2])) - np.einsum("fi,fi->f", b[0], cross(b[1], b[2]))
+    for p, q in ((0, 1), (1, 2), (2, 0)):
+        six += np.einsum("fi,fi->f", cross(a[q], a[p]), b[p] + b[q]) / 2
+        six += np.einsum("fi,fi->f", cross(b[p], b[q]), a[p] + a[q]) / 2
+    return np.bincount(group, weights=six / 6, minlength=num)
+
+
+def volumes_of(
+    shape: Enclosure, nodes: np.ndarray, edges: np.ndarray, radii: np.ndarray, node_of_vertex: np.ndarray
+) -> np.ndarray:
+    """(B,) the volume between each branch of a curve ``(nodes (N, 3), edges (E, 2))`` and the faces that belong to it.
+
+    A face belongs to the branch of its first corner's node: ``node_of_vertex`` (V,), for the vertices of ``shape``. A
+    face longer than the limb is thick, by the ``radii`` (N,), is split, and its new corners belong to the nearest node.
+    """
+    branches = graphs.trace(len(nodes), edges)
+    branch = np.full(len(nodes), -1)
+    for number, path in reversed(list(enumerate(branches))):
+        branch[path] = number
+    corners, node = shape.triangles, node_of_vertex[shape.faces]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    with np.errstate(divide="ignore"):
+        parts = np.minimum(np.ceil(longest / (LONGEST_FACE * radii[node].max(axis=1))), MOST_PARTS)
+    parts = np.maximum(np.floor(parts / max(np.sqrt((parts**2).sum() / MOST_FACES), 1.0)), 1).astype(int)
+    found, tree = np.zeros(len(branches)), spatial.KDTree(nodes)
+    for num in np.unique(parts).tolist():
+        own, feet = corners[parts == num], node[parts == num]
+        if num > 1:
+            weights, corner = _split(num)
+            points = np.einsum("sk,fkx->fsx", weights, own)
+            own, feet = (
+                each[:, corner].reshape(-1, 3, *each.shape[2:]) for each in (points, np.asarray(tree.query(points)[1]))
+            )
+        found += swept_volumes(own, nodes[feet], branch[feet[:, 0]], len(branches))
+    return found
+
+
+def _split(num: int) -> tuple[np.ndarray, np.ndarray]:
+    """Barycentric coordinates (s, 3) of a grid of points in a triangle, ``num`` steps along each side, and the points
+    (num^2, 3) at the corners of the parts between them."""
+    i, j = (each.ravel() for each in np.indices((num + 1, num + 1)))
+    number = np.cumsum(i + j <= num) - 1
+    parts = []
+    for steps, most in ((((0, 0), (1, 0), (0, 1)), num - 1), (((1, 1), (0, 1), (1, 0)), num - 2)):
+        first = np.flatnonzero(i + j <= most)
+        parts.append(np.stack([number[first + (num + 1) * a + b] for a, b in steps], axis=1))
+    i, j = i[i + j <= num], j[i + j <= num]
+    return np.stack([num - i - j, i, j], axis=1) / num, np.concatenate(parts)
