@@ -37,7 +37,7 @@ _NAMES = {
     "meshes.reading": "MeshLike read_mesh",
     "meshes.repair": "Repair",
     "skeleton.formats.importing": "read_curve",
-    "skeleton.framing.frame": "Frame",
+    "skeleton.framing": "Frame",
     "skeleton.report": "Report",
     "skeleton.rigging.rig": "Rig",
     "skeleton.skeleton": "Skeleton",
