@@ -95,9 +95,6 @@ class Diagonal(NamedTuple):
     def diagonal(self):
         return jnp.ones_like(self.entries)
 
-    def least(self):
-        return jnp.full_like(self.entries, self.entries.min()), self.entries.min()
-
 
 # Surfaces
 

@@ -267,7 +267,7 @@ class SolverOptions(Options):
     Attributes:
         tolerance: residual of a solve, relative to the right-hand side, at which it ends.
         step_tolerance: a solve also ends when a CG step moves no vertex by more than this part of t_c. This says little
-            about its error, see ``Report.unsolved``.
+            about its error.
         max_steps: CG steps after which a solve gives up; the report counts such solves (``out_of_steps``).
         preconditioner: "jacobi", or "factored", a sparse factorisation that the host computes in every iteration, for
             systems too ill-conditioned for "jacobi" (see `numerics.factors`). Such systems are solved in float64,

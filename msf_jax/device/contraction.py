@@ -52,14 +52,10 @@ def smoothing(strength: jax.Array) -> Energy:
 @jax.tree_util.register_dataclass
 @dataclass(frozen=True)
 class Gram:
-    """The normal operator x -> P (A^T A + shift) P x on free vertices, and the identity on the others; a `cg.Operator`.
+    """The normal operator x -> P (A^T A + shift) P x on free vertices, and the identity on the others.
 
     weights: (2, S) A's off-diagonal entries, by row and then by column. own: (n,) A's diagonal. shift: (n,). free: (n,)
-    1.0 for free vertices, 0.0 for fixed and padded ones. below: (n,) a diagonal matrix that is not above the operator.
-    expected: the mean of alpha^2 + shift over free vertices. neighbour: (S,). layout: of the slots.
-
-    A smooth displacement over the whole surface has almost the quotient ``expected``. One where the shift is small, if
-    the shift is uneven, has a much smaller one.
+    1.0 for free vertices, 0.0 for fixed and padded ones. neighbour: (S,). layout: of the slots.
 
     The two products are two steps of one scan over the stacked weights. If they were two calls, XLA on the CPU would
     fuse them into one kernel that computes A x again for every slot.
@@ -69,8 +65,6 @@ class Gram:
     own: jax.Array
     shift: jax.Array
     free: jax.Array
-    below: jax.Array
-    expected: jax.Array
     neighbour: jax.Array
     layout: Layout = field(metadata={"static": True})
 
@@ -82,10 +76,6 @@ class Gram:
         """(n,) the operator's diagonal."""
         square = self.own**2 + slot_sum(self.layout, self.weights[1] ** 2)
         return self.free * (square + self.shift) + (1.0 - self.free)
-
-    def least(self) -> tuple[jax.Array, jax.Array]:
-        """See `cg.Operator`."""
-        return self.below, self.expected
 
     def transposed_after(self, diagonal: jax.Array, x: jax.Array) -> jax.Array:
         """A^T (A + diag(diagonal - own)) x: ``diagonal`` (n,) replaces the diagonal of the first factor."""
@@ -105,16 +95,14 @@ def relaxed(
     solver: Solver,
     smallest: Any = 0.0,
     left: jax.Array | None = None,
-    allowed: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """The positions (n, 3) that minimise ``energy`` for the surface in ``buffers`` with the Laplacian ``rows``.
 
-    ``left`` (n, 3) is the residual to leave, over the norm of the right-hand side. For ``smallest`` and ``allowed`` see
-    `cg.solve`.
+    ``left`` (n, 3) is the residual to leave, over the norm of the right-hand side. For ``smallest`` see `cg.solve`.
     Differentiable in: buffers.positions, buffers.poles, rows, energy.
     """
     operator, b = normal_equations(buffers, rows, energy, layout)
-    displacement, report = cg.solve(operator, b, solver, smallest, left, allowed)
+    displacement, report = cg.solve(operator, b, solver, smallest, left)
     return buffers.positions + buffers.free[:, None] * displacement, report
 
 
@@ -129,20 +117,6 @@ def normal_equations(buffers: Buffers, rows: LaplacianRows, energy: Energy, layo
     towards = slot_sum(layout, out)
     own = buffers.free * energy.alpha - towards
     shift = buffers.free * (energy.hold + energy.attract)
-    expected = (buffers.free * energy.alpha**2 + shift).sum() / jnp.maximum(buffers.free.sum(), 1.0)
-    weights = jnp.stack([out, into])
-    below = lax.stop_gradient(_below(layout, weights, own, shift, buffers.free))
-    operator = Gram(weights, own, shift, buffers.free, below, expected, neighbour, layout)
+    operator = Gram(jnp.stack([out, into]), own, shift, buffers.free, neighbour, layout)
     bent = operator.transposed_after(-towards, positions)  # A^T beta L V
     return operator, free * (energy.attract[:, None] * (buffers.poles - positions) - bent)
-
-
-def _below(layout: Layout, weights: jax.Array, own: jax.Array, shift: jax.Array, free: jax.Array) -> jax.Array:
-    """(n,) d, such that the operator minus diag(d) has no negative eigenvalue: the shift, plus what A^T A surely adds.
-
-    |A x| is at least x A x over |x|, which Gershgorin's discs of A's symmetric part bound. That is about 1 for a weak
-    smoothing, less for a stronger one, and nothing for the contraction.
-    """
-    beside = sum(slot_sum(layout, jnp.abs(each)) for each in weights) / 2
-    least = jnp.where(free > 0, own - beside, jnp.inf).min()
-    return jnp.where(free > 0, shift + jnp.maximum(least, 0.0) ** 2, 1.0)

@@ -42,12 +42,12 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     energies = _energies(buffers, weights, settings, layout)
-    smallest, allowed = settings.step_tolerance * buffers.t_c, _allowed(buffers)
+    smallest = settings.step_tolerance * buffers.t_c
 
     def relax(positions: jax.Array, line: Any) -> tuple[jax.Array, SolveReport]:
         energy, smallest, left = line
         moved = buffers._replace(positions=positions)
-        return relaxed(moved, _rows(moved, settings, layout), energy, layout, settings.solver, smallest, left, allowed)
+        return relaxed(moved, _rows(moved, settings, layout), energy, layout, settings.solver, smallest, left)
 
     lines = (
         jax.tree_util.tree_map(lambda *both: jnp.stack(both), *energies),
@@ -55,11 +55,6 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
         left,
     )
     return Moved(*lax.scan(relax, buffers.positions, lines))
-
-
-def _allowed(buffers: Buffers) -> jax.Array:
-    """The norm of an error whose RMS is t_c over free vertices: what a solve may have that counts as solved."""
-    return buffers.t_c * jnp.sqrt(buffers.free.sum())
 
 
 def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout) -> tuple[Energy, Energy]:
@@ -95,18 +90,16 @@ def move_factored(
     CG then needs few steps. Python runs each step, and calls jitted functions.
     """
     positions, reports = buffers.positions, []
-    smallest, allowed = settings.step_tolerance * buffers.t_c, _allowed(buffers)
+    smallest = settings.step_tolerance * buffers.t_c
     for energy, least in zip(_jitted_energies(buffers, weights, settings, layout), (smallest, 0.0), strict=True):
         moved = buffers._replace(positions=positions)
         operator, b = _equations(moved, energy, settings, layout)
         if bool((b == 0).all()):  # as for a smoothing of strength 0: no factorisation, no solve
-            zero = jnp.zeros((), b.dtype)
-            yes = jnp.asarray(True)
-            reports.append(SolveReport(jnp.asarray(0), zero, yes, yes, jnp.zeros_like(b), zero, zero))
+            reports.append(SolveReport(jnp.asarray(0), jnp.zeros((), b.dtype), jnp.asarray(True), jnp.zeros_like(b)))
             continue
         arrays = operator.neighbour, operator.weights[0], operator.own, operator.shift, operator.free
         precondition = factoring(*jax.device_get(arrays), layout)
-        displacement, report = cg.solve_outside(operator, b, settings.solver, precondition, least, allowed)
+        displacement, report = cg.solve_outside(operator, b, settings.solver, precondition, least)
         positions = positions + buffers.free[:, None] * displacement
         reports.append(report)
     return Moved(positions, jax.tree_util.tree_map(lambda *both: jnp.stack(both), *reports))

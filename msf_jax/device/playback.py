@@ -226,7 +226,7 @@ def _replay_stretch(
         )
         weights = Weights(rows[:, 3] * line.factor, rows[:, 4], rows[:, 5], rows[:, 6])
         moved = move(buffers, weights, settings, layout, jnp.asarray(line.left, dtype))
-        positions = jnp.where(moved.solves.is_solved.all(), moved.positions, jnp.nan)
+        positions = jnp.where(moved.solves.has_ended.all(), moved.positions, jnp.nan)
         parts = jnp.concatenate([line.share[:, None] * positions, line.blend[:, None] * rows[:, 3:]], axis=1)
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None

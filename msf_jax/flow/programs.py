@@ -138,7 +138,7 @@ def _checked(data: bytes, layout: Layout, of_vertices: bool) -> Program:
     rings = Rings(*(np.zeros_like(table) for table in ones[0].rings))
     nothing = jax.device_put((ones[0]._replace(free=np.zeros_like(ones[0].free), rings=rings), ones[1]))
     in_tree = jax.tree_util.tree_structure((nothing, {}))
-    out_tree = jax.tree_util.tree_structure(Moved(0, SolveReport(0, 0, 0, 0, 0, 0, 0)))  # type: ignore[arg-type]
+    out_tree = jax.tree_util.tree_structure(Moved(0, SolveReport(0, 0, 0, 0)))  # type: ignore[arg-type]
     program = serialize_executable.deserialize_and_load(data, in_tree, out_tree)
     moved = program(*nothing)
     if not np.array_equal(jax.device_get(moved.positions), ones[0].positions):

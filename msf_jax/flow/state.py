@@ -35,14 +35,11 @@ class Iteration(NamedTuple):
     area: float  # fraction of the first surface area that is left
     steps: int  # CG steps of the contraction
     residual: float  # relative residual at the end of it
-    is_solved: bool  # whether the bounds of its RMS error and of the smoothing's are at most the least t_c of any limb
     smoothing_steps: int
     smoothing_residual: float
     moved: float  # largest displacement
     redone: int = 0  # times that the step was repeated with a smaller w_L, because its coordinates diverged
     has_ended: bool = True  # whether both solves ended by their tolerances, and not by the number of steps
-    error: float = 0.0  # estimate of the contraction's RMS distance from the solution, in the least t_c of any limb
-    bound: float = 0.0  # proved bound of that distance, from the residual as computed; see the guide *gradients*
 
 
 class Limits(NamedTuple):

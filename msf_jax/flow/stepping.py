@@ -57,7 +57,6 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
     solves, num, faces = moved.solves, len(order), meso.faces()
     left = solves.left[:, :num].copy()
     free, pull = (np.array(values[:num]) for values in (packed.buffers.free, packed.buffers.pull))
-    unit = max(float(free.sum()), 1.0) ** 0.5 * float(packed.buffers.t_c)  # norm of an error whose RMS is that t_c
     state.steps.append(Step(order, before, packed.rings, packed.degree, free, pull, left, moved.factor, meso.edits))
     meso.edits = []
     state.history.append(
@@ -73,14 +72,11 @@ def step(state: State, weights: Weights, config: Config, clock: Clock, limits: L
             area=float(triangle_areas(meso.positions[faces]).sum()) / state.first_area,
             steps=int(solves.steps[0]),
             residual=float(solves.residual[0]),
-            is_solved=bool(solves.is_solved.all()),
             smoothing_steps=int(solves.steps[1]),
             smoothing_residual=float(solves.residual[1]),
             moved=displacement,
             redone=moved.retries,
             has_ended=bool(solves.has_ended.all()),
-            error=float(solves.error[0]) / unit,
-            bound=float(solves.bound[0]) / unit,
         )
     )
     state.t_c = fixing.threshold(len(state.history), *config.flow.thresholds)

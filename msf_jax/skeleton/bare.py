@@ -22,7 +22,6 @@ def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skel
         fixed=0,
         live=0,
         volume=0.0,
-        unsolved=0,
         solve_steps=0,
     )
     return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)

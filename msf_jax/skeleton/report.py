@@ -75,12 +75,6 @@ class Report:
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
         out_of_steps: iterations in which a linear solve ended by ``SolverOptions(max_steps=...)``, or by an equation
             that is not positive definite.
-        unsolved: iterations whose solves may be further from their solutions than an RMS error of one collapse
-            threshold t_c, the least of any limb. With the default tolerances almost all are: they end by a short step,
-            see the guide *gradients*.
-        solve_error: the largest estimated RMS error of a contraction's solve, in that t_c. It is no bound. With the
-            default tolerances it is 1 to 8, and the errors themselves are 0.1 to 4. So a run follows the equation only
-            that closely.
         solve_steps: CG steps of all solves.
         doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
             a surface that crosses itself.
@@ -101,7 +95,6 @@ class Report:
     fixed: int
     live: int
     volume: float
-    unsolved: int
     solve_steps: int
     coarsened: int = 0
     pruned: int = 0
@@ -110,7 +103,6 @@ class Report:
     cut: int = 0
     is_tree: bool = False
     out_of_steps: int = 0
-    solve_error: float = 0.0
     loops: int | None = None
     in_sheets: float | None = None
     unexplained: float | None = None

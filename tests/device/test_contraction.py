@@ -17,7 +17,6 @@ from device_cases import (
     central_difference,
     dense_contract,
     jitted_contract,
-    jitted_rows,
     one_level,
     pebble,
     plain_contract,
@@ -26,10 +25,10 @@ from device_cases import (
     strict,
 )
 
-from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver, SolverOptions, StepSettings, Weights
-from msf_jax.device import cg, iteration, laplacian
+from msf_jax.base.options import LAPLACIANS, Config, Solver, SolverOptions, StepSettings, Weights
+from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.device.contraction import contracting, normal_equations, relaxed, smoothing
+from msf_jax.device.contraction import contracting, normal_equations, relaxed
 from msf_jax.device.laplacian import LaplacianRows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
@@ -210,7 +209,7 @@ def test_what_is_no_number_stays_none(case, slopes):
     """Whether NaN comes in from before or, as a slope, from behind: zeros would look like a result."""
     bad = case.buffers._replace(poles=case.buffers.poles.at[3, 1].set(jnp.nan))
     new, report = jitted_contract(bad, W_L, W_H, W_M, case.layout)
-    assert np.isnan(new).any() and not bool(report.is_solved)
+    assert np.isnan(new).any() and not bool(report.has_ended)
     factors = np.full(case.buffers.positions.shape, np.nan)
     assert np.isnan(slopes(factors, W_L, W_H, W_M, case.buffers.positions)[0])
 
@@ -226,23 +225,19 @@ class Dense(NamedTuple):
     def diagonal(self):
         return jnp.diagonal(self.entries)
 
-    def least(self):
-        least = jnp.linalg.eigvalsh(self.entries)[0]
-        return jnp.full_like(self.entries[0], least), least
-
 
 @pytest.mark.parametrize("smallest", [0.0, 1e-3])
 @pytest.mark.parametrize("entries", [[1.0, -1.0, 1.0], [2.0, 3.0, -1e-3], [0.0, 0.0, 0.0]])
-def test_no_solve_of_what_is_not_positive_definite_is_solved(entries, smallest):
+def test_no_solve_of_what_is_not_positive_definite_has_ended(entries, smallest):
     """Along a direction without curvature no step is taken: that none moves anything says nothing then."""
     operator = Diagonal(jnp.asarray(entries))
     b = jnp.asarray([[0.0], [0.0], [1.0]]) if entries[2] < 0 else jnp.asarray([[0.0], [1.0], [0.0]])
     solver = Solver(1e-9, 50)
     outside = cg.solve_outside(operator, b, solver, lambda r: r, smallest)
     for x, report in (solve(operator, b, solver, smallest), outside):
-        assert not bool(report.is_solved) and float(report.residual) > 0.9 and int(report.steps) < 50
+        assert not bool(report.has_ended) and float(report.residual) > 0.9 and int(report.steps) < 50
         np.testing.assert_array_equal(x, 0.0)
-    assert bool(solve(operator, 0.0 * b, solver, smallest)[1].is_solved)  # nothing solves that
+    assert bool(solve(operator, 0.0 * b, solver, smallest)[1].has_ended)  # nothing solves that
 
 
 @pytest.mark.parametrize("size", [0.9])
@@ -255,7 +250,7 @@ def test_what_is_left_and_reported_is_relative_to_the_given_right_hand_side(size
     for tolerance in (1e-3, 1e-12):
         x, report = solve(operator, jnp.asarray(b), Solver(tolerance, 500), 0.0, jnp.asarray(left))
         found = b - np.linalg.norm(b) * left - np.asarray(operator(x))
-        assert bool(report.is_solved) and float(report.residual) <= tolerance
+        assert bool(report.has_ended) and float(report.residual) <= tolerance
         np.testing.assert_allclose(report.left, found / np.linalg.norm(b), atol=1e-14)
         np.testing.assert_allclose(report.residual, np.linalg.norm(found) / np.linalg.norm(b), atol=1e-14)
 
@@ -266,68 +261,39 @@ def test_a_loose_solve_is_right_for_right_hand_sides_beyond_float32(size):
     operator = Diagonal(jnp.asarray(random.uniform(1, 4, 40)))
     b = size * jnp.asarray(random.normal(size=(40, 3)))
     x, report = solve(operator, b, Solver(3e-3, 50))
-    assert bool(report.is_solved) and 0 < float(report.residual) <= 3e-3
+    assert bool(report.has_ended) and 0 < float(report.residual) <= 3e-3
     np.testing.assert_allclose(operator(x) / size, b / size, atol=0.05)
 
 
-def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
+def test_a_loose_solve_that_float32_cannot_do_has_not_ended():
     """The recursive residual reaches the tolerance, the true one does not: A has a condition of 1e10."""
     random = np.random.default_rng(7)
     basis = np.linalg.qr(random.normal(size=(60, 60)))[0]
     operator = Dense(jnp.asarray(basis @ np.diag(np.logspace(-10, 0, 60)) @ basis.T))
     _, report = solve(operator, jnp.asarray(random.normal(size=(60, 1))), Solver(3e-3, 20_000))
-    assert float(report.residual) > 6e-3 and not bool(report.is_solved)
+    assert float(report.residual) > 6e-3 and not bool(report.has_ended)
 
 
-@pytest.mark.parametrize("where", ["device", pytest.param("host", marks=pytest.mark.slow)])
-def test_a_solve_knows_how_far_it_is_from_its_solution(where):
-    """A short step is no solution: many follow it. Only the bound says that it is one.
-
-    The preconditioner of the host is not below A's inverse, as its bound asks.
-    """
+@pytest.mark.parametrize("where", ["device", "host"])
+def test_a_short_step_ends_a_solve(where):
+    """The larger the step that counts as short, the sooner; that is no solution: many steps may follow it."""
     entries = jnp.asarray(np.logspace(-4, 0, 400))
     b = jnp.asarray(np.random.default_rng(0).normal(size=(400, 1)))
-    solver, said = Solver(1e-9, 5000), []
+    solver, steps = Solver(1e-9, 5000), []
 
-    def ran(smallest, allowed):
+    def ran(smallest):
         if where == "device":
-            return cg.solve(Diagonal(entries), b, solver, smallest, None, allowed)
-        return cg.solve_outside(Diagonal(entries), b, solver, lambda r: r / entries[:, None] ** 1.5, smallest, allowed)
+            return cg.solve(Diagonal(entries), b, solver, smallest)
+        return cg.solve_outside(Diagonal(entries), b, solver, lambda r: r / entries[:, None] ** 0.5, smallest)
 
     ran = quick_jit(ran) if where == "device" else ran
-    for smallest in (0.0, 1e-3, 0.1, 1.0, 10.0, 100.0) if where == "device" else (0.0, 1.0):
-        x, report = ran(smallest, 0.0)
-        error = np.linalg.norm(x - b / entries[:, None])
-        assert bool(report.has_ended) and bool(report.is_solved) == (float(report.residual) <= solver.tolerance)
-        assert error <= float(report.bound) and float(report.error) <= float(report.bound)
-        for allowed in (error, float(report.bound)):
-            assert bool(ran(smallest, allowed)[1].is_solved) == (allowed >= float(report.bound))
-        said.append((int(report.steps), error, float(report.error)))
-    steps, errors, estimates = np.array(said).T
+    for smallest in (0.0, 1e-3, 0.1, 1.0, 10.0, 100.0) if where == "device" else (0.0, 10.0):
+        x, report = ran(smallest)
+        assert bool(report.has_ended) and (float(report.residual) <= solver.tolerance) == (smallest == 0)
+        np.testing.assert_allclose(report.left, (b - entries[:, None] * x) / np.linalg.norm(b), atol=1e-13)
+        steps.append(int(report.steps))
     assert (np.diff(steps) < 0).all()
-    if where == "device":
-        assert steps[-1] == 1  # ends with its first step, far away
-        is_met = steps > 100  # of the smallest eigenvalue: then the estimate is good
-        assert is_met.sum() > 2
-        assert ((errors < estimates) & (estimates < 3 * errors))[is_met].all()
-
-
-@pytest.mark.parametrize("solver", [Solver(3e-3, 5000), Solver(1e-6, 5000)])
-def test_an_error_where_the_operator_is_small_is_within_the_bound(solver):
-    """A beam that is held at one half, and hardly at the other. A mean says nothing about the other's errors."""
-    bend = np.diff(np.eye(60), 2, axis=0)
-    held = np.where(np.arange(60) < 30, 1.0, 1e-6)
-
-    class Beam(Dense):
-        def least(self):
-            return jnp.asarray(held), jnp.asarray(held.mean())
-
-    A = bend.T @ bend + np.diag(held)
-    b = np.random.default_rng(0).normal(size=(60, 3))
-    x, report = solve(Beam(jnp.asarray(A)), jnp.asarray(b), solver, 0.0, None, 1.0)
-    error = np.linalg.norm(x - np.linalg.solve(A, b))
-    assert error <= float(report.bound) and bool(report.is_solved) == (float(report.bound) <= 1)
-    assert float(report.error) <= float(report.bound)
+    assert where == "host" or steps[-1] == 1  # ends with its first step, far away
 
 
 @pytest.mark.slow  # a solve that float32 cannot do is above
@@ -351,76 +317,19 @@ def test_rounding_is_in_what_a_solve_says():
             A, found = np.asarray(operator.entries, float), np.asarray(x, float)
             true = np.linalg.norm(short - A @ found) / np.linalg.norm(short)
             np.testing.assert_allclose(report.residual, true, rtol=0.3)
-            assert np.linalg.norm(found - np.linalg.solve(A, short)) <= 1.1 * float(report.bound)
             left.append(true * 2**11.5)
             if abs(left[-1] - 1) > 0.25:  # nearer, rounding decides
-                assert (left[-1] < 1) == bool(report.is_solved) == bool(report.has_ended) == (not np.isnan(slope).any())
+                assert (left[-1] < 1) == bool(report.has_ended) == (not np.isnan(slope).any())
     left = np.array(left)
     assert ((left > 0.5) & (left < 0.75)).any() and ((left > 1.25) & (left < 2)).any()
 
 
 @pytest.mark.parametrize("solver", [Solver(3e-3, 50), Solver(1e-9, 50)])
 def test_a_solve_of_nothing_reports_nothing(solver):
-    x, report = quick_jit(lambda b: cg.solve(Diagonal(jnp.asarray([1.0, 2.0])), b, solver, 0.25, None, 0.5))(
-        jnp.zeros((2, 3))
-    )
-    for value in (x, report.steps, report.residual, report.left, report.error, report.bound):
+    x, report = quick_jit(lambda b: cg.solve(Diagonal(jnp.asarray([1.0, 2.0])), b, solver, 0.25))(jnp.zeros((2, 3)))
+    for value in (x, report.residual, report.left):
         np.testing.assert_array_equal(value, 0.0)
-    assert bool(report.is_solved) and bool(report.has_ended)
-
-
-@pytest.mark.parametrize("smoothed", [False, True])
-def test_what_the_equations_say_to_be_below_them_is(case, smoothed):
-    """With weights that differ from vertex to vertex, and fixed vertices."""
-    random = np.random.default_rng(3)
-    one = jnp.ones_like(case.buffers.free)
-    w_H, w_M = (jnp.asarray(10.0 ** random.uniform(-3, 0, len(one))) for _ in range(2))
-    energy = smoothing(0.05 * one) if smoothed else contracting(0.01 * one, w_H, w_M * case.buffers.pull)
-
-    @quick_jit
-    def said(buffers, energy):
-        rows = laplacian.assemble("mean_value", buffers.positions, buffers.rings, buffers.degree, case.layout)
-        operator, _ = normal_equations(buffers, rows, energy, case.layout)
-        return operator.least()[0], operator(jnp.eye(len(one)))
-
-    below, matrix = map(np.asarray, said(case.buffers, energy))
-    free = np.asarray(case.buffers.free) > 0
-    assert np.linalg.eigvalsh(matrix - np.diag(below)).min() > -1e-12
-    least = np.linalg.eigvalsh(matrix[free][:, free])[0]
-    assert 0 < below[free].min() <= least
-    assert not smoothed or below[free].min() > 0.5 * least
-
-
-@pytest.mark.slow  # of one system, the bound is in the tests above
-def test_no_contraction_is_said_to_be_solved_that_is_not():
-    """A long limb, whose ends know of each other late. Steps are short, and residuals small, long before that."""
-    vertices, faces = pebble(2, 200)
-    case = build(vertices * [1, 0.1, 0.1], faces, poles=vertices * [0.9, 0, 0])
-    rows = jitted_rows("mean_value", case.buffers.positions, case.buffers.rings, case.buffers.degree, case.layout)
-    pulled = jnp.asarray(case.to_rows(np.arange(len(vertices)) % 3 == 0))
-    half = jnp.asarray(case.to_rows(np.where(vertices[:, 0] > 0, 1e-2, 1.0)))
-    free = np.asarray(case.buffers.free) > 0
-    unit = 0.01 * free.sum() ** 0.5  # the norm of an error of t_c
-    solver = Solver(1e-6, 20_000)
-
-    @quick_jit
-    def solved(w_H, w_M, smallest):
-        w_H, w_M = (weight * jnp.ones_like(case.buffers.free) for weight in (w_H, w_M))
-        energy = contracting(jnp.ones_like(w_H), w_H, w_M * pulled)
-        operator, b = normal_equations(case.buffers, rows, energy, case.layout)
-        loose = cg.solve(operator, b, solver, smallest, None, unit)
-        return loose, cg.solve(operator, b, Solver(1e-12, 20_000))
-
-    counts = np.zeros((2, 2), dtype=int)
-    one = jnp.ones_like(half)
-    for w_H, w_M in ((0.5, 0.5), (0.1, 0.4), (0.01, 0.4), (0.02, 0.1), (0.001, 0.4), (0.001, 0.0), (half, 0.0)):
-        for smallest in np.logspace(-2, -8, 10):
-            (x, report), (exact, checked) = solved(w_H * one, w_M, smallest)
-            error = np.linalg.norm((x - exact)[free]) / unit
-            assert bool(checked.is_solved) and bool(report.has_ended)
-            assert error <= float(report.bound) / unit
-            counts[int(report.is_solved), int(error <= 1)] += 1
-    assert counts[1, 0] == 0 and counts[1, 1] > 8 and counts[0, 0] > 16, counts  # the last said "solved" before
+    assert int(report.steps) <= 1 and bool(report.has_ended)
 
 
 def test_derivatives_of_a_loose_solve_are_in_the_precision_of_its_input():
@@ -562,7 +471,7 @@ def test_jvp_and_vjp_are_transposes(case):
     np.testing.assert_allclose(case.to_vertices(value), contracted(case), atol=1e-12)
 
 
-@pytest.mark.slow  # that a short step ends a solve is in test_a_solve_knows_how_far_it_is_from_its_solution
+@pytest.mark.slow  # of a diagonal matrix: above
 def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     """Earlier than the tolerance would; the report says so, and the solution is off by little of that length."""
     case = build(*pebble(1))
@@ -588,8 +497,3 @@ def test_an_iteration_works_in_the_strict_modes_of_jax(small, kind):
     with strict():
         slope = jax.grad(lambda w_H: iteration.move(small.buffers, Weights(1.0, w_H), settings, small.layout)[0].sum())
         jax.eval_shape(slope, 0.1)
-
-
-def test_there_is_a_preconditioner_for_every_name():
-    """A table that a name is missing from would be found out by a user."""
-    assert {*cg.PRECONDITIONERS, FACTORED} == set(SOLVED_BY)

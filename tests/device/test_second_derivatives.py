@@ -22,7 +22,7 @@ AT = 4.0 ** (1 / 3)  # 1 / x has there the second derivative 0.5
 def solved(a, tolerance=1e-12):
     """As in a replay. The report must not become a batch where the value is none."""
     x, report = cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(tolerance, 10))
-    return jnp.where(report.is_solved, x[0, 0], jnp.nan)
+    return jnp.where(report.has_ended, x[0, 0], jnp.nan)
 
 
 def scanned(function, a):

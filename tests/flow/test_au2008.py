@@ -43,7 +43,7 @@ def test_the_system_contracts_to_a_millionth_and_draws_the_curve():
     assert report.converged
     assert report.volume < 1e-6
     assert report.iterations <= 20
-    assert report.unsolved == 0
+    assert report.out_of_steps == 0
     assert (report.components, report.cycles, report.loops, report.inside) == (1, shape.genus, shape.genus, 1.0)
     assert len(np.unique(done.mesh_map)) > 4
     assert report.figures["leaves"] == shape.num_leaves

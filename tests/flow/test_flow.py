@@ -24,7 +24,7 @@ from msf_jax import (
 )
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
-from msf_jax.flow import loop, programs, starting, stepping
+from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Iteration
 from msf_jax.meshes import checking
 
@@ -226,37 +226,8 @@ def test_running_out_of_iterations_is_said():
 @pytest.mark.slow  # of one solve, in test_contraction
 def test_a_solve_that_runs_out_of_steps_is_said():
     skeleton = msf_jax.skeletonize(blob(1, 2), config=Config(max_iterations=2, solver=SolverOptions(max_steps=3)))
-    assert skeleton.report.unsolved == skeleton.report.out_of_steps == 2
+    assert skeleton.report.out_of_steps == 2
     assert "in 2 iterations a linear solve ran out of steps" in str(skeleton.report)
-
-
-@pytest.mark.slow  # what a solve says is in test_contraction
-def test_a_loose_solve_is_not_said_to_be_solved():
-    """It ends by a short step, as it should, which says little about its error. A tight one is near its solution."""
-    mesh = blob(2, 2)
-    mesh.apply_scale([1.0, 0.4, 0.4])
-    loose, tight = (
-        msf_jax.skeletonize(mesh, config=config.replace(max_iterations=3)).report
-        for config in (Config(), Config().tight())
-    )
-    assert loose.unsolved >= 1 and tight.unsolved == 0 and tight.solve_error < 0.1 < loose.solve_error
-    assert loose.out_of_steps == tight.out_of_steps == 0
-    assert "linear solve" not in str(loose)
-
-
-@pytest.mark.slow  # a bound of a solve is in test_contraction
-def test_errors_are_in_the_threshold_of_the_thinnest_limb(few_rows_once):
-    """That decides what counts as solved. A tight solve is the same, whatever the threshold is."""
-    component = checking.prepare(blob(1, 2)).components[0]
-    config, lines = Config().tight(), []
-    for thinnest in (1.0, 0.1):
-        state = starting.init(component, 0, config, Clock())
-        state.meso.scale = np.ones(state.meso.num_rows)
-        state.meso.scale[0] = thinnest
-        lines.append(stepping.step(state, Weights(), config, Clock()).history[0])
-    assert lines[0].t_c == lines[1].t_c and lines[0].steps == lines[1].steps and lines[0].error > 0
-    nominal, thin = ((line.error, line.bound) for line in lines)
-    np.testing.assert_allclose(10 * np.array(nominal), thin, rtol=1e-6)
 
 
 def test_weights_that_blow_up_are_said():

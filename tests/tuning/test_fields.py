@@ -33,7 +33,7 @@ def test_a_smooth_run_makes_its_iterations_and_no_decisions(iterations):
     flow = msf_jax.contract(mesh, Weights(w_H=2.0), Config.smooth(iterations))
     assert len(flow.history) == iterations
     assert not sum(line.collapses + line.splits + line.fixed for line in flow.history)
-    assert len(flow.meso_skeleton[0]) == len(mesh.vertices) and all(line.is_solved for line in flow.history)
+    assert len(flow.meso_skeleton[0]) == len(mesh.vertices) and all(line.has_ended for line in flow.history)
     report = flow.skeleton.report
     assert report.reason == f"all of {iterations} iterations made"
     assert report.converged == (report.volume <= 0.02) == (iterations == 4)  # 2 % of the volume, as where it settles
