@@ -1,4 +1,4 @@
-"""Files that were altered, and files that unpack: for `tests.benchmarks.adversary`.
+"""Files that were altered, and files that unpack: for `tests/project/test_tampering.py`.
 
 Altered: tapes, checkpoints and curves with bytes or arrays changed, by seed. One that was changed is refused, or gives
 the curve that it would have given. Some have a digest made anew: those may give another curve, as a digest is no

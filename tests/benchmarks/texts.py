@@ -1,4 +1,4 @@
-"""Curves as text with words that are others: for `tests.benchmarks.adversary`."""
+"""Curves as text with words that are others: for `tests/project/test_tampering.py`."""
 
 import re
 import tempfile

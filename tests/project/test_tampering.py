@@ -149,13 +149,11 @@ def test_what_follows_from_the_iterations_is_not_taken_from_a_checkpoint(written
 
 @pytest.mark.slow
 def test_a_sample_of_altered_files(capsys):
-    """More of them: python -m tests.benchmarks.adversary files."""
     assert tampering.try_files(3, 27) == []
     assert "| tape | bytes |" in capsys.readouterr().out
 
 
 def test_curves_as_text_with_another_word_are_refused_or_whole(capsys):
-    """More of them: python -m tests.benchmarks.adversary texts."""
     assert texts.try_texts(0, 80) == []
     assert "| graphml |" in capsys.readouterr().out
 
