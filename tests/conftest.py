@@ -35,7 +35,6 @@ import pytest
 import trimesh
 
 from msf_jax.base import layout
-from msf_jax.gradients import compiler
 
 hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
 hypothesis.settings.load_profile("same")
@@ -126,7 +125,6 @@ def research_mesh():
 @pytest.fixture
 def compilations():
     """A list that gets an entry for everything that XLA compiles."""
-    compiler.check()  # it compiles once in a process
     seen = []
 
     def listen(event: str, _: float, **__) -> None:

@@ -36,7 +36,7 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.base.progress import showing
 from msf_jax.base.version import VERSION
 from msf_jax.base.writing import made_folder, write_whole
-from msf_jax.flow.request import checked_options
+from msf_jax.flow.loop import checked_options
 from msf_jax.meshes import reading
 from msf_jax.meshes.repair import Repair, as_repair
 from msf_jax.skeleton.formats import export

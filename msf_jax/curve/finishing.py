@@ -109,12 +109,14 @@ def finish(
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)))
     try:
         if centre and extend and not is_held.any():
-            done = clock.call(_by_wavefronts, outside or shape, nodes, edges, job, is_thin, is_tangle)
+            clock.check()
+            done = _by_wavefronts(outside or shape, nodes, edges, job, is_thin, is_tangle)
             if done is not None:
                 return done
         wanted = [] if is_tangle else [*([] if first is None else [first]), *passes(centre, extend)]
         for each in wanted:
-            draft = clock.call(each, draft, job)
+            clock.check()
+            draft = each(draft, job)
     except Stopped:
         is_cut = True
     if is_tangle:

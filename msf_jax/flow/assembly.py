@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 from scipy import spatial
@@ -38,9 +39,8 @@ def assemble(
     weights: Weights,
     config: Config,
     clock: Clock,
-    notes: list[str],
 ) -> Flow:
-    """The `Flow` of a run. ``solid`` has the surface, ``pins`` are the caller's, ``notes`` go into the report."""
+    """The `Flow` of a run. ``solid`` has the surface, ``pins`` are the caller's."""
     stitched = curves.as_left(checked, states, parts), curves.finished(checked, states, parts, clock)
     history = tuple(line for state in states for line in state.history)
     with clock.stage("report"):
@@ -49,10 +49,9 @@ def assemble(
             pins = np.unique(followed[checked.vertex_of_input[pins]])
         source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), followed)
         figures = {}
-        if config.evaluate:
-            asked = solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges
-            figures = clock.attempt({}, metrics.figures_of, *asked)
-        notes = [*notes, *_notes_of_finishing(states, parts)]
+        if config.evaluate and not clock.reason:
+            figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
+        notes = _notes_of_finishing(states, parts)
         report = replace(
             report_of(checked, states, reasons, history, notes, figures, clock),
             pruned=sum(part.finished.num_pruned for part in parts),
@@ -135,9 +134,10 @@ def _skeleton(
     components, cycles = graphs.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    asked = solid.shape, solid.enter(vertices), edges, node_of_vertex
     measure = partial(assessed, is_tubular=report.wavefronts > 0) if is_finished else loops_of
-    found = clock.attempt({"doubts": (UNCHECKED,)}, measure, *asked)
+    found: dict[str, Any] = {"doubts": (UNCHECKED,)}
+    if not clock.reason:
+        found = measure(solid.shape, solid.enter(vertices), edges, node_of_vertex)
     report = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
 

@@ -42,12 +42,10 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
     """
     with clock.stage("curve"):
         meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min, config)
-        found = None if clock.reason else clock.attempt(None, _extracted, state, meso, config)
-        if found is None:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
+        if clock.reason:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
             meso = _thinned(meso, config.flow.threshold_max, config)
-            found = clock.attempt(None, _extracted, state, meso, config)
-        if found is None:  # the curve so far may lack loops: their classes take seconds where there are many handles
-            found = _extracted(state, meso, config, with_loops=False)
+        # The curve so far may lack loops: classes that are not known take seconds where there are many handles.
+        found = _extracted(state, meso, config, with_short_loops=not clock.reason)
         pinned = meso.node_of_input[state.pins]
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
@@ -72,9 +70,7 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
             first=partial(_recentred, meso, found) if config.curve.surgery else None,
             clock=clock,
         )
-    if state.caps is not None:
-        state.caps.end()  # if nobody asked for it
-        state.caps = None  # as large as the surface
+    state.caps = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]
@@ -93,11 +89,11 @@ def _thinned(meso: Meso, t_c: float, config: Config) -> Meso:
     return meso.compacted()
 
 
-def _extracted(state: State, meso: Meso, config: Config, with_loops: bool = True) -> Curve:
-    """The curve as extracted from the surface, ``with_loops`` with the classes that tell which loops it must keep."""
+def _extracted(state: State, meso: Meso, config: Config, with_short_loops: bool) -> Curve:
+    """The curve as extracted from the surface, with the classes that tell which loops it must keep."""
     extract = extraction.operated_curve if config.curve.surgery else extraction.extract_curve
-    classes = meso.classes if with_loops else None
-    if with_loops and lacks_classes(state, meso):
+    classes = meso.classes
+    if with_short_loops and lacks_classes(state, meso):
         classes = short_loops.short_classes(meso.positions, meso.rings)
     return extract(meso.positions, meso.rings, classes, meso.node_of_input[state.pins])
 
@@ -166,9 +162,8 @@ def finished(checked: Surface, states: list[State], parts: list[ComponentCurve],
         number = np.where(number < count, num_old + number, num_flow + num_new + number - count)
         edges.append(number[done.edges])
         node = node_of_input(part) if done.node_of_vertex is None else done.node_of_vertex
-        if not (is_left(state, part) or done.is_cut):
-            asked = done.vertices, done.edges, state.shape.vertices, node
-            node = clock.attempt(node, branches.nearest_on_branch, *asked)
+        if not (is_left(state, part) or done.is_cut or clock.reason):
+            node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
         node_of_vertex[member[state.order]] = number[node]
         node_of_vertex[lining] = number[_nearest(done.vertices, state, checked.vertices[lining])]
         num_old += count

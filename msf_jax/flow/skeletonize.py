@@ -1,6 +1,5 @@
 """`skeletonize`: from a mesh to its curve skeleton in one call."""
 
-import os
 from dataclasses import replace
 from typing import Any
 
@@ -10,7 +9,7 @@ from msf_jax import metrics
 from msf_jax.base.errors import ConfigError, Interrupted
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
-from msf_jax.flow.request import checked_options
+from msf_jax.flow.loop import checked_options
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
@@ -27,7 +26,6 @@ def skeletonize(
     *,
     pins: Any = None,
     repair: bool | str | Repair = False,
-    checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
     jittered_runs: int = 0,
 ) -> Skeleton:
@@ -42,7 +40,6 @@ def skeletonize(
         repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold: weld, fill holes,
             separate sheets that share an edge, and the like. "join" also makes one solid of closed parts that overlap,
             touch or nearly touch. Every change is counted in ``report.repairs``.
-        checkpoint: a file for the state of the run, so that a run that was killed can continue; see `contract`.
         progress: show a progress bar on standard error, if that is a terminal.
         jittered_runs: the number of extra runs on the mesh with noise of 1e-4 diagonals at every vertex.
             ``report.figures`` says how far their curves are from this one: "spread" is the mean distance in both
@@ -57,8 +54,8 @@ def skeletonize(
             make it one.
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``jittered_runs``
             was given with pins or with arrays of weights.
-        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, the installed compiler
-            computes wrong sums, or ``config.max_seconds`` had passed before the first iteration had ended.
+        FlowError: the mesh has no Voronoi diagram, or ``config.max_seconds`` had passed before the first iteration had
+            ended.
         Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``. Before the
             first iteration has ended there is none, and a plain KeyboardInterrupt is raised.
     """
@@ -67,7 +64,7 @@ def skeletonize(
     weights, config = checked_options(weights, config)
     if jittered_runs and (pins is not None or any(np.ndim(value) for value in vars(weights).values())):
         raise ConfigError("jittered_runs was given with pins, or with weights for each vertex: expected neither")
-    run = loop.contract(mesh, weights, config, pins=pins, repair=repair, checkpoint=checkpoint, progress=progress)
+    run = loop.contract(mesh, weights, config, pins=pins, repair=repair, progress=progress)
     if not jittered_runs:
         return run.skeleton
     try:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from msf_jax.base.clock import Clock
+from msf_jax.base.clock import Clock, begin
 from msf_jax.base.errors import MeshError
 from msf_jax.base.options import Config, PreprocessingOptions
 from msf_jax.flow.state import LIMITS, Limits, State
@@ -41,13 +41,13 @@ def init(
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
     """
     options = config.preprocessing
-    frame, order, shape, solid = clock.call(_entered, component)
+    frame, order, shape, solid = _entered(component)
     faces = shape.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
-    meso, mesh_filter = clock.call(_surface, shape, pins, options, clock)
+    meso, mesh_filter = _surface(shape, pins, options, clock)
     meso.weights = None if weights is None else weights[order]
     with clock.stage("thickness"):
-        meso.scale = clock.call(thickness.scales, meso.positions, faces)
+        meso.scale = thickness.scales(meso.positions, faces)
     if abs(meso.volume()) < LEAST_VOLUME:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -55,32 +55,34 @@ def init(
         )
     if 0 < component.genus <= homology.LARGEST_GENUS:
         with clock.stage("homology"):
-            meso.classes = clock.call(homology.ring_classes, shape.vertices, faces, meso.rings)
+            meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
     max_rows = limits.growth * meso.num_rows + limits.growth_margin
     if options.resample:
         with clock.stage("resampling"):
-            meso = clock.call(_resampled, meso, options.resample, config.check)
+            meso = _resampled(meso, options.resample, config.check)
             max_rows = max(max_rows, limits.growth * meso.num_rows)
     else:
-        meso = clock.call(_refined, meso, shape, config, clock)
+        meso = _refined(meso, shape, config, clock)
         max_rows = max(max_rows, limits.growth * meso.num_rows)
-    meso, num_coarsened = clock.call(_coarsened, meso, config, clock)
+    meso, num_coarsened = _coarsened(meso, config, clock)
     # A surface that was refined before has more triangles than the solid's own, and is no nearer to it.
     is_coarsened = len(shape.vertices) > 2 * meso.num_rows and not (options.reconstruct_mesh or options.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with clock.stage("poles"):
-        clock.call(lambda: coarse.mesh)  # made here, before two threads ask for it
+        _ = coarse.mesh  # made here, before two threads ask for it
     # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
     is_same = len(meso.positions) > len(shape.vertices) and not (options.reconstruct_mesh or options.resample)
     of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
+    clock.check()
+    with clock.stage("compile"):
+        compile_ahead(meso, config)
+    clock.check()
     caps = None
     if config.least_slenderness or config.curve.extend_tips:
-        caps = clock.begin(_with_limbs, of_limbs, config.least_slenderness, config.detail)
-    with clock.stage("compile"), clock.tracing():
-        compile_ahead(meso, config)
+        caps = begin(_with_limbs, of_limbs, config.least_slenderness, config.detail, clock)
     found = None
     if options.use_poles:
-        found = clock.call(_poles, meso, shape, options, clock)
+        found = _poles(meso, shape, options, clock)
         meso.poles = np.where(found.is_inside[:, None], found.poles, meso.positions)
         meso.has_pole = found.is_inside.copy()  # edits change the surface, not what was found
         meso.trust = found.trust.copy() if options.pole_confidence else None
@@ -123,9 +125,9 @@ def _entered(component: Component) -> tuple[UnitFrame, np.ndarray, Enclosure, En
     return frame, order, shape, Enclosure(vertices, np.concatenate([faces, inner]))
 
 
-def _with_limbs(shape: Enclosure, least: float, detail: float) -> Caps:
+def _with_limbs(shape: Enclosure, least: float, detail: float, clock: Clock) -> Caps:
     """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
-    caps = Caps(shape, detail)
+    caps = Caps(shape, detail, clock.ask)
     caps.limbs(least)
     return caps
 

@@ -1,13 +1,13 @@
 """The records of a run: `Iteration`, a line of its history; `State`, while it goes on; `Flow`, when it has ended."""
 
 import numbers
+from concurrent.futures import Future
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.base.clock import Work
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.gradients.tape import Tape, record
@@ -45,7 +45,6 @@ class Iteration(NamedTuple):
 class Limits(NamedTuple):
     """Bounds of a run that are not options of the user."""
 
-    checkpoint_every: int = 5  # iterations between two writes of the checkpoint
     growth: int = 3  # splits may grow the surface to this multiple of its first number of vertices,
     growth_margin: int = 1000  # plus this many vertices
     retries: int = 3  # of a step whose coordinates are not finite or diverge
@@ -81,7 +80,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
-    caps: Work | None  # of ``coarse``, measured on another thread; None if limbs are not asked for, or known
+    caps: Future | None  # of ``coarse``, measured by the worker; None if limbs are not asked for, or known
     capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape

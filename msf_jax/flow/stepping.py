@@ -2,17 +2,16 @@
 
 from contextlib import nullcontext
 from dataclasses import replace
-from functools import partial
 from typing import Any, NamedTuple
 
 import jax
 import numpy as np
 
-from msf_jax.base.clock import PATIENCE, Clock
+from msf_jax.base.clock import Clock
 from msf_jax.base.layout import Layout, layout_after, layout_for
 from msf_jax.base.options import FACTORED, Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
-from msf_jax.flow.programs import announce, compiled_move
+from msf_jax.flow.programs import compile_moves, compiled_move
 from msf_jax.flow.state import LIMITS, Iteration, Limits, State
 from msf_jax.meso import collapse, fixing, packing, split
 from msf_jax.meso.meso import Meso
@@ -25,13 +24,12 @@ SHORTER = 0.1  # factor on w_L for each repetition of a step that diverged
 
 
 def compile_ahead(meso: Meso, config: Config) -> None:
-    """Start to compile the programs for the size of ``meso`` and for the smallest layout, which all runs reach."""
+    """Compile the program for the size of ``meso``, and begin that of the smallest layout, which all runs reach."""
     beyond = packing.rows_beyond(meso)
     layouts = {layout_for(meso.num_rows, beyond)}
     if config.flow.edit_connectivity and config.max_iterations > 1:
         layouts.add(layout_for(1, []))
-    for layout in sorted(layouts, reverse=True):
-        announce(config.on_device, layout, meso.weights is not None)
+    compile_moves(config.on_device, sorted(layouts, reverse=True), meso.weights is not None)
 
 
 def step(state: State, weights: Weights, config: Config, clock: Clock, limits: Limits = LIMITS) -> State:
@@ -124,18 +122,16 @@ def _smallest(state: State) -> float:
 
 def _moved(state: State, packed: _Packed, config: Config, clock: Clock, limits: Limits) -> _Moved | None:
     """The device's step, repeated with a tenth of w_L while coordinates diverge; None if they always do."""
-    dtype, patience = np.dtype(real_dtype()), PATIENCE if state.history else 0.0
+    dtype = np.dtype(real_dtype())
     for retries in range(limits.retries + 1):
         factor = state.w_L_factor * SHORTER**retries
         scaled = replace(packed.weights, w_L=packed.weights.w_L * factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
         buffers, scaled = jax.device_put((packed.buffers, scaled))
-        with clock.stage("compile"), clock.tracing():
-            move = compiled_move(
-                config.on_device, packed.layout, np.ndim(scaled.w_L) > 0, partial(clock.wait, patience=patience)
-            )
+        with clock.stage("compile"):
+            move = compiled_move(config.on_device, packed.layout, np.ndim(scaled.w_L) > 0)
         with clock.stage("solve"):
-            moved = clock.call(jax.device_get, move(buffers, scaled), patience=patience)
+            moved = jax.device_get(move(buffers, scaled))
         positions = packing.unpack(moved.positions, packed.order)
         is_finite = np.isfinite(moved.solves.residual).all()
         if is_finite and np.isfinite(positions).all() and np.abs(positions).max() <= BLOW_UP:

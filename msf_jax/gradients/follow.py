@@ -13,7 +13,6 @@ import jax.numpy as jnp
 import numpy as np
 from jax.core import Tracer
 
-from msf_jax.base import forking
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
@@ -67,7 +66,6 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         MeshError: ``vertices`` has another shape or is not finite, or the section of a node has vanished.
         FlowError: this process was forked after a run.
     """
-    forking.check()
     binding = binding_of(skeleton)
     # The body needs neither of JAX's strict modes, which a caller may have set.
     with jax.numpy_dtype_promotion("standard"), jax.numpy_rank_promotion("allow"):

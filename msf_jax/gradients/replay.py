@@ -14,12 +14,10 @@ import jax.numpy as jnp
 import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
-from msf_jax.base import forking
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Solver, StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.playback import Shape, clearance, replay_part
-from msf_jax.gradients import compiler
 from msf_jax.gradients.tape import Tape
 
 # Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.
@@ -148,8 +146,6 @@ _replayed_part.defjvp(_derivative, symbolic_zeros=True)
 
 
 def _check_tape(tape: Any) -> None:
-    forking.check()
-    compiler.check()
     if not isinstance(tape, Tape):
         raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
 

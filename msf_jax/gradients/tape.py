@@ -176,7 +176,7 @@ class Tape:
             raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
         arrays: dict[str, np.ndarray] = {}
         header = {"tape": archive.encoded(vars(self), arrays, RECORDS)}
-        archive.write(path, KIND, FORMAT_VERSION, header, arrays, compress=True)
+        archive.write(path, KIND, FORMAT_VERSION, header, arrays)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> "Tape":

@@ -13,7 +13,6 @@ import jax.numpy as jnp
 import numpy as np
 from tqdm import tqdm
 
-from msf_jax.base import forking
 from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
@@ -197,7 +196,6 @@ class Tracker:
     """Follows a skeleton frame by frame. It holds the data that all frames share, and raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
-        forking.check()
         binding = unpadded(binding_of(skeleton))
         surface, edges = bound(skeleton.source, skeleton.mesh_map), skeleton.edges
         self.skeleton, self.edges = skeleton, edges

@@ -17,6 +17,7 @@ A tip is a vertex whose average geodesic distance from the surface is larger tha
 Shinagawa, Kohmura, Kunii 2001).
 """
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -84,8 +85,8 @@ class Caps:
     reached. Not for several threads at once.
     """
 
-    def __init__(self, shape: Enclosure, detail: float = 0.5):
-        self.detail = detail
+    def __init__(self, shape: Enclosure, detail: float = 0.5, ask: Callable[[], None] = lambda: None):
+        self.detail, self._ask = detail, ask
         if ((faces := reconnected(shape.vertices, shape.faces)) != shape.faces).any():
             shape = Enclosure(shape.vertices, faces)
         while len(shape.vertices) < SPLIT_BELOW:
@@ -126,6 +127,7 @@ class Caps:
         ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
         (V,). A cap of less than the share ``least`` counts half.
         """
+        self._ask()
         total = float(self._total[tip])
         first, small, most = FIRST_RADIUS * np.sqrt(total), least * total, share * total
         count = fronts.cap(

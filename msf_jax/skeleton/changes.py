@@ -71,7 +71,7 @@ def pruned(skeleton: "Skeleton", slenderness: float, detail: float | None, is_he
     report, grown = skeleton.report, 0
     if skeleton.source is not None and not report.wavefronts and least:
         solid = skeleton.source.solid
-        caps = Caps(solid.outside, *([] if detail is None else [float(detail)]))
+        caps = Caps(solid.outside) if detail is None else Caps(solid.outside, float(detail))
         choice = one_branch.choose(caps, solid.shape, solid.enter(x), edges, is_held, least)
         if detail is not None and (grown := choice.leaf.count(-1)):
             new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)

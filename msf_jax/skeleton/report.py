@@ -79,7 +79,7 @@ class Report:
         doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
             a surface that crosses itself.
         repairs: changes of the input mesh, a sentence each.
-        notes: other unusual events, a sentence each: repeated steps, a checkpoint that was not written.
+        notes: other unusual events, a sentence each: repeated steps, say.
         figures: `metrics.evaluate` of the finished curve, with ``Config(evaluate=True)``.
         seconds: by stage.
     """

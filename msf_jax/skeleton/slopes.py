@@ -11,7 +11,6 @@ import jax.numpy as jnp
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base import forking
 from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError
 from msf_jax.device import following
@@ -20,7 +19,6 @@ from msf_jax.device.buffers import real_dtype
 
 def jacobian(padded: Binding, vertices: np.ndarray) -> sparse.csr_matrix:
     """(3 N, 3 V) d nodes / d ``vertices`` (V, 3)."""
-    forking.check()
     binding = unpadded(padded)
     num, num_sections, many = len(binding.rest), len(binding.node), len(vertices)
     entered = np.pad((vertices - binding.centre) / binding.unit, ((0, padded.num_vertices - many), (0, 0)))

@@ -15,7 +15,7 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.base.progress import showing
-from msf_jax.flow.request import checked_options
+from msf_jax.flow.loop import checked_options
 from msf_jax.tuning.gradient import descend, logarithms, with_logarithms
 from msf_jax.tuning.objectives import Objective, as_objective
 from msf_jax.tuning.result import Tuned, TuningStep, shown

@@ -35,7 +35,7 @@ def test_what_is_compiled_is_kept_where_it_is_said(tmp_path, monkeypatch, cache_
     """In a folder that is made, once said so; else where JAX keeps it already; else in the user's cache folder."""
     folder = tmp_path / "a" / "b"
     assert msf_jax.cache_compilations(folder) == folder
-    monkeypatch.setattr("msf_jax.device.caching.WORTH_KEEPING", 0.0)
+    monkeypatch.setattr("msf_jax.flow.programs.WORTH_KEEPING", 0.0)
     msf_jax.cache_compilations(folder)
     jax.jit(lambda x: jnp.sin(x) + 12345.678)(jnp.ones(3))
     assert any(folder.iterdir())

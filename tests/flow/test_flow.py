@@ -1,8 +1,5 @@
 """The whole flow: topology, map, units, symmetries, the same bits twice, and the three systems."""
 
-import multiprocessing
-import warnings
-
 import jax
 import numpy as np
 import pytest
@@ -14,7 +11,6 @@ import msf_jax
 from msf_jax import (
     Config,
     ConfigError,
-    FlowError,
     FlowOptions,
     PreprocessingOptions,
     SolverOptions,
@@ -24,7 +20,7 @@ from msf_jax import (
 )
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
-from msf_jax.flow import loop, programs
+from msf_jax.flow import loop
 from msf_jax.flow.state import Iteration
 from msf_jax.meshes import checking
 
@@ -312,7 +308,6 @@ def test_a_flow_without_jit():
 @pytest.mark.slow  # so does an iteration, in test_padding
 def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(compilations, monkeypatch):
     """Not for a second mesh, nor for options that a jitted step does not see."""
-    monkeypatch.setattr(programs, "_file", lambda key: None)  # what an earlier run of the tests has kept
     monkeypatch.setattr(layout, "SMALLEST_CAPACITY", 256)  # small ones are compiled in less time
     config = Config(solver=SolverOptions(tolerance=0.00123))  # one that no other test compiles for
     states = []
@@ -424,41 +419,6 @@ def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
         scaled = msf_jax.skeletonize((mesh.vertices * scale, mesh.faces))
         assert np.allclose(scaled.vertices / scale, plain.vertices, atol=1e-9)
         assert np.allclose(scaled.radii / scale, plain.radii, atol=1e-9)
-
-
-@pytest.mark.system
-def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
-    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
-    run = msf_jax.contract(mesh)
-    skeleton, vertices = run.skeleton, np.array(mesh.vertices)
-    context = multiprocessing.get_context("fork")
-    calls = (
-        lambda: msf_jax.skeletonize(mesh),
-        lambda: msf_jax.follow(skeleton, vertices),
-        lambda: jax.grad(lambda moved: msf_jax.follow(skeleton, moved).nodes.sum())(vertices),
-        lambda: msf_jax.track(skeleton, [vertices]),
-        lambda: skeleton.jacobian(),
-        lambda: msf_jax.replay(run.tape, run.weights),
-    )
-
-    def use(answers):
-        for call in calls:
-            try:
-                call()
-            except FlowError as error:
-                answers.send(str(error))
-        answers.close()
-
-    ours, theirs = context.Pipe()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # JAX warns of the fork
-        child = context.Process(target=use, args=(theirs,))
-        child.start()
-    try:
-        for _ in calls:
-            assert ours.poll(60) and 'get_context("spawn")' in ours.recv()
-    finally:
-        child.kill()
 
 
 @pytest.mark.slow  # runs once more

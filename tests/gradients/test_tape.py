@@ -59,7 +59,7 @@ def test_of_another_version(path):
         arrays = dict(file)
     arrays["header"] = np.array(json.dumps(json.loads(str(arrays["header"])) | {"version": 999}))
     np.savez(path, **arrays)
-    with pytest.raises(ConfigError, match="a tape of version 999: this program reads 4"):
+    with pytest.raises(ConfigError, match="is 'msf_jax tape' of version 999, not 4"):
         Tape.load(path)
 
 

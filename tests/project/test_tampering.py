@@ -18,25 +18,24 @@ from conftest import blob
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape
 from msf_jax.app.cli import main
-from msf_jax.base import archive
 from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats.whole import plain_json
-from tests.benchmarks import tampering, texts
+from tests.benchmarks import tampering
 
 ONCE = Config(max_iterations=3)
 
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
-    """A tape, a checkpoint and a curve of one mesh, as arrays by name."""
+    """A tape and a curve of one mesh, as arrays by name."""
     folder = tmp_path_factory.mktemp("written")
-    flow = msf_jax.contract(blob(5, 2), config=ONCE, checkpoint=folder / "checkpoint.npz")
+    flow = msf_jax.contract(blob(5, 2), config=ONCE)
     flow.tape.save(folder / "tape.npz")
     flow.skeleton.save(folder / "skeleton.npz")
     found = {}
-    for kind in ("checkpoint", "tape", "skeleton"):
+    for kind in ("tape", "skeleton"):
         with np.load(folder / f"{kind}.npz") as file:
             found[kind] = dict(file)
     return found
@@ -45,57 +44,7 @@ def written(tmp_path_factory):
 def load(kind, path):
     if kind == "tape":
         return Tape.load(path)
-    if kind == "checkpoint":
-        return msf_jax.contract(blob(5, 2), config=ONCE, checkpoint=path)
     return msf_jax.read_curve(path)
-
-
-def forged(arrays, path):
-    """Write ``arrays`` with a digest made anew."""
-    arrays = {name: array for name, array in arrays.items() if name != archive.DIGEST}
-    header = json.loads(str(arrays.pop("header")))
-    kind, version = header.pop("format").removeprefix("msf_jax "), header.pop("version")
-    path.write_bytes(archive.packed(kind, version, header, arrays, compress=False))
-
-
-SMALL_CHANGES = {
-    "checkpoint": ("0/meso/has_pole", "0/meso/positions", "0/steps/0/left"),
-    "tape": ("vertices", "parts/0/stretches/0/share", "decisions"),
-    "skeleton": ("vertices", "mesh_map", "areas"),
-}
-
-
-@pytest.mark.parametrize(("kind", "name"), [(kind, name) for kind, names in SMALL_CHANGES.items() for name in names])
-def test_one_value_that_was_changed_is_seen(written, tmp_path, kind, name):
-    """The last bit of a number, or one flag: nothing that a range could tell."""
-    arrays = {key: array.copy() for key, array in written[kind].items()}
-    value = arrays[name].reshape(-1)[:1]
-    value[:] = ~value if value.dtype.kind == "b" else value + (1 if value.dtype.kind in "iu" else 1e-9)
-    np.savez(tmp_path / "file.npz", **arrays)
-    with pytest.raises(ConfigError, match="the file was changed: its digest does not fit its content"):
-        load(kind, tmp_path / "file.npz")
-
-
-@pytest.mark.parametrize("kind", ["checkpoint", "tape", "skeleton"])
-def test_a_header_that_was_changed_is_seen_and_a_whole_file_is_read(written, tmp_path, kind):
-    arrays = dict(written[kind])
-    np.savez(tmp_path / "whole.npz", **arrays)
-    load(kind, tmp_path / "whole.npz")
-    arrays["header"] = np.array(json.dumps(json.loads(str(arrays["header"])) | {"more": 1}))
-    np.savez(tmp_path / "file.npz", **arrays)
-    with pytest.raises(ConfigError, match="its digest does not fit"):
-        load(kind, tmp_path / "file.npz")
-    del arrays[archive.DIGEST]
-    np.savez(tmp_path / "file.npz", **arrays)
-    with pytest.raises(ConfigError, match="its digest does not fit"):
-        load(kind, tmp_path / "file.npz")
-
-
-def test_curves_of_0_3_have_no_digest_and_are_read(written, tmp_path):
-    arrays = {name: array for name, array in written["skeleton"].items() if name != archive.DIGEST}
-    arrays["header"] = np.array(json.dumps({"format": "msf_jax skeleton", "version": 1}))
-    np.savez(tmp_path / "old.npz", **arrays)
-    np.testing.assert_array_equal(msf_jax.read_curve(tmp_path / "old.npz").vertices, arrays["vertices"])
 
 
 FORGED = [
@@ -109,13 +58,6 @@ FORGED = [
     ("tape", "edges", lambda a: a.astype(float)),
     ("tape", "is_inside", lambda a: a.astype(int)),
     ("tape", "triangles", lambda a: a - 10**6),
-    ("checkpoint", "0/meso/degree", lambda a: a[::-1] + 1),
-    ("checkpoint", "0/meso/has_pole", lambda a: a.astype(float)),
-    ("checkpoint", "0/meso/positions", lambda a: 1e3 * a),
-    ("checkpoint", "0/meso/poles", lambda a: np.full_like(a, np.nan)),
-    ("checkpoint", "0/meso/node_of_input", lambda a: a.astype(float)),
-    ("checkpoint", "0/steps/0/order", lambda a: np.zeros_like(a)),
-    ("checkpoint", "0/steps/0/degree", lambda a: a + 100),
     ("skeleton", "edges", lambda a: a.astype(float)),
     ("skeleton", "mesh_map", lambda a: a.astype(float)),
     ("skeleton", "radii", lambda a: -1 - a),
@@ -129,33 +71,15 @@ FORGED = [
 
 
 @pytest.mark.parametrize(("kind", "name", "change"), FORGED)
-def test_what_a_digest_was_made_for_is_checked_all_the_same(written, tmp_path, kind, name, change):
+def test_altered_arrays_are_refused(written, tmp_path, kind, name, change):
     """Types, shapes, ranges and indices."""
     assert name in written[kind], sorted(written[kind])
-    forged(written[kind] | {name: change(written[kind][name])}, tmp_path / "file.npz")
+    np.savez(tmp_path / "file.npz", **written[kind])
+    load(kind, tmp_path / "file.npz")
+    np.savez(tmp_path / "file.npz", **written[kind] | {name: change(written[kind][name])})
     # The tests turn NumPy's warnings into errors; users see only warnings.
-    with np.errstate(all="ignore"), pytest.raises(ConfigError, match=f"(is no {kind}, or a damaged one|is damaged)"):
+    with np.errstate(all="ignore"), pytest.raises(ConfigError, match=f"is no {kind}, or a damaged one"):
         load(kind, tmp_path / "file.npz")
-
-
-@pytest.mark.parametrize(("name", "value"), [("t_c", 0.999), ("w_L_factor", 3.0), ("capacity", 10**9), ("t_c", "x")])
-def test_what_follows_from_the_iterations_is_not_taken_from_a_checkpoint(written, tmp_path, name, value):
-    header = json.loads(str(written["checkpoint"]["header"]))
-    header["states"]["list"][0]["members"][name] = value
-    forged(written["checkpoint"] | {"header": np.array(json.dumps(header))}, tmp_path / "file.npz")
-    with pytest.raises(ConfigError, match="damaged"):
-        load("checkpoint", tmp_path / "file.npz")
-
-
-@pytest.mark.slow
-def test_a_sample_of_altered_files(capsys):
-    assert tampering.try_files(3, 27) == []
-    assert "| tape | bytes |" in capsys.readouterr().out
-
-
-def test_curves_as_text_with_another_word_are_refused_or_whole(capsys):
-    assert texts.try_texts(0, 80) == []
-    assert "| graphml |" in capsys.readouterr().out
 
 
 def written_3mf(path, **parts):

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 KIND = "skeleton"  # of the file, see `archive`
 FORMAT_VERSION = 2  # of the format
-WITHOUT_DIGEST = 1  # older version of the format that can be read, too
 
 LARGEST_NUMBER = 1e150  # coordinate or radius: squares of larger ones overflow
 ROUNDED = 1e-9  # over 1 that a fraction may be
@@ -50,7 +49,7 @@ def npz(skeleton: "Skeleton") -> bytes:
         if source.input_of_vertex is not None:
             arrays["input_of_vertex"] = source.input_of_vertex
     arrays["report"] = np.array(json.dumps(skeleton.report.to_dict()))
-    return archive.packed(KIND, FORMAT_VERSION, {}, arrays, compress=True)
+    return archive.packed(KIND, FORMAT_VERSION, {}, arrays)
 
 
 def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Source | None]":
@@ -60,7 +59,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         ConfigError: the file is of another kind, is damaged, or was written by another version.
     """
     advice = "save the skeleton anew"
-    with archive.reading(path, KIND, FORMAT_VERSION, advice, version_without_digest=WITHOUT_DIGEST) as (_, held):
+    with archive.reading(path, KIND, FORMAT_VERSION, advice) as (_, held):
         texts = {name: str(held[name]) for name in ("radius_of", "units") if name in held}
         curve = checked_curve({**held, **texts})
         mesh_map = curve["mesh_map"]
