@@ -128,27 +128,18 @@ def _check_primitive(document: dict[str, Any], primitive: dict[str, Any]) -> Non
 
 
 def _check_shown(document: dict[str, Any]) -> None:
-    """Refuse too many primitives, or too much in them, by the nodes that show them."""
+    """Refuse too much in the primitives, by the nodes that show them."""
     nodes, accessors = document.get("nodes", []), document.get("accessors", [])
-
-    def held(mesh: dict[str, Any]) -> tuple[int, int]:
-        """Primitives, and vertices or triangles."""
-        size = 0
-        for one in mesh["primitives"]:
-            vertices = accessors[one["attributes"]["POSITION"]]["count"]
-            size += max(vertices, accessors[one["indices"]]["count"] // 3 if "indices" in one else 0)
-        return len(mesh["primitives"]), size
-
-    sizes = [held(mesh) for mesh in document.get("meshes", [])]
-    own = sum(one["count"] for one in accessors)
-    check_shown(len(sizes), sum(size for _, size in sizes), own)
+    sizes = []  # of each mesh, its vertices or triangles, whichever are more
+    for mesh in document.get("meshes", []):
+        named = [(one["attributes"]["POSITION"], one.get("indices")) for one in mesh["primitives"]]
+        counts = [(accessors[at]["count"], 0 if of is None else accessors[of]["count"] // 3) for at, of in named]
+        sizes.append((len(named), sum(map(max, counts))))
     shown = [sizes[_whole(node["mesh"])] for node in nodes if "mesh" in node]
-    check_shown(sum(num for num, _ in shown), sum(size for _, size in shown), own)
-    above = [0] * len(nodes)  # parents
-    for node in nodes:
-        for child in node.get("children", []):
-            above[_whole(child)] += 1
-    if max(above, default=0) > 1:
+    for one in (sizes, shown):
+        check_shown(sum(num for num, _ in one), sum(size for _, size in one), sum(each["count"] for each in accessors))
+    children = [_whole(child) for node in nodes for child in node.get("children", [])]
+    if len(set(children)) < len(children):
         raise ValueError("a node has two parents")
 
 
