@@ -4,7 +4,7 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from curve_cases import bored, bow, draft_of, job_of, loops_and_rank, path, tube, unit_shape
+from curve_cases import bored, draft_of, job_of, loops_and_rank, tube, unit_shape
 from run_cases import flow_of
 from scipy import spatial
 
@@ -143,35 +143,3 @@ def test_the_report_has_the_figures_where_asked(y_flow):
     assert skeleton.report.figures == {name: pytest.approx(figures[name]) for name in skeleton.report.figures}
     assert "off_centre" in str(skeleton.report)
     assert y_flow.skeleton.report.figures == {}
-
-
-def test_what_is_pruned_to_a_new_node_goes_to_the_flows_nearest_one(monkeypatch):
-    """A limb that was grown can begin at a node that is not the flow's, and the flow's own tip beyond goes there."""
-    shape, scale = unit_shape(tube(bow(0.3)))
-    nodes, edges = path(scale * bow(0.3)[[20, 30, 40, 50]])
-
-    def one(draft, job):
-        middle = draft.vertices[2:].mean(axis=0, keepdims=True)
-        more = draft.changed(np.concatenate([draft.vertices, middle]), np.array([[0, 1], [1, 2], [2, 4], [4, 3]]))
-        return finishing.reduced(more, np.arange(5) != 3, np.array([0, 1, 2, 4, 4]))
-
-    monkeypatch.setattr(finishing, "passes", lambda centre, extend: [one])
-    found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)
-    np.testing.assert_array_equal(found.is_kept, [True, True, True, False])
-    np.testing.assert_array_equal(found.target, [0, 1, 2, 2])
-
-
-def test_if_no_node_of_the_flow_is_left_the_first_new_one_stands_for_the_nearest(monkeypatch):
-    """Limbs of their own can replace all branches of a small curve."""
-    shape, scale = unit_shape(tube(bow(0.3)))
-    nodes, edges = path(scale * bow(0.3)[[20, 30, 40, 50]])
-
-    def other(draft, job):
-        more = draft.changed(np.concatenate([nodes, nodes[1:3] + 1e-3]), np.array([[0, 1], [1, 2], [2, 3], [4, 5]]))
-        return finishing.reduced(more, np.arange(6) > 3, np.array([4, 4, 5, 5, 4, 5]))
-
-    monkeypatch.setattr(finishing, "passes", lambda centre, extend: [other])
-    found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)
-    np.testing.assert_array_equal(found.is_kept, [False, True, False, False])
-    np.testing.assert_array_equal(found.target, [1, 1, 1, 1])
-    assert len(found.vertices) == 2 and found.edges.tolist() == [[0, 1]]

@@ -39,16 +39,3 @@ def test_corners_side_by_side_are_rounded(num_cycles):
     assert np.count_nonzero(resampling.turns(x, edges) > 80) == (4 if num_cycles else 9)
     assert resampling.turns(y, led).max() < 40
     assert cycle_count(len(y), led) == (1, num_cycles)
-
-
-def test_corners_are_rounded_whatever_is_beside_them():
-    """A sharper one that is outside, and a held node that another is in one place with."""
-    shape, _ = unit_shape(trimesh.creation.icosphere(3))
-    x, edges = path(0.2 * np.array([[-1, 5, 0], [0, 5, 0], [-3, 0, 0], [-1, 0, 0], [0, 0, 0], [0, 1, 0], [0, 1.5, 0]]))
-    y, led = resampling.round_corners(shape, x, edges, np.arange(7) == 2, 40.0)
-    turn = resampling.turns(y, led)
-    assert turn[1] > 120 and np.delete(turn, [1, 2]).max() < 40
-    x, edges = path(0.2 * np.array([[-1, 0, 0], [-0.2, 0, 0], [-0.2, 0, 0], [0, 0, 0], [0, 1, 0]]))
-    y, led = resampling.round_corners(shape, x, edges, np.arange(5) == 2, 40.0)
-    np.testing.assert_array_equal(y[2], x[2])
-    assert resampling.turns(y, led)[3:].max() < 40

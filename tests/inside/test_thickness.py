@@ -1,11 +1,8 @@
 """The thickness that balls tell of, and thin shapes, which keep their length."""
 
 import numpy as np
-import pytest
 import trimesh
-from scipy import spatial
 
-import msf_jax
 from msf_jax import ground_truth
 from msf_jax.inside import thickness
 from msf_jax.meso import collapse, split
@@ -43,17 +40,3 @@ def test_edges_of_a_thin_limb_outlive_a_length_that_others_do_not():
     split.split_long_edges(meso, 0.001)
     meso = meso.compacted()
     assert meso.scale is not None and len(meso.scale) == meso.num_rows and meso.scale.min() >= 0.1
-
-
-@pytest.mark.parametrize("radius", [pytest.param(0.004, marks=pytest.mark.slow), 0.001])
-def test_a_wire_keeps_its_length(radius):
-    vertices, faces, axis = coil(radius, 1.2 if radius > 0.002 else 0.3, 8)
-    extent = np.linalg.norm(np.ptp(vertices, axis=0))
-    skeleton = msf_jax.skeletonize((vertices, faces))
-    report = skeleton.report
-    assert report.converged and report.is_sound and report.inside == 1.0
-    ends = skeleton.vertices[skeleton.edges]
-    length = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum()
-    assert abs(length / np.linalg.norm(np.diff(axis, axis=0), axis=1).sum() - 1) < 0.02, extent
-    away = spatial.KDTree(axis).query(skeleton.vertices)[0]
-    assert away.mean() < 0.2 * radius

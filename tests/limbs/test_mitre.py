@@ -1,6 +1,5 @@
 """Mitres of bars are no limbs, and limbs at their corners are."""
 
-import manifold3d
 import numpy as np
 import pytest
 from limb_cases import Solid, as_shape, mitred, zigzag
@@ -11,10 +10,6 @@ from msf_jax.limbs.caps import Caps
 
 def ends_of(solid: Solid, edge: float | None) -> int:
     return len(Caps(as_shape(solid, edge)).limbs(1.0).caps)
-
-
-def union(*solids: Solid) -> Solid:
-    return Solid.batch_boolean(list(solids), manifold3d.OpType.Add)
 
 
 @pytest.mark.parametrize(("angle", "edge"), [(30, 0.35), (30, None), (45, 1.0), (60, 1.0), (60, None)])

@@ -90,19 +90,6 @@ def test_what_cannot_go_is_infinitely_slender(name):
     assert prune(*balls, np.inf)[0].all()
 
 
-def test_the_surface_of_a_branch_is_that_of_its_own_nodes():
-    """Its junctions are not among them; a loop names its first node twice, and counts it once."""
-    share = np.arange(1.0, 8.0)
-    num, pairs, _ = GRAPHS["spectacles"]
-    branches = branches_of(np.eye(7)[:, :3], as_edges(pairs), np.ones(num), share)
-    found = {min(tuple(one.nodes), tuple(one.nodes[::-1])): one.surface for one in branches}
-    expected = {(0, 1, 2, 0): share[[1, 2]].sum(), (0, 6, 3): share[6], (3, 4, 5, 3): share[[4, 5]].sum()}
-    assert found == pytest.approx(expected)
-    (loop,) = branches_of(np.eye(4)[:, :3], as_edges(chain(0, 1, 2, 3, 0)), np.ones(4), np.ones(4))
-    assert loop.surface == pytest.approx(4)
-    assert np.isnan(branches_of(np.eye(2, 3), as_edges([(0, 1)]), np.ones(2))[0].surface)
-
-
 # The order of removal
 
 
@@ -113,11 +100,6 @@ def test_the_least_goes_first_and_the_rest_is_measured_again():
         start = 1 + round(sum(order[: order.index(1.0)]) / 0.25)
         np.testing.assert_array_equal(np.flatnonzero(~stays), np.arange(start, start + 4))
         assert (target[~stays] == 0).all()
-
-
-def test_at_no_limit_a_tree_becomes_a_path():
-    stays, _ = prune(*star_of([1.0, 2.0, 3.0, 4.0, 5.0], 0.25), np.inf)
-    assert np.flatnonzero(stays).tolist() == [0, *range(25, 61)]  # the two longest legs
 
 
 def test_a_node_goes_to_a_junction_that_stays():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import trimesh
-from conftest import blob, torus
+from conftest import blob
 from meso_cases import (
     SURFACES,
     case,
@@ -116,21 +116,6 @@ def test_a_torus_collapses_to_an_irreducible_torus(twist):
     collapse.collapse_short_edges(meso, 100.0, check=True)
     assert 7 <= meso.num_live <= 10
     assert ring_tables.euler_characteristic(meso.rings) == 0
-
-
-def test_a_fully_fixed_surface_does_not_collapse():
-    mesh = torus()
-    meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces), fixed=1.0)
-    assert collapse.collapse_short_edges(meso, 100.0) == []
-    assert meso.num_live == 288
-
-
-def test_an_edge_of_just_the_threshold_stays():
-    """A cube's edges have length 1, its diagonals sqrt 2: t_c = 1 takes none, a little more takes some."""
-    box = trimesh.creation.box()
-    meso = Meso.from_mesh(np.array(box.vertices), np.array(box.faces))
-    assert collapse.collapse_short_edges(meso, 1.0) == []
-    assert collapse.collapse_short_edges(meso, 1.01)
 
 
 def test_an_edge_that_a_collapse_frees_goes_too():

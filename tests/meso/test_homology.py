@@ -82,17 +82,6 @@ def test_a_run_without_linking_numbers_has_its_cycle_and_says_how(monkeypatch):
     assert any("told apart by their lengths only" in note for note in report.notes)
 
 
-def test_without_classes_some_order_loses_or_adds_a_cycle():
-    """The guard is needed: among the same orders, the published rule gets at least one wrong."""
-    meso = with_classes(torus(around=12, across=6))
-    cycles = []
-    for seed in range(6):
-        noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
-        found = extraction.extract_curve(noise, meso.rings)
-        cycles.append(graphs.cycle_count(len(found.nodes), found.edges)[1])
-    assert any(count != 1 for count in cycles)
-
-
 @pytest.mark.slow  # plates with holes are in test_handle_loops
 def test_a_plate_with_a_small_hole_keeps_it():
     """The loop around the hole is far shorter than the loops around the plate's rim, which must go."""

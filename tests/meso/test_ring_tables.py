@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob
-from meso_cases import SURFACES, case, manifold_euler, meso_of, neighbours_of, turned
+from meso_cases import SURFACES, case, meso_of, neighbours_of, turned
 
 from msf_jax.base.errors import FlowError, MeshError
 from msf_jax.meso import ring_tables
@@ -44,12 +44,6 @@ def test_rings_run_counter_clockwise_seen_from_outside():
         assert (turn > 0).all()
 
 
-@pytest.mark.parametrize(("name", "euler"), [("torus", 0), ("blob", 2), ("two parts", 2), ("three-holes", -4)])
-def test_euler_characteristic(research_mesh, name, euler):
-    meso = case(name, research_mesh)
-    assert ring_tables.euler_characteristic(meso.rings) == euler == manifold_euler(meso.faces())
-
-
 def test_edges_and_apexes_of_a_ring_table():
     """Every edge once; left and right apex complete the face that runs along the edge and the one that runs back."""
     meso = meso_of(*(lambda m: (np.array(m.vertices), np.array(m.faces)))(blob(9, 2)))
@@ -73,11 +67,6 @@ def test_a_surface_with_a_hole_or_a_pinch_has_no_rings():
     pinched = np.concatenate([faces, np.where(faces == 0, 0, faces + 41)])
     with pytest.raises(MeshError, match="several fans"):
         ring_tables.rings_from_faces(pinched, 83)
-
-
-@pytest.mark.parametrize(("degree", "capacity"), [(3, 8), (8, 8), (9, 12), (17, 24), (32, 32), (33, 64), (200, 224)])
-def test_ring_capacities_are_few(degree, capacity):
-    assert ring_tables.ring_capacity(degree) == capacity
 
 
 def test_a_vertex_of_large_degree_has_slots():

@@ -63,12 +63,6 @@ def test_middles_are_the_corner_of_an_angle_the_web_of_a_channel_and_the_back_of
     np.testing.assert_allclose(found, [*expected, 5], atol=2e-3)
 
 
-def test_a_tilted_section_of_a_channel_has_the_middle_of_its_web():
-    """An affine map halves areas as before, and the web stays the narrowest place."""
-    found, _ = middle(channel(3, 2.2, 0.6, 0.6), normal=(0, 0.4, 1.0))
-    np.testing.assert_allclose(found[:2], 0, atol=2e-3)
-
-
 @given(st.floats(2, 4), st.floats(2, 4), st.floats(0.2, 0.6))
 @settings(max_examples=30, deadline=None)
 def test_a_middle_is_in_the_wall_and_halves_the_area(a, b, t):
@@ -81,15 +75,6 @@ def test_a_middle_is_in_the_wall_and_halves_the_area(a, b, t):
         np.testing.assert_allclose(place, [across, t / 2], atol=0.02 * t + 2e-3)
     else:
         assert (place >= 0.25 * t).all() and (place <= t).all()
-
-
-@given(st.floats(2, 4), st.floats(2, 4), st.floats(0.2, 0.6))
-@settings(max_examples=20, deadline=None)
-def test_a_middle_hardly_moves_with_the_walls(a, b, t):
-    step = 1e-3
-    moved = [np.linalg.norm(middle(angle(*each))[0] - middle(angle(a, b, t))[0])
-             for each in ((a + step, b, t), (a, b + step, t), (a, b, t + step))]  # fmt: skip
-    assert max(moved) <= 10 * step
 
 
 @pytest.mark.parametrize("profile", [

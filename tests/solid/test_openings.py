@@ -127,39 +127,6 @@ def test_a_lid_that_goes_on_as_the_wall_does_is_a_hole(angle, expected):
     assert is_end(Solid(vertices, ball.faces).shape, lid) == expected
 
 
-@pytest.mark.parametrize(("length", "expected"), [(3.0, True), (5.0, False)])
-def test_a_hole_in_a_ridge_beside_which_the_limb_goes_on_is_no_opening(length, expected):
-    """A wedge, whose ridge of 4 or more holes' lengths is no limb's end."""
-    low = np.array([[-0.3, 0, 0], [0.3, 0, 0], [0, 0, 3.0]])
-    wedge = trimesh.convex.convex_hull(np.concatenate([low, low + [0, length, 0]])).subdivide_to_size(0.12)
-    wedge.merge_vertices()
-    middle = wedge.triangles_center
-    hole = np.flatnonzero((middle[:, 2] > 2.7) & (np.abs(middle[:, 1] - length / 2) < 0.5))
-    (lid,) = Solid(wedge.vertices, wedge.faces, hole).openings
-    assert is_end(Solid(wedge.vertices, wedge.faces).shape, lid) == expected
-
-
-def test_teeth_of_a_rim_are_wall():
-    """All corners of a tooth are on the rim, but the caller's mesh has the tooth."""
-    whole = tube(15.0)
-    num = AROUND * 50
-    last = np.arange(num - AROUND, num)  # the first triangles of the last row: the others stand on its lower side
-    mesh = trimesh.Trimesh(whole.vertices, np.delete(whole.faces, last + num, axis=0), process=False)
-    checked = prepare(mesh, repair=True)
-    lids = assembly.lids_of_repair(checked)
-    assert len(checked.faces) - len(lids) == len(mesh.faces) and len(lids) == AROUND - 2 + 2 * AROUND - 2
-
-
-def test_a_point_in_front_of_an_uneven_lid_has_a_radius():
-    checked = prepare(tube(15.0, low=JAGGED), repair=True)
-    solid = Solid(checked.vertices, checked.faces, assembly.lids_of_repair(checked))
-    low = JAGGED.min()
-    points = np.array([[0, 0, low + 0.05], [0, 0, 0], [0, 0, 2 * low], [0, 2 * R, 5]])
-    radii = solid.radii(points)
-    np.testing.assert_allclose(radii[1], R, rtol=0.03)
-    assert radii[0] > 0.97 * R and (radii[2:] == 0).all()
-
-
 def test_a_pin_near_an_opening_stays():
     checked = prepare(tube(15.0), repair=True)
     solid, lids = Solid(checked.vertices, checked.faces), assembly.lids_of_repair(checked)

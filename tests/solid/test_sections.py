@@ -63,29 +63,6 @@ def test_the_section_of_a_ball_is_a_circle_around_the_foot_of_its_centre():
     assert np.ptp(found.radius) > 0.3
 
 
-@pytest.mark.parametrize("tilt", [0.0, 0.5, 1.1])
-@pytest.mark.parametrize("seed", range(3))
-def test_an_oblique_cut_through_a_cylinder_is_an_ellipse_around_its_axis(tilt, seed):
-    """The section of a prism is an affine image of its base, so that the centroid is on the axis exactly."""
-    size, random = 0.7, np.random.default_rng(seed)
-    mesh = trimesh.creation.cylinder(size, height=12, sections=96)
-    pose = Rotation.random(random_state=seed).as_matrix()
-    shift, turn = random.normal(size=3), random.uniform(0, 2 * np.pi)
-    mesh.apply_transform(np.block([[pose, shift[:, None]], [np.zeros(3), 1]]))
-    normal = pose @ [np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.cos(tilt)]
-    on_axis = shift + 0.4 * pose[:, 2]
-    aside = random.normal(size=3)
-    point = on_axis + 0.4 * np.cross(normal, aside) / np.linalg.norm(np.cross(normal, aside))
-    found = cut_one(mesh, point, normal)
-    assert found.is_found and found.is_around
-    np.testing.assert_allclose(found.centroid, on_axis, atol=1e-10)
-    angle = (np.arange(20_000) + 0.5) * 2 * np.pi / 20_000
-    a, b = size / np.cos(tilt), size
-    pace = np.hypot(a * np.sin(angle), b * np.cos(angle))
-    mean = (np.hypot(a * np.cos(angle), b * np.sin(angle)) * pace).sum() / pace.sum()
-    assert found.radius == pytest.approx(mean, rel=0.002)
-
-
 def test_the_sections_of_an_ellipsoid_lie_around_the_conjugate_diameter():
     """The plane n.x = h cuts x.x / a^2 = 1 in an ellipse around h a^2 n / (n.a^2 n)."""
     random = np.random.default_rng(2)
@@ -102,19 +79,6 @@ def test_the_sections_of_an_ellipsoid_lie_around_the_conjugate_diameter():
     np.testing.assert_allclose(found.centroid, expected, atol=0.01)
     foot = height[:, None] * normals  # where a ball's centre would be
     assert np.linalg.norm(expected - foot, axis=1).max() > 0.2
-
-
-def test_the_section_of_a_box_is_a_square_or_a_hexagon():
-    mesh = trimesh.creation.box()  # two triangles to a side
-    square = cut_one(mesh, [0.3, -0.2, 0.21], [0, 0, 1])
-    np.testing.assert_allclose(square.centroid, [0, 0, 0.21], atol=1e-12)
-    assert square.radius == pytest.approx((np.sqrt(2) + np.arcsinh(1)) / 4, rel=0.01)
-    hexagon = cut_one(mesh, [0.3, -0.2, -0.1], [1, 1, 1])
-    np.testing.assert_allclose(hexagon.centroid, 0, atol=1e-12)
-    apothem = np.sqrt(3 / 8)  # of a regular hexagon with sides of half a diagonal
-    assert hexagon.radius == pytest.approx(
-        apothem * (2 / np.sqrt(3) + np.sqrt(3) * np.arcsinh(1 / np.sqrt(3))) / 2, rel=0.01
-    )
 
 
 # Against loops that are joined from trimesh's segments
@@ -260,17 +224,6 @@ def test_in_a_shell_the_cavity_bounds_no_section():
     assert above.is_around and above.radius == pytest.approx(0.8, rel=0.01)
 
 
-def test_from_outside_a_section_is_found_but_not_around():
-    found = cut_one(trimesh.creation.icosphere(3), [1.4, 0.3, 0.2], [0, 0, 1])
-    assert found.is_found and not found.is_around
-    np.testing.assert_allclose(found.centroid, [0, 0, 0.2], atol=1e-3)
-    assert found.radius == pytest.approx(np.sqrt(0.96), rel=0.01)
-
-
-def test_a_plane_beside_the_surface_cuts_nothing():
-    assert_nothing(cut_one(trimesh.creation.icosphere(2), [0.2, 0.1, 1.01], [0, 0, 1], 5.0), [0.2, 0.1, 1.01])
-
-
 def test_a_loop_is_looked_for_ever_farther_but_not_without_end():
     farthest = 1.5 * 3 ** (sections.SEARCHES - 1)  # guesses
     mesh = trimesh.creation.box().subdivide().subdivide()
@@ -279,12 +232,6 @@ def test_a_loop_is_looked_for_ever_farther_but_not_without_end():
         assert found.is_found == found.is_around == is_near, guess
     assert cut_one(mesh, [0, 0.4999, 0.1], [0, 0, 1], 0.0).is_found
     assert not cut_one(mesh, [0, 0.4, 0.1], [0, 0, 1], 0.0).is_found
-
-
-def test_a_far_guess_takes_the_nearest_loop_all_the_same():
-    for guess in (0.1, 1.0, 20.0):
-        found = cut_one(torus(), [-0.9, 0.05, 0.02], [0.1, 1, 0], guess)
-        np.testing.assert_allclose(found.centroid[:2], [-1, 0.06], atol=0.03)
 
 
 def test_planes_through_vertices_and_along_faces():
@@ -346,11 +293,6 @@ def test_the_order_of_faces_corners_and_vertices_does_not_matter():
     assert_same(cut(Enclosure(vertices[np.argsort(number)], shuffled), points, normals, radii), plain)
 
 
-def test_a_plane_has_two_sides_and_one_section():
-    shape, (points, normals, radii) = enclosure(hollow(53)), questions(7)
-    assert_same(cut(shape, points, -normals, radii), cut(shape, points, normals, radii))
-
-
 def test_points_do_not_depend_on_each_other(monkeypatch):
     """All at once, one at a time, and where there is no room for them at first."""
     shape, (points, normals, radii) = enclosure(dented(54)), questions(8, 30)
@@ -359,22 +301,6 @@ def test_points_do_not_depend_on_each_other(monkeypatch):
     assert_same(Sections(*(np.concatenate(fields) for fields in zip(*alone, strict=True))), together)
     monkeypatch.setattr(sections, "CAPACITY", 1)
     assert_same(cut(shape, points, normals, radii), together)
-
-
-def test_no_points_no_sections():
-    found = cut(enclosure(torus()), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
-    assert found.centroid.shape == (0, 3) and found.radius.shape == found.is_found.shape == found.is_around.shape == (
-        0,
-    )
-
-
-def test_the_questions_are_left_as_they_are():
-    points, normals, radii = questions(9, 10)
-    copies = points.copy(), normals.copy(), radii.copy()
-    found = cut(enclosure(blob(55)), points, normals, radii)
-    found.centroid[:] = 7.0
-    for asked, copy in zip((points, normals, radii), copies, strict=True):
-        np.testing.assert_array_equal(asked, copy)
 
 
 def test_the_centroid_moves_as_it_says_when_the_plane_slides_and_turns():
