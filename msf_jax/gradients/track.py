@@ -1,7 +1,10 @@
 """`track`: one curve through a sequence of meshes with the same faces; the same nodes in each, and its validity.
 
-It needs one run, and evaluates `follow` for each frame. It checks that each cross-section still exists, is flat, and
-lies across its branch. `holding` checks the curve against the whole moved surface, without using the cross-sections.
+It needs one run, and evaluates `follow` for each frame. `follow` uses only the recorded cross-sections, which can look
+right although a limb has entered another one, or a new limb has grown. So a frame is checked against its whole moved
+surface: the curve is inside, its radii agree with the recorded ones, the surface does not cross itself, and the loops
+go around its handles. Lengths are compared relative to the growth of the mesh, and a change counts only if it also
+shows under the affine map that fits the moved mesh best: stretching the whole mesh is no fault.
 """
 
 from collections.abc import Iterable, Sequence
@@ -17,25 +20,28 @@ from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.gradients.follow import binding_of, checked_vertices
-from msf_jax.gradients.holding import SLIGHT, Holding
 from msf_jax.meshes import reading
+from msf_jax.metrics import inside_fraction
+from msf_jax.skeleton.report import loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import bound
+from msf_jax.solid.crossings import apart_pairs
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.solid import Solid
 
-WARPED = 0.5  # RMS distance of corners from their plane over that from the centroid: above, a section is warped
-TILTED = 0.3  # cosine between a section's normal and its branch: below it, a section lies along its branch,
-STRAIGHT = 0.7  # if its cosine in the recorded mesh was above this
-INSIDE = 0.99  # share of the curve's length that must be inside, else a frame wants a run
+# Chosen on three shapes (a capsule, a hand, three limbs), and tested on others.
+INSIDE = 0.99  # share of the curve's length that must be inside
+PINCHED = 0.5  # ratio of a node's radius to the recorded one, below which its ball has shrunk
+GROWN = 1.0  # radii: growth of a vertex's distance from its node that counts as a new limb
+WIDE = 0.25  # share of the recorded distance that the growth must exceed in addition; the distance is large in sheets
+SLIGHT = 0.005  # diagonals: radii count as at least this, because noise dominates shorter lengths
+PINNED = 1e-6  # diagonals: nodes this near to the recorded surface were pinned to it, and are not checked
 NODES = {  # attributes of a `TrackedFrame` with ids of nodes, and their descriptions
     "vanished": "without a section",
-    "loose": "whose section no longer holds",
     "overlaps": "around which the surface winds once more",
-    "misjudged": "whose followed radius was wrong",
-    "pinched": "whose ball has shrunk by half",
-    "strained": "in a stretch of a branch that has become much longer or shorter",
+    "changed": "whose distance from the surface has changed",
 }
-# Attributes of a `TrackedFrame` that are faults if they are not 0 or empty.
-FAULTS = (*NODES, "overlapped", "crossings", "unexplained")
+FAULTS = (*NODES, "crossings", "loops")  # attributes of a `TrackedFrame` that are faults if they are not 0 or empty
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,22 +52,16 @@ class TrackedFrame:
         number: of the frame, from 0.
         nodes: (N, 3), in the mesh's units; NaN for ``vanished`` nodes.
         radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN for ``vanished``.
-        inside: fraction of the curve's length that is inside; edges at ``vanished`` nodes are left out.
+        inside: fraction of the curve's length that is inside. NaN if nodes have ``vanished``: then nothing else is
+            checked.
         vanished: (k,) nodes whose cross-section no longer exists.
-        loose: (k,) nodes whose cross-section is warped, or lies along its branch.
-        overlapped: fraction of the curve's length whose winding number is above 1, and higher than in the mesh of the
-            run: another part of the solid has moved there.
-        overlaps: (k,) nodes whose winding number is above 1, and higher than in the mesh of the run.
-        crossings: number of pairs of faces that cross although they are far apart along the surface. Pairs next to
-            faces that crossed in the mesh of the run do not count.
-        unexplained: fraction of the surface whose distance from the balls along the curve, or from its own node, has
-            grown by more than a radius: a limb has grown there.
-        misjudged: (k,) nodes for which the radius of `msf_jax.follow` is wrong by more than a third.
-        pinched: (k,) nodes whose ball has shrunk by more than half.
-        strained: (k,) nodes in a stretch of a branch that has become longer than 2.5 times, or shorter than 0.4 times,
-            its length. Stretches were about a radius long.
-
-    Lengths are compared relative to the growth or the affine stretching of the whole mesh.
+        overlaps: (k,) nodes whose winding number is above 1, and higher than in the mesh of the run: another part of
+            the solid has moved there.
+        changed: (k,) nodes whose ball has shrunk by more than half, or of which a vertex has moved away by more than a
+            radius: a limb has grown there, or was crushed.
+        crossings: number of pairs of faces that cross although they are far apart along the surface.
+        loops: number of the curve's loops that no longer go around a handle of their own. Both are 0 if the mesh of the
+            run crossed itself.
     """
 
     number: int
@@ -69,14 +69,10 @@ class TrackedFrame:
     radii: np.ndarray = field(repr=False)
     inside: float
     vanished: np.ndarray
-    loose: np.ndarray
-    overlapped: float
     overlaps: np.ndarray
+    changed: np.ndarray
     crossings: int
-    unexplained: float
-    misjudged: np.ndarray
-    pinched: np.ndarray
-    strained: np.ndarray
+    loops: int
 
     @property
     def wants_run(self) -> bool:
@@ -93,17 +89,16 @@ class TrackedFrame:
         return f"TrackedFrame({self})"
 
     def __str__(self) -> str:
-        parts = [f"frame {self.number}: {100 * self.inside:.2f} % inside"]
+        inside = "not checked further" if len(self.vanished) else f"{100 * self.inside:.2f} % inside"
+        parts = [f"frame {self.number}: {inside}"]
         for name, what in NODES.items():
             nodes = getattr(self, name)
             if len(nodes):
                 parts.append(f"{len(nodes)} {'node' if len(nodes) == 1 else 'nodes'} {what}, the first {nodes[0]}")
-        if self.overlapped > 0:
-            parts.append(f"{100 * self.overlapped:.2g} % of the curve in another part of the solid")
         if self.crossings:
             parts.append(f"the surface crosses itself, in {self.crossings} pairs of faces")
-        if self.unexplained > 0:
-            parts.append(f"{100 * self.unexplained:.2g} % of the surface is far from the curve")
+        if self.loops:
+            parts.append(f"{self.loops} of its loops go around no handle of their own any more")
         return "; ".join(parts) + ("; needs a fresh run" if self.wants_run else "")
 
 
@@ -169,8 +164,8 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
 
     Returns:
         Nodes and radii for each frame, with the same ids in all, and a validity check of each. ``wants_run`` is True
-        for a frame that is bent, flattened or torn too far, in which limbs intersect, or in which a limb has grown;
-        the frame lists the nodes. See `TrackedFrame`.
+        for a frame that is bent, flattened or torn too far, in which limbs intersect, or in which a limb has grown. See
+        `TrackedFrame`.
 
     Raises:
         ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
@@ -197,27 +192,17 @@ class Tracker:
 
     def __init__(self, skeleton: Skeleton):
         binding = unpadded(binding_of(skeleton))
-        surface, edges = bound(skeleton.source, skeleton.mesh_map), skeleton.edges
-        self.skeleton, self.edges = skeleton, edges
+        surface = bound(skeleton.source, skeleton.mesh_map)
+        self.skeleton, self.edges, self.node = skeleton, skeleton.edges, surface.node
         self.binding: Binding = jax.device_put(jax.tree.map(jnp.asarray, binding))
         self.solid, self.vertex = surface.solid, surface.vertex
         # Repair changes faces, so the caller's faces of a repaired mesh are not compared.
-        faces = self.vertex[self.solid.shape.faces]
-        self.faces = None if skeleton.report.repairs else _sorted(faces)
-        # For each edge at a node with a section: that node, the other node, the section.
-        section_of_node = np.full(len(skeleton.vertices), -1)
-        section_of_node[binding.node[binding.is_loop]] = np.flatnonzero(binding.is_loop)
-        here, there = np.concatenate([edges, edges[:, ::-1]]).T
-        self.here, self.there = here[section_of_node[here] >= 0], there[section_of_node[here] >= 0]
-        self.section = section_of_node[self.here]
-        normal = np.asarray(_tracked(self.binding, jnp.asarray(surface.given(len(skeleton.mesh_map))))[3])
-        self.upright = self._cosines(skeleton.vertices, normal)
-        self.holding = Holding(surface, skeleton.vertices, edges)
-
-    def _cosines(self, nodes: np.ndarray, normal: np.ndarray) -> np.ndarray:
-        along = nodes[self.there] - nodes[self.here]
-        length = np.linalg.norm(along, axis=1)
-        return np.einsum("ei,ei->e", along, normal[self.section]) / np.where(length > 0, length, 1.0)
+        self.faces = None if skeleton.report.repairs else _sorted(self.vertex[self.solid.shape.faces])
+        shape, x = self.solid.shape, self.solid.enter(skeleton.vertices)
+        self.recorded, self.sides = _measured(shape, x, self.node), _sides(shape)
+        self.most, self.is_free = np.maximum(shape.winding_numbers(x), 1), self.recorded[0] > PINNED
+        self.is_embedded = not self._crossings(shape, x)
+        self.loops = self._loops(shape, x)
 
     def frame(self, number: int, given: Any) -> TrackedFrame:
         """The curve in the mesh ``given``, with its checks."""
@@ -226,14 +211,55 @@ class Tracker:
             array = checked_vertices(self.skeleton, vertices)
         except MeshError as error:
             raise MeshError(f"frame {number}: {error}") from error
-        nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.binding, array))
-        vanished = np.flatnonzero(np.isnan(nodes).any(axis=1))
-        cosine = np.sign(self.upright) * self._cosines(nodes, normal)
-        is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED) & normal[self.section].any(axis=1)
-        loose = np.union1d(np.asarray(self.binding.node)[is_warped > 0], self.here[is_over])
-        moved = np.asarray(array, dtype=np.float64)[self.vertex]
-        held = self.holding.held(moved, nodes, radii)
-        return TrackedFrame(number, nodes, vanished=vanished, loose=np.setdiff1d(loose, vanished), **held._asdict())
+        nodes, radii = (np.asarray(each, dtype=np.float64) for each in _followed(self.binding, array))
+        moved, none = np.asarray(array, dtype=np.float64)[self.vertex], np.zeros(0, dtype=np.int64)
+        vanished = np.flatnonzero(np.isnan(nodes).any(axis=1)) if np.ptp(moved, axis=0).any() else np.arange(len(nodes))
+        if len(vanished):
+            return TrackedFrame(number, nodes, radii, np.nan, vanished, none, none, 0, 0)
+        solid = Solid(moved, self.solid.shape.faces)
+        shape, x = solid.shape, solid.enter(nodes)
+        now, winding = _measured(shape, x, self.node), shape.winding_numbers(x)
+        scale = float(np.median(_sides(shape) / np.maximum(self.sides, 1e-300)))
+        changed = self._changed(now, tuple(scale * lengths for lengths in self.recorded))
+        if changed.any() and (stretched := self._stretched(shape)) is not None:
+            changed &= self._changed(now, stretched)
+        return TrackedFrame(
+            number,
+            nodes,
+            np.where(winding > 0, 1.0, -1.0) * solid.diagonal * now[0],
+            inside_fraction(shape, x, self.edges, np.where(winding > 0, now[0], 0.0)),
+            vanished,
+            overlaps=np.flatnonzero(self.is_free & (winding > self.most)),
+            changed=np.flatnonzero(changed),
+            crossings=self._crossings(shape, x) if self.is_embedded else 0,
+            loops=max(self.loops - self._loops(shape, x), 0) if self.is_embedded else 0,
+        )
+
+    def _changed(self, now: tuple[np.ndarray, ...], was: tuple[np.ndarray, ...]) -> np.ndarray:
+        """(N,) nodes whose ball has shrunk, or of which a vertex has moved away, by `_measured` lengths."""
+        changed = now[0] < PINCHED * (was[0] - SLIGHT)
+        thick = np.maximum(np.maximum(was[0], now[0]), SLIGHT)[self.node]
+        is_away = now[1] - was[1] > GROWN * thick + WIDE * was[1]
+        changed[self.node[is_away]] = True
+        return changed & self.is_free
+
+    def _stretched(self, shape: Enclosure) -> tuple[np.ndarray, ...] | None:
+        """What is measured under the affine map that best fits the moved mesh; None if that reflects."""
+        before, after = self.solid.shape.vertices, shape.vertices
+        mean, away = before.mean(axis=0), after.mean(axis=0)
+        matrix = np.linalg.lstsq(before - mean, after - away, rcond=None)[0]
+        if np.linalg.det(matrix) <= 0:
+            return None
+        x = (self.solid.enter(self.skeleton.vertices) - mean) @ matrix + away
+        return _measured(Enclosure((before - mean) @ matrix + away, shape.faces), x, self.node)
+
+    def _crossings(self, shape: Enclosure, x: np.ndarray) -> int:
+        length = np.linalg.norm(x[self.edges[:, 0]] - x[self.edges[:, 1]], axis=1)
+        return len(apart_pairs(shape, self.node, np.maximum(shape.distances(x), SLIGHT), self.edges, length))
+
+    def _loops(self, shape: Enclosure, x: np.ndarray) -> int:
+        """How many handles the curve's loops go around; 0 if they are too many to tell."""
+        return loops_of(shape, x, self.edges, self.node)["loops"] or 0
 
     def _vertices_of(self, given: Any) -> Any:
         if isinstance(given, np.ndarray | jax.Array) or (isinstance(given, list | tuple) and len(given) != 2):
@@ -244,18 +270,17 @@ class Tracker:
         return vertices
 
 
-@jax.jit
-def _tracked(binding: Binding, vertices: jax.Array) -> tuple[jax.Array, ...]:
-    """Nodes, radii, whether each section is warped (S,), and the normals of sections (S, 3).
+_followed = jax.jit(following.follow)
 
-    The normal of a section smaller than half of `SLIGHT` is 0, because noise of the vertices turns it at random.
-    """
-    nodes, radii = following.follow(binding, vertices)
-    entered = (vertices - binding.centre) / binding.diagonal
-    found = following.centroids(binding, following.corners(binding, entered))
-    size = jnp.sqrt(found.area / jnp.pi)
-    is_warped = binding.is_loop & (found.warp * size > WARPED * jnp.maximum(size, SLIGHT))
-    return nodes, radii, is_warped, jnp.where(size[:, None] < SLIGHT / 2, 0.0, found.normal)
+
+def _measured(shape: Enclosure, x: np.ndarray, node: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The exact radii (N,) of nodes at ``x`` (N, 3), and the distance (V,) of each vertex from its own node."""
+    return shape.distances(x), np.linalg.norm(shape.vertices - x[node], axis=1)
+
+
+def _sides(shape: Enclosure) -> np.ndarray:
+    """(F, 3) lengths of the sides of all faces."""
+    return np.linalg.norm(np.roll(shape.triangles, -1, axis=1) - shape.triangles, axis=2)
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:

@@ -1,10 +1,10 @@
 """Triangles that cross: those of all pairs, none where solids touch, and where a side passes through."""
 
 import numpy as np
+import pytest
 import trimesh
 
 from msf_jax.solid import crossings
-from msf_jax.solid.crossings import Crossings
 from msf_jax.solid.enclosure import Enclosure
 from tests.benchmarks.voids import together
 
@@ -13,13 +13,24 @@ def enclosure(mesh: trimesh.Trimesh) -> Enclosure:
     return Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
 
 
+def passes(start, end, triangle):
+    """Whether a segment passes through a triangle, by the signs of the volumes of five tetrahedra."""
+    a, b, c = triangle
+    above, below = (np.linalg.det([b - a, c - a, place - a]) for place in (start, end))
+    turns = [np.linalg.det([end - start, u - start, v - start]) for u, v in ((a, b), (b, c), (c, a))]
+    return above * below < 0 and (min(turns) >= 0 or max(turns) <= 0)
+
+
 def test_crossing_triangles_are_those_of_all_pairs():
     random = np.random.default_rng(7)
     corners = random.random((60, 1, 3)) + random.normal(0, 0.15, (60, 3, 3))
     shape = Enclosure(corners.reshape(-1, 3), np.arange(180).reshape(-1, 3))
-    one, other = np.triu_indices(60, 1)
-    is_crossed = crossings._cross(corners[one], corners[other])
-    expected = set(zip(one[is_crossed].tolist(), other[is_crossed].tolist(), strict=True))
+    expected = {
+        (i, j)
+        for i, j in zip(*np.triu_indices(60, 1), strict=True)
+        for one, other in ((corners[i], corners[j]), (corners[j], corners[i]))
+        if any(passes(one[k], one[(k + 1) % 3], other) for k in range(3))
+    }
     assert len(expected) > 10 and {tuple(sorted(pair)) for pair in shape.crossed.pairs.tolist()} == expected
 
 
@@ -29,24 +40,14 @@ def test_solids_that_touch_do_not_cross():
     assert enclosure(together(boxes[0], boxes[1].apply_translation([-0.1, 0, 0]))).crossed.num
 
 
-def crossings_of(parts, gap):
-    """Of two tetrahedra, the second shifted to ``gap`` above the first: each with a node of its own."""
+@pytest.mark.parametrize(("along", "num"), [(1.0, 3), (0.1, 0)])
+def test_faces_cross_if_they_are_apart_along_the_curve(along, num):
+    """The corner of a tetrahedron within another cuts the slanted face with its own three. Each has its own node."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-    vertices = np.concatenate([corners, corners + [0.1, 0.1, 2]])
-    asked = Crossings(
-        vertices,
-        np.concatenate([faces, faces + 4]),
-        np.repeat(parts, 4),
-        np.array([0.2, 0.2]),
-        np.array([[0, 1]]),
-        np.array([2.0]),
+    shape = Enclosure(np.concatenate([corners, corners + [0.1, 0.1, 0.5]]), np.concatenate([faces, faces + 4]))
+    node, radii = np.repeat([0, 1], 4), np.array([0.4, 0.4])
+    found = crossings.apart_pairs(
+        shape, node, radii if along > 0.5 else 3 * radii, np.array([[0, 1]]), np.array([along])
     )
-    vertices[4:, 2] += gap - 2
-    return asked.found(vertices)
-
-
-def test_faces_cross_where_a_side_passes_through():
-    """The corner of a tetrahedron within another cuts the slanted face with its own three; once it is out, nothing."""
-    assert {tuple(pair) for pair in crossings_of([0, 1], 0.5).tolist()} == {(2, 4), (2, 5), (2, 7)}
-    assert len(crossings_of([0, 1], 1.01)) == 0
+    assert len(found) == num
