@@ -81,16 +81,16 @@ def _keeps_class(
 
     They do if the places of both ends, old and new, are in one ball around an old end, which is convex and inside.
     """
-    kept = np.ones(len(edges), dtype=bool)
     if not handles.genus:
-        return kept
+        return np.ones(len(edges), dtype=bool)
+    is_in_doubt = np.ones(len(edges), dtype=bool)
     for one, other in (edges.T, edges[:, ::-1].T):
         places = np.stack([x[other], y[one], y[other]], axis=1)
-        kept &= np.linalg.norm(places - x[one][:, None], axis=2).max(axis=1) >= SURE * clearance[one]
-    a, b = edges[kept].T
+        is_in_doubt &= np.linalg.norm(places - x[one][:, None], axis=2).max(axis=1) >= SURE * clearance[one]
+    a, b = edges[is_in_doubt].T
     along, *steps = np.split(handles.classes(np.r_[y[a], x[a], x[b]], np.r_[y[b], y[a], y[b]]), 3)
-    kept[kept] = along != class_of[kept] + steps[1] - steps[0]
-    return ~kept
+    is_in_doubt[is_in_doubt] = along != class_of[is_in_doubt] + steps[1] - steps[0]
+    return ~is_in_doubt
 
 
 def _is_open(

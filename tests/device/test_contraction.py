@@ -25,7 +25,7 @@ from device_cases import (
     strict,
 )
 
-from msf_jax.base.options import LAPLACIANS, Config, Solver, SolverOptions, StepSettings, Weights
+from msf_jax.base.options import LAPLACIANS, Solver, StepSettings, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, normal_equations, relaxed
@@ -413,34 +413,6 @@ def test_gradient_in_the_positions(case, scalar, gradients):
         np.testing.assert_allclose((gradients[3] * direction).sum(), slope, rtol=1e-5)
 
 
-@pytest.mark.slow  # slopes in weights and places are above
-def test_gradient_in_the_poles_is_linear(case):
-    """The result is affine in the poles: one derivative reproduces any change of them."""
-    change = jnp.asarray(case.to_rows(np.random.default_rng(6).normal(size=case.vertices.shape)))
-
-    def new(poles):
-        return plain_contract(case.buffers._replace(poles=poles), W_L, W_H, W_M, case.layout)[0]
-
-    start, tangent = quick_jit(lambda poles: jax.jvp(new, (poles,), (change,)))(case.buffers.poles)
-    np.testing.assert_allclose(quick_jit(new)(case.buffers.poles + 3 * change), start + 3 * tangent, atol=1e-9)
-    assert not np.asarray(tangent)[case.rank[case.is_fixed]].any()
-
-
-@pytest.mark.slow  # of one weight for all rows: above
-def test_gradient_with_weights_per_row(case, scalar, slopes, factors):
-    random = np.random.default_rng(12)
-    weights = [case.to_rows(s * np.exp(random.normal(size=120)), fill=s) for s in (1.0, 0.3, 0.3)]
-    direction, positions = case.to_rows(random.normal(size=120)), case.buffers.positions
-    for k, slope in enumerate(slopes(factors, *weights, positions)[:3]):
-
-        def along(t, k=k):
-            return scalar(*(w + t * direction if m == k else w for m, w in enumerate(weights)), positions)
-
-        np.testing.assert_allclose((slope * direction).sum(), central_difference(along, 0.0, 1.0, 1e-3), rtol=1e-5)
-        held = np.asarray(slope)[case.rank[case.is_fixed]]
-        np.testing.assert_array_equal(held, 0.0)  # a fixed vertex has no rows
-
-
 @pytest.fixture(scope="module")
 def small() -> Case:
     """Eight vertices, one of them fixed."""
@@ -448,44 +420,6 @@ def small() -> Case:
     vertices = vertices + 0.03 * np.random.default_rng(1).normal(size=vertices.shape)
     is_fixed = np.arange(8) == 2
     return build(vertices, faces, is_fixed=is_fixed, poles=0.1 * vertices, layout=one_level(8, 8))
-
-
-@pytest.mark.slow  # each is compared with differences
-def test_jvp_and_vjp_are_transposes(case):
-    random = np.random.default_rng(30)
-
-    def new(w_L, w_H, w_M, positions):
-        return plain_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)[0]
-
-    arguments = (W_L, W_H, W_M, case.buffers.positions)
-    tangents = (0.3, -0.2, 0.7, jnp.asarray(random.normal(size=case.buffers.positions.shape)))
-    cotangent = jnp.asarray(random.normal(size=case.buffers.positions.shape))
-
-    @quick_jit
-    def both(arguments, tangents, cotangent):
-        return jax.jvp(new, arguments, tangents), jax.vjp(new, *arguments)[1](cotangent)
-
-    (value, forward), backward = both(arguments, tangents, cotangent)
-    transposed = sum(np.vdot(t, g) for t, g in zip(tangents, backward, strict=True))
-    np.testing.assert_allclose(np.vdot(cotangent, forward), transposed, rtol=1e-9)
-    np.testing.assert_allclose(case.to_vertices(value), contracted(case), atol=1e-12)
-
-
-@pytest.mark.slow  # of a diagonal matrix: above
-def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
-    """Earlier than the tolerance would; the report says so, and the solution is off by little of that length."""
-    case = build(*pebble(1))
-    weights = jax.tree_util.tree_map(np.asarray, Weights())
-    config = Config(solver=SolverOptions(tolerance=1e-9))
-    move = quick_jit(iteration.move, static_argnums=(2, 3))
-    exact = move(case.buffers, weights, config.on_device, case.layout)
-    t_c = 0.01
-    found = move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config.on_device, case.layout)
-    assert int(found.contraction.steps) < int(exact.contraction.steps)
-    assert float(found.contraction.residual) > config.solver.tolerance
-    assert bool(found.contraction.has_ended)
-    assert np.abs(found.positions - exact.positions).max() < t_c / 2
-    assert np.abs(found.positions - exact.positions).max() > 1e-7
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,6 @@ from device_cases import (
     one_level,
     outwards,
     pebble,
-    plain_rows,
     quick_jit,
     reference_laplacian,
     reference_weights,
@@ -113,13 +112,6 @@ def test_all_rows_agree_with_half_edges_in_numpy(surfaces, name, kind):
     np.testing.assert_allclose(np.asarray(rows.into)[used], reference[j, i], rtol=1e-10, atol=1e-10)
     assert not np.asarray(rows.out)[~used].any()
     assert not np.asarray(rows.into)[~used].any()
-
-
-def test_every_laplacian_has_its_weights_and_no_other_name_has():
-    assert set(laplacian.WEIGHTS) == set(LAPLACIANS)
-    buffers = build(*pebble(0, 40)).buffers
-    with pytest.raises(KeyError, match="mean"):
-        laplacian.assemble("mean", buffers.positions, buffers.rings, buffers.degree, build(*pebble(0, 40)).layout)
 
 
 @pytest.mark.parametrize("kind", LAPLACIANS)
@@ -355,22 +347,6 @@ def test_gradient_agrees_with_central_differences(value_and_slope, kind):
         direction = random.normal(size=case.vertices.shape)
         expected = central_difference(scalar, case.vertices, direction, h=1e-6)
         np.testing.assert_allclose((case.to_vertices(slope) * direction).sum(), expected, rtol=1e-6)
-
-
-def test_forward_and_reverse_mode_agree_on_rows():
-    case = build(*pebble(0))
-    vector = np.random.default_rng(4).normal(size=case.buffers.positions.shape)
-
-    def scalar(positions):
-        return mixed_sum(plain_rows("mean_value", positions, case.buffers.rings, case.buffers.degree, case.layout))
-
-    @quick_jit
-    def both(positions):
-        return jax.jvp(scalar, (positions,), (jnp.asarray(vector),))[1], jax.grad(scalar)(positions)
-
-    forward, gradient = both(case.buffers.positions)
-    reverse = (gradient * vector).sum()
-    np.testing.assert_allclose(forward, reverse, rtol=1e-10)
 
 
 def test_rows_do_not_depend_on_the_layout():

@@ -3,7 +3,6 @@
 import functools
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
@@ -72,37 +71,6 @@ def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     np.testing.assert_allclose(np.abs(found), expected, rtol=0, atol=1e-12 * solid.diagonal)
     is_clear = expected > 1e-9 * solid.diagonal
     np.testing.assert_array_equal((found > 0)[is_clear], is_inside[is_clear])
-
-
-@pytest.mark.slow  # distances are those of the solid above
-def test_it_does_not_matter_how_many_are_looked_at_together(monkeypatch):
-    """Runs of 256 triangles for 32, so many at once that there are many rounds; and brute force."""
-    vertices, _, binding = bound("limbs")
-    moved = np.zeros((binding.num_vertices, 3))
-    moved[: len(vertices)] = vertices @ SHEAR.T
-    points = jnp.asarray(about(moved[: len(vertices)], len(binding.rest)))
-    faces = np.asarray(jax.jit(nearest.nearest_faces)(binding, points, moved))
-    assert faces.max() < int(binding.live.faces)
-    triangles = jnp.asarray(moved[binding.faces[: int(binding.live.faces)]])
-    away = jax.jit(nearest.squared_distances)(points, jnp.broadcast_to(triangles, (len(points), *triangles.shape)))
-    np.testing.assert_array_equal(away[np.arange(len(points)), faces], away.min(axis=1))
-    monkeypatch.setattr(nearest, "MOST_RUNS", 2)
-    monkeypatch.setattr(nearest, "AT_ONCE", 4096)
-    again = jax.jit(lambda *arguments: nearest.nearest_faces(*arguments))(binding, points, moved)
-    np.testing.assert_array_equal(away[np.arange(len(points)), np.asarray(again)], away.min(axis=1))
-
-
-def test_runs_are_of_near_triangles():
-    """A ball around 32 of them holds few others: in the mean it is as wide as so many triangles are."""
-    vertices, _, binding = bound("limbs")
-    faces = binding.faces[: int(binding.live.faces)]
-    np.testing.assert_array_equal(
-        np.unique(np.sort(faces, axis=1), axis=0), np.unique(np.sort(bound("limbs")[1]), axis=0)
-    )
-    centre = vertices[faces[: len(faces) // 32 * 32]].mean(axis=1).reshape(-1, 32, 3)
-    spread = np.sqrt(((centre - centre.mean(axis=1, keepdims=True)) ** 2).sum(axis=2).mean(axis=1))
-    area = trimesh.Trimesh(vertices, faces, process=False).area / len(faces) * 32
-    assert np.median(spread) < np.sqrt(area)
 
 
 def test_twins_are_the_same_edge_the_other_way():

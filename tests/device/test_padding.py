@@ -77,16 +77,6 @@ def own():
     return case, outcome(case)
 
 
-@pytest.mark.slow  # that padding does not show in an assembly is in test_laplacian, in a loss in test_losses
-def test_gradients_reach_what_they_should(own):
-    """What the other tests compare is not zero: the step moves, and has slopes in all weights, positions and poles."""
-    case, (new, weights, positions, poles, area) = own
-    assert np.abs(case.to_vertices(new) - case.vertices)[~case.is_fixed].max() > 1e-2
-    assert np.abs(positions).max() > 0.1
-    assert all(float(slope) != 0 for slope in jax.tree_util.tree_leaves(weights))
-    assert np.asarray(poles).any() and np.asarray(area).any()
-
-
 @pytest.mark.slow
 def test_layout_does_not_show(own):
     elsewhere = case_with_everything(layout=OTHER)
@@ -111,16 +101,6 @@ def test_values_in_padded_rows_do_not_show(own):
     found = outcome(strewn)
     assert_same(strewn, found, case, expected)
     np.testing.assert_array_equal(found[0][count:], buffers.positions[count:])
-
-
-@pytest.mark.slow  # nor that of a whole run, in test_flow
-def test_order_of_the_vertices_does_not_show(own):
-    case, expected = own
-    order = np.random.default_rng(6).permutation(len(case.vertices))
-    renumbered = case_with_everything(layout=OWN, order=order)
-    assert (renumbered.vertices != case.vertices).any()
-    found = renumbered.to_vertices(outcome(renumbered)[0])
-    np.testing.assert_allclose(found, case.to_vertices(expected[0])[order], atol=1e-9)
 
 
 def cache_size():

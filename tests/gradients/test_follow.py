@@ -14,7 +14,6 @@ from scipy.spatial.transform import Rotation
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
-from msf_jax.base import binding as bindings
 from msf_jax.solid.solid import Solid
 
 KNOWN = {"y": "y_coarse", "tube": "straight_coarse"}
@@ -172,31 +171,6 @@ def test_a_node_is_in_the_middle_of_the_area_of_its_section(beam):
     found = np.asarray(nodes)[middle(skeleton), 1:]
     np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), rtol=0, atol=0.01)
     assert np.linalg.norm(corners.mean(axis=0) - expected) > 0.05  # which is not the mean of the corners
-
-
-@pytest.mark.slow  # a beam is above
-def test_nodes_in_a_sheet_follow_their_own_vertices():
-    """A plate has cross-sections only near its ends. When it is bent by 60 degrees, its nodes keep their place in it.
-
-    Noise of the vertices moves most nodes less than half as far, as it would move the mean of four vertices, and none
-    farther than the mean of two: the tip in a corner lies between the corner's two vertices.
-    """
-    mesh = trimesh.creation.box([6, 2, 0.1]).subdivide_to_size(0.35)
-    vertices, skeleton = np.array(mesh.vertices), msf_jax.skeletonize(mesh)
-    has_section = np.isin(np.arange(len(skeleton.vertices)), skeleton.binding.node[skeleton.binding.is_loop])
-    assert has_section.mean() < 0.5
-    covariance = skeleton.covariance(1.0)
-    deviation = np.sqrt(np.trace(covariance, axis1=1, axis2=2) / 3)
-    assert np.median(deviation) < 0.25 and np.quantile(deviation, 0.9) < 0.5 and deviation.max() < np.sqrt(1 / 2)
-    curvature = np.radians(60) / 6
-
-    def bent(points):
-        x, y, z = points.T
-        angle = curvature * x
-        return np.stack([(1 / curvature - z) * np.sin(angle), y, (z - 1 / curvature) * np.cos(angle)], axis=1)
-
-    nodes = np.asarray(msf_jax.follow(skeleton, bent(vertices)).nodes)
-    np.testing.assert_allclose(nodes, bent(skeleton.vertices), rtol=0, atol=0.1)
 
 
 @pytest.fixture(scope="module")
@@ -360,42 +334,6 @@ def test_a_curve_without_its_mesh_is_refused(limbs, tmp_path):
 def test_noise_that_is_none_is_refused(limbs, sigma, says):
     with pytest.raises(ConfigError, match=says):
         limbs[2].covariance(sigma)
-
-
-@pytest.mark.slow
-def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch, compilations):
-    """One for each capacity. One that was dropped is made again, and says the same."""
-    module = importlib.import_module("msf_jax.gradients.follow")
-    monkeypatch.setattr(module, "_programs", {})
-    monkeypatch.setattr(module, "MOST_PROGRAMS", 1)
-    vertices, _, skeleton = limbs
-    binding, capacity = bindings.unpadded(skeleton.binding), skeleton.binding.capacity
-    sizes = [capacity._replace(nodes=capacity.nodes + 64 * more) for more in range(2)]
-    for number, is_new in ((0, True), (0, False), (1, True), (0, True)):
-        compilations.clear()
-        nodes = np.asarray(msf_jax.follow(bindings.padded(binding, sizes[number]), vertices).nodes)
-        np.testing.assert_allclose(nodes[: len(skeleton.vertices)], skeleton.vertices, atol=1e-5)
-        assert bool(compilations) == is_new
-
-
-@pytest.mark.slow  # that a second frame compiles nothing is in test_track
-def test_a_first_eager_gradient_compiles_few_programs(limbs, monkeypatch, compilations):
-    """Padding, the curve, cutting, and the slope of each. The curve's are those of all meshes of its capacity."""
-    module = importlib.import_module("msf_jax.gradients.follow")
-    for name in ("_padded", "_follow", "_cut"):  # as in a new process
-        function = getattr(module, name).__wrapped__
-        static = {} if name == "_follow" else {"static_argnums": 1}
-        monkeypatch.setattr(module, name, jax.jit(lambda *given, f=function: f(*given), **static))
-    vertices, _, skeleton = limbs
-    other = skeleton.resample(0.2)
-    assert other.binding.capacity == skeleton.binding.capacity and len(other.vertices) != len(skeleton.vertices)
-    counts = []
-    for followed in (skeleton, skeleton, other):
-        compilations.clear()
-        found, back = jax.vjp(lambda moved, of=followed: tuple(msf_jax.follow(of, moved)), vertices)
-        assert np.isfinite(back(found)[0]).all()
-        counts.append(len(compilations))
-    assert counts == [6, 0, 2], counts
 
 
 def test_a_capacity_over_the_limit_does_not_make_every_program_again(monkeypatch):

@@ -255,17 +255,6 @@ def test_a_batch_of_them():
     assert msf_jax.losses is losses
 
 
-@pytest.mark.slow  # compiles what 32 curves need
-def test_near_needs_memory_for_a_part_of_the_pairs_only():
-    """Of 10,000 targets and 32 curves, with slopes: all pairs would take 66 GB in float64."""
-    num, many = 6000, jax.ShapeDtypeStruct((32, 10_000, 3), jnp.float64)
-    sizes = CAPACITY._replace(nodes=num, edges=num - 1)
-    every = jax.tree.map(lambda part: jnp.stack([part] * 32), padded(bound(), sizes))
-    found = Followed(jnp.zeros((32, num, 3)), jnp.zeros((32, num)))
-    program = jax.jit(jax.vmap(jax.value_and_grad(losses.near))).lower(found, every, many).compile()
-    assert program.memory_analysis().temp_size_in_bytes < 1e9
-
-
 @pytest.mark.parametrize("count", [1, 31, 32, 100])
 def test_near_in_blocks_is_that_of_all_pairs(count):
     """Value and slopes, to rounding."""

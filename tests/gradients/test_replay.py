@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
-from device_cases import central_difference, strict
+from device_cases import central_difference
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Weights
@@ -147,31 +147,6 @@ def test_gradients_agree_with_central_differences(flow):
         np.testing.assert_allclose(found, measured, rtol=1e-5)
 
 
-@pytest.mark.slow  # of the run: in test_flow
-def test_moved_and_scaled_alike(flow):
-    """A mesh that is moved moves its nodes, and only ratios of w_L, w_H and w_M matter; so do derivatives."""
-    first, vertices, towards = probed(flow.tape)
-    shift = np.array([0.3, -0.2, 0.1])
-    nodes = probe(flow.tape, first, vertices + shift, towards, TIGHT)[2]
-    np.testing.assert_allclose(nodes, flow.curve.vertices + shift, atol=1e-8)
-    doubled = first + np.log([[2.0], [2.0], [2.0], [1.0]])
-    _, (by_log, by_vertex), nodes = probe(flow.tape, doubled, vertices, towards, TIGHT)
-    np.testing.assert_allclose(nodes, flow.curve.vertices, atol=1e-8)
-    np.testing.assert_allclose(by_vertex.sum(axis=0), towards.sum(axis=0), atol=1e-8)
-    assert abs(by_log[:3].sum()) < 1e-7 * np.abs(by_log[:3].sum(axis=1)).max()
-
-
-@pytest.mark.slow  # so does an iteration, in test_contraction
-def test_it_works_in_the_strict_modes_of_jax(flow):
-    """Also where a function that was traced before is differentiated."""
-    vertices = jnp.asarray(flow.tape.vertices)
-    of_weight = jax.jit(lambda w_H: msf_jax.replay(flow.tape, Weights(w_H=w_H)).sum())
-    of_vertices = jax.jit(lambda vertices: msf_jax.replay_radii(flow.tape, flow.curve.vertices, vertices).sum())
-    with strict():
-        jax.eval_shape(jax.grad(of_weight), 0.1)
-        jax.eval_shape(jax.grad(of_vertices), vertices)
-
-
 @pytest.mark.slow  # that a step's layout does not show is in test_padding
 def test_padding_does_not_matter(flow, monkeypatch):
     """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
@@ -235,14 +210,6 @@ def test_radii_are_distances_to_the_recorded_triangle(flow):
         radius, slope = both(placed)
         np.testing.assert_allclose(radius, -height, atol=1e-12)
         np.testing.assert_allclose(slope[0], -normal, atol=1e-9)
-
-
-@pytest.mark.slow  # those of the Laplacian are quick
-def test_slopes_of_radii_are_finite_where_a_triangle_has_no_area(flow):
-    vertices, (a, b, c) = np.array(flow.tape.vertices), flow.tape.triangles[0]
-    vertices[c] = (vertices[a] + vertices[b]) / 2
-    slope = jax.jit(jax.grad(lambda x: (msf_jax.replay_radii(flow.tape, flow.curve.vertices, x) ** 2).sum()))(vertices)
-    assert np.isfinite(slope).all() and np.abs(slope).max() > 0.01
 
 
 @pytest.mark.slow  # so is a derivative, in test_second_derivatives

@@ -3,7 +3,6 @@ transformations of JAX."""
 
 import os
 import pickle
-import re
 import subprocess
 import sys
 from functools import partial
@@ -314,16 +313,6 @@ def test_numbers_stay_what_they_are(curves, dtype):
     np.testing.assert_allclose(nodes, 100 * skeleton.vertices, rtol=0, atol=2 * close)
 
 
-@pytest.mark.slow  # that dtypes are those of the vertices is in the tests around it
-def test_no_double_precision_is_hidden_in_a_program_of_float32(curves):
-    skeleton = curves[0][1]
-    batch = msf_jax.stack([skeleton], dtype=np.float32)
-    assert {leaf.dtype.kind + str(leaf.dtype.itemsize) for leaf in jax.tree.leaves(batch)} == {"f4", "i4", "b1"}
-    program = jax.jit(jax.vmap(jax.value_and_grad(weighed, argnums=1))).lower(batch.bindings, batch.vertices)
-    text = program.as_text()  # Python's own numbers are scalars of float64 there, and are made float32 by the compiler
-    assert re.search(r"tensor<[0-9x]+xf32>", text) and not re.search(r"tensor<[0-9x]+xf64>", text)
-
-
 def test_through_jax_and_files(curves, batch, tmp_path):
     """A binding and a batch through jit, tree.map, pickle, and a file of leaves, and back."""
     for tree in (curves[1][1].binding, batch):
@@ -380,23 +369,6 @@ def test_equinox_writes_and_reads_it(batch, tmp_path):
     back = equinox.tree_deserialise_leaves(tmp_path / "batch.eqx", jax.tree.map(jnp.zeros_like, batch))
     for one, other in zip(jax.tree.leaves(back), jax.tree.leaves(batch), strict=True):
         np.testing.assert_array_equal(one, other)
-
-
-@pytest.mark.slow  # of a single curve: in test_follow
-def test_a_mesh_whose_section_vanished_spoils_no_other(curves, batch):
-    """It is NaN, and so are its losses; the gradient of what is left out is zero."""
-    vertices = np.array(batch.vertices)
-    vertices[0] *= [1.0, 1e-9, 1e-9]
-    vertices[0] = vertices[0] @ np.ones((3, 3))  # on a line
-
-    def total(vertices):
-        found = jax.vmap(msf_jax.follow)(batch.bindings, vertices)
-        each = jax.vmap(msf_jax.losses.smoothness)(found, batch.bindings)
-        return jnp.where(jnp.isnan(each), 0.0, each).sum(), each
-
-    slope, each = jax.jit(jax.grad(total, has_aux=True))(jnp.asarray(vertices))
-    assert np.isnan(each[0]) and np.isfinite(each[1])
-    assert np.isfinite(slope).all() and not np.asarray(slope[0]).any() and np.asarray(slope[1]).any()
 
 
 def test_what_is_no_batch_is_refused(curves, tmp_path):

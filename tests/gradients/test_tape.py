@@ -165,39 +165,3 @@ def replayed(tape, weights):
 
 def shapes(tape):
     return [np.shape(leaf) for leaf in jax.tree.leaves(tape)], jax.tree.structure(tape)
-
-
-@pytest.mark.slow  # that a run compiles nothing anew is in test_programs
-def test_a_second_tape_compiles_nothing(flow, compilations):
-    """Of the same mesh, moved, or at other weights: another curve, more iterations or fewer, the same program."""
-    bumpy = mesh()
-    bumpy.vertices *= 1 + 0.01 * np.sin(40 * bumpy.vertices[:, :1])
-    others = ((bumpy, Weights()), (mesh(), Weights(w_H=0.12, w_M=0.55)))
-    first = flow.tape.padded()
-    found = [(flow, first)]
-    for it, weights in others:
-        other = msf_jax.contract(it, weights, flow.config)
-        found.append((other, other.tape_like(first)))
-    iterations = [len(flow.history) for flow, _ in found]
-    assert len({flow.tape.num_nodes for flow, _ in found}) > 1 and max(iterations) > iterations[0]
-    for number, (flow, tape) in enumerate(found):
-        assert shapes(tape) == shapes(first)
-        compilations.clear()
-        nodes, radii = replayed(tape, tape.weights)
-        assert (len(compilations) == 0) == (number > 0)
-        num = flow.tape.num_nodes
-        assert len(nodes) == len(radii) == len(first.node_row) >= num
-        np.testing.assert_allclose(nodes[:num], flow.curve.vertices, atol=1e-9)
-        np.testing.assert_array_equal(nodes[num:], np.tile(nodes[num - 1], (len(nodes) - num, 1)))
-
-
-@pytest.mark.slow  # the test above shows that the capacity is kept
-def test_a_tape_that_is_full_grows(flow):
-    """In the buffers of a shorter run's tape: its own where those are too small, and the same curve."""
-    short = msf_jax.contract(
-        mesh(), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(reconstruct_mesh=60))
-    )
-    tape = flow.tape_like(short.tape.padded())
-    assert shapes(tape) != shapes(short.tape.padded())
-    nodes = msf_jax.replay(tape, flow.weights)[: flow.tape.num_nodes]
-    np.testing.assert_allclose(nodes, flow.curve.vertices, atol=1e-9)

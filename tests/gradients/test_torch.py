@@ -68,22 +68,6 @@ def test_a_batch_and_a_binding_have_rows_of_padding(tube, torch):
         msf_jax.torch.follow(batch, tensor[:, :5])
 
 
-@pytest.mark.slow
-def test_a_step_of_descent_in_float32(tube, torch):
-    skeleton, vertices = tube
-    shift = torch.zeros(3, requires_grad=True)
-    optimiser = torch.optim.SGD([shift], lr=0.3)
-    for _ in range(12):
-        optimiser.zero_grad()
-        nodes, _ = msf_jax.torch.follow(skeleton, torch.tensor(vertices, dtype=torch.float32) + shift)
-        loss = ((nodes - torch.tensor(skeleton.vertices + [0, 0, 0.1], dtype=torch.float32)) ** 2).sum(1).mean()
-        loss.backward()
-        optimiser.step()
-    assert nodes.dtype == torch.float32
-    # The mean square has the slope 2 (shift - 0.1), so each step of 0.3 leaves 0.4 of the distance.
-    np.testing.assert_allclose(shift.detach().numpy(), [0, 0, 0.1 * (1 - 0.4**12)], atol=1e-5)
-
-
 def test_what_is_no_tensor_of_real_numbers_is_refused(tube, torch):
     skeleton, vertices = tube
     with pytest.raises(MeshError, match=r"expected a torch\.Tensor"):
