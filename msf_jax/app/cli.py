@@ -233,9 +233,9 @@ def _demo(arguments: argparse.Namespace) -> int:
 
 
 def _report(arguments: argparse.Namespace) -> int:
-    from msf_jax.skeleton.formats import reporting
+    from msf_jax.skeleton.formats import importing
 
-    print("\n".join(reporting.lines_of(arguments.curve)))
+    print("\n".join(importing.report_lines(arguments.curve)))
     return 0
 
 

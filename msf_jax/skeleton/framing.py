@@ -30,8 +30,8 @@ from scipy.cluster.hierarchy import DisjointSet
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.skeleton.formats.graphs import polydata
 from msf_jax.skeleton.formats.text import number
+from msf_jax.skeleton.formats.vtk import polydata
 from msf_jax.skeleton.measures import axes_across, section_of, sections_through
 from msf_jax.skeleton.source import known
 from msf_jax.solid.geometry import arc_length, at, cross, repeated, to_segment, unit

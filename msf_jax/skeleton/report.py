@@ -91,11 +91,11 @@ class Report:
     inside: float
     converged: bool
     reason: str
-    iterations: int
-    fixed: int
-    live: int
-    volume: float
-    solve_steps: int
+    iterations: int = 0
+    fixed: int = 0
+    live: int = 0
+    volume: float = 0.0
+    solve_steps: int = 0
     coarsened: int = 0
     pruned: int = 0
     grown: int = 0

@@ -1,36 +1,36 @@
-"""`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`."""
+"""`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`.
+
+What can be made of one are functions in other modules, which its methods import when they are called.
+"""
 
 import os
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import networkx as nx
 import numpy as np
-from scipy import sparse
 
-from msf_jax.base import binding as bindings
-from msf_jax.base.binding import Binding
 from msf_jax.limbs import one_branch, pruning
 from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.pruning import Branch
-from msf_jax.meshes.reading import MeshLike
-from msf_jax.recording import following
-from msf_jax.skeleton import changes, converting, framing, precomputed, pytree, slopes, trees
-from msf_jax.skeleton.formats import export, tables
-from msf_jax.skeleton.framing import Frame
-from msf_jax.skeleton.pictures import page, panels, segmentation
+from msf_jax.skeleton import changes, pytree, slopes
 from msf_jax.skeleton.report import Report
-from msf_jax.skeleton.rigging import rig
-from msf_jax.skeleton.rigging.rig import Rig
-from msf_jax.skeleton.source import Source, bound
+from msf_jax.skeleton.source import Source
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from networkx import Graph
     from pandas import DataFrame
     from plotly.graph_objects import Figure as PlotlyFigure
+    from scipy import sparse
     from trimesh import Trimesh
     from trimesh.path import Path3D
+
+    from msf_jax.base.binding import Binding
+    from msf_jax.meshes.reading import MeshLike
+    from msf_jax.skeleton.framing import Frame
+    from msf_jax.skeleton.rigging.rig import Rig
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,15 +72,19 @@ class Skeleton:
         return float(np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1).sum())
 
     @property
+    def num_leaves(self) -> int:
+        """The number of nodes with one edge."""
+        return int((np.bincount(self.edges.ravel()) == 1).sum())
+
+    @property
     def branches(self) -> list[Branch]:
         """The paths between nodes whose degree is not 2, with their length, slenderness and surface."""
         share = None
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
-        known_slenderness = self._slenderness
-        if known_slenderness is None:
-            return pruning.measure(self.vertices, self.edges, pruning.by_balls(self.vertices, self.radii), share)
-        return pruning.measure(self.vertices, self.edges, known_slenderness, share)
+        known = self._slenderness
+        slenderness = pruning.by_balls(self.vertices, self.radii) if known is None else known
+        return pruning.measure(self.vertices, self.edges, slenderness, share)
 
     @cached_property
     def _slenderness(self) -> np.ndarray | None:
@@ -107,12 +111,7 @@ class Skeleton:
             ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
                 limbs are not known.
         """
-        return changes.pruned(self, slenderness, detail, self._is_held())
-
-    @property
-    def num_leaves(self) -> int:
-        """The number of nodes with one edge."""
-        return int((np.bincount(self.edges.ravel()) == 1).sum())
+        return changes.pruned(self, slenderness, detail)
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends and pins stay.
@@ -122,7 +121,7 @@ class Skeleton:
         Raises:
             ConfigError: ``spacing`` is not above 0, or would give more than ten million nodes.
         """
-        return changes.resampled(self, spacing, self._is_held())
+        return changes.resampled(self, spacing)
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton, smoothed: in each round nodes move half of the way to the midpoint of their two neighbours.
@@ -132,7 +131,7 @@ class Skeleton:
         Raises:
             ConfigError: ``rounds`` is negative.
         """
-        return changes.smoothed(self, rounds, self._is_held())
+        return changes.smoothed(self, rounds)
 
     def simplify(self, tolerance: float) -> "Skeleton":
         """A new skeleton with the fewest nodes within ``tolerance`` of this one, a length. Ends and pins stay.
@@ -142,7 +141,7 @@ class Skeleton:
         Raises:
             ConfigError: ``tolerance`` is not above 0.
         """
-        return changes.simplified(self, tolerance, self._is_held())
+        return changes.simplified(self, tolerance)
 
     def to_tree(self, root: Any = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
@@ -158,12 +157,11 @@ class Skeleton:
         Raises:
             ConfigError: the curve has no such node.
         """
-        return trees.tree_of(self, root)
+        return changes.tree_of(self, root)
 
-    def soma(self) -> trees.Soma:
+    def soma(self) -> changes.Soma:
         """The thickest place, where the soma of a neuron may be, and whether it stands out enough to be sure."""
-        known = self.radius_of == "ball" or self.source is None
-        return trees.soma_of(self.vertices, self.radii if known else self.with_radii("ball").radii)
+        return changes.soma_of(self)
 
     def heal(self, reach: float = np.inf) -> "Skeleton":
         """A new skeleton with fewer pieces: edges between nearest nodes join pieces over gaps of up to ``reach``.
@@ -173,10 +171,23 @@ class Skeleton:
         Raises:
             ConfigError: ``reach`` is not above 0.
         """
-        return trees.healed(self, reach)
+        return changes.healed(self, reach)
+
+    def with_radii(self, of: str) -> "Skeleton":
+        """The same curve with another kind of radii, which saved files then have, too.
+
+        Args:
+            of: "ball", the radius of the largest inscribed ball around each node; or "section", that of a disc with the
+                area of the cross-section there. In a flat limb the second is larger. A node without a cross-section,
+                such as beyond a limb's end, has the ball's.
+
+        Raises:
+            ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
+        """
+        return changes.with_radii(self, of)
 
     @cached_property
-    def binding(self) -> Binding:
+    def binding(self) -> "Binding":
         """The curve as a function of the mesh's vertices, for `msf_jax.follow`; made on first access.
 
         A pytree of NumPy arrays, padded to one of few capacities. A jitted function with a binding as its argument is
@@ -185,16 +196,9 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
-        surface, pins = (
-            bound(self.source, self.mesh_map),
-            np.asarray(self.source.pins if self.source else [], dtype=np.int64),
-        )
-        held = self.mesh_map[pins]
-        pins_of_node = {int(node): pins[held == node] for node in np.unique(held)}
-        found = following.record(surface, len(self.mesh_map), self.vertices, self.edges, pins_of_node)
-        return bindings.padded(found, bindings.capacity_for(found.live))
+        return slopes.binding_of(self)
 
-    def jacobian(self) -> sparse.csr_matrix:
+    def jacobian(self) -> "sparse.csr_matrix":
         """The derivative of `msf_jax.follow` at the recorded vertices.
 
         Returns:
@@ -203,9 +207,8 @@ class Skeleton:
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
-            FlowError: this process was forked after a run.
         """
-        return slopes.jacobian(self.binding, bound(self.source, self.mesh_map).given(len(self.mesh_map)))
+        return slopes.jacobian(self)
 
     def covariance(self, sigma: Any) -> np.ndarray:
         """The covariance of each node for independent noise of the mesh's vertices, to first order; see `jacobian`.
@@ -220,27 +223,7 @@ class Skeleton:
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
         """
-        return slopes.covariance(self.jacobian(), slopes.spread_of(sigma, len(self.mesh_map)))
-
-    def _is_held(self) -> np.ndarray:
-        """(N,) True for the node of a pinned vertex of the mesh."""
-        is_held = np.zeros(len(self.vertices), dtype=bool)
-        if self.source is not None:
-            is_held[self.mesh_map[self.source.pins]] = True
-        return is_held
-
-    def with_radii(self, of: str) -> "Skeleton":
-        """The same curve with another kind of radii, which saved files then have, too.
-
-        Args:
-            of: "ball", the radius of the largest inscribed ball around each node; or "section", that of a disc with the
-                area of the cross-section there. In a flat limb the second is larger. A node without a cross-section,
-                such as beyond a limb's end, has the ball's.
-
-        Raises:
-            ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
-        """
-        return changes.with_radii(self, of)
+        return slopes.covariance(self, sigma)
 
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
@@ -264,29 +247,34 @@ class Skeleton:
         Raises:
             ConfigError: ``of`` is neither.
         """
-        return tables.columns_of(self, of)
+        from msf_jax.skeleton import converting
+
+        return converting.columns_of(self, of)
 
     def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report.
-        - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
-          radius, edges), ``.graphml`` and ``.gml`` (NetworkX's).
+        - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.graphml``
+          (NetworkX's).
         - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
           where it has none), on the bones of ``rig()``. For another rig use ``rig(...).save(path, mesh)``.
 
-        `msf_jax.read_curve` reads all of these but ``.gml``, ``.vtp``, ``.csv`` and ``.glb``.
+        `msf_jax.read_curve` reads all of these but ``.vtp``, ``.csv`` and ``.glb``.
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` was requested without a mesh.
             MeshError: ``mesh`` is not the one that the curve was made from.
             OSError: the file cannot be written; what was there before is untouched.
         """
-        export.save(self, path, mesh)
+        from msf_jax.base.writing import write_whole
+        from msf_jax.skeleton.formats import export
+
+        write_whole(path, export.writer_for(path)(self, mesh))
 
     def save_precomputed(self, folder: str | os.PathLike[str], segment: int = 1) -> None:
         """Write the curve as ``segment`` of Neuroglancer's precomputed skeletons: ``info``, radii, and SWC's labels
@@ -295,11 +283,13 @@ class Skeleton:
         Raises:
             ConfigError: the id or the units are none, or the folder has skeletons of other units.
         """
-        precomputed.save(self, folder, segment)
+        from msf_jax.skeleton import converting
+
+        converting.save_precomputed(self, folder, segment)
 
     def rig(
         self, bones: int | None = None, influences: int = 4, mesh: "MeshLike | None" = None, names: str | None = None
-    ) -> Rig:
+    ) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs begin, where the curve bends most, and at regular distances along a long limb; both sides
@@ -317,9 +307,11 @@ class Skeleton:
                 asked for and the shape is no biped, with the reason.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
+        from msf_jax.skeleton.rigging import rig
+
         return rig.rigged(self, bones, influences, mesh, names)
 
-    def frame(self, tolerance: float | None = None) -> Frame:
+    def frame(self, tolerance: float | None = None) -> "Frame":
         """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.
 
         Joints whose balls are nearer than ``tolerance`` become one. Branches are cut where they bend by more than it.
@@ -332,6 +324,8 @@ class Skeleton:
             ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no cross-section, or the
                 surface that the curve was made from is not known.
         """
+        from msf_jax.skeleton import framing
+
         return framing.frame_of(self, tolerance)
 
     def view(self, mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
@@ -348,12 +342,16 @@ class Skeleton:
             ConfigError: ``path`` has another suffix.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
+        from msf_jax.skeleton.pictures import page
+
         return page.view(self, mesh, path)
 
     def plot(
         self, mesh: "MeshLike | None" = None, *, elevation: float | None = None, azimuth: float | None = None
     ) -> "Figure":
         """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `panels.figure`."""
+        from msf_jax.skeleton.pictures import panels
+
         return panels.figure(self, mesh, elevation=elevation, azimuth=azimuth)
 
     def segments(self, mesh: "MeshLike") -> list["Trimesh"]:
@@ -366,23 +364,41 @@ class Skeleton:
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
+        from msf_jax.skeleton.pictures import segmentation
+
         return segmentation.segments(self, mesh)
 
-    def to_networkx(self) -> nx.Graph:
+    def to_networkx(self) -> "Graph":
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
+        from msf_jax.skeleton import converting
+
         return converting.networkx_of(self)
 
     def to_pandas(self, of: str = "branches") -> "DataFrame":
         """The `columns` as a `pandas.DataFrame`; a ConfigError if there is no pandas."""
+        from msf_jax.skeleton import converting
+
         return converting.pandas_of(self, of)
 
     def to_navis(self) -> Any:
         """A `navis.TreeNeuron` with radii, labels and units, without loops; a ConfigError if there is no navis."""
+        from msf_jax.skeleton import converting
+
         return converting.navis_of(self)
 
     def to_path3d(self) -> "Path3D":
         """The edges as a `trimesh.path.Path3D`, one line entity for each branch."""
+        from msf_jax.skeleton import converting
+
         return converting.path3d_of(self)
+
+
+def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
+    """A skeleton of a curve without its mesh, as files of other programs have it: without a map, and with a report that
+    has only the counts."""
+    components, cycles = graphs.cycle_count(len(vertices), edges)
+    report = Report(components, components, cycles, cycles, float("nan"), True, "read from a file")
+    return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)
 
 
 pytree.register(Skeleton)

@@ -1,49 +1,64 @@
-"""The derivative of the nodes with respect to the mesh's vertices, as a sparse matrix, and covariances under noise.
+"""The curve as a function of the mesh's vertices, its derivative as a sparse matrix, and covariances under noise.
 
-It differentiates the equation of `msf_jax.base.binding` at the recorded mesh. No two cross-sections share a corner, so
-three products with the transpose give the derivatives of all centroids.
+The derivative is that of the equation of `msf_jax.base.binding` at the recorded mesh. No two cross-sections share a
+corner, so three products with the transpose give the derivatives of all centroids.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base.binding import Binding, unpadded
+from msf_jax.base import binding as bindings
+from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
+from msf_jax.recording.following import record
+from msf_jax.skeleton.source import bound
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
 
 
-def jacobian(padded: Binding, vertices: np.ndarray) -> sparse.csr_matrix:
-    """(3 N, 3 V) d nodes / d ``vertices`` (V, 3)."""
-    binding = unpadded(padded)
+def binding_of(skeleton: "Skeleton") -> Binding:
+    """See `Skeleton.binding`."""
+    surface = bound(skeleton.source, skeleton.mesh_map)
+    pins = np.asarray(skeleton.source.pins if skeleton.source else [], dtype=np.int64)
+    pinned = skeleton.mesh_map[pins]
+    pins_of_node = {int(node): pins[pinned == node] for node in np.unique(pinned)}
+    binding = record(surface, len(skeleton.mesh_map), skeleton.vertices, skeleton.edges, pins_of_node)
+    return bindings.padded(binding, bindings.capacity_for(binding.live))
+
+
+def jacobian(skeleton: "Skeleton") -> sparse.csr_matrix:
+    """See `Skeleton.jacobian`."""
+    padded, surface = skeleton.binding, bound(skeleton.source, skeleton.mesh_map)
+    binding, vertices = bindings.unpadded(padded), surface.given(len(skeleton.mesh_map))
     num, num_sections, many = len(binding.rest), len(binding.node), len(vertices)
     entered = np.pad((vertices - binding.centre) / binding.unit, ((0, padded.num_vertices - many), (0, 0)))
     slopes = np.asarray(_slopes(padded, entered.astype(real_dtype())), dtype=np.float64)  # axis, corner, axis
     corner = np.arange(len(binding.section))
-    slopes = slopes[:, : len(corner)]
     ends: Any = sparse.coo_matrix(
         (np.r_[1 - binding.part, binding.part], (np.tile(corner, 2), np.r_[binding.tail, binding.head])),
         shape=(len(corner), many),
     ).tocsr()
     a: Any = sparse.csr_matrix((binding.a_value, (binding.a_row, binding.a_column)), shape=(num, num_sections))
     b: Any = sparse.csr_matrix((binding.b_value, (binding.b_row, binding.b_column)), shape=(num, many))
-    rows = []
+    rows, columns, values = [], [], []
     for i in range(3):
-        by_axis = []
         for j in range(3):
             at = binding.section, corner
-            centroid = sparse.csr_matrix((slopes[i, :, j], at), shape=(num_sections, len(corner)))
+            centroid = sparse.csr_matrix((slopes[i, : len(corner), j], at), shape=(num_sections, len(corner)))
             block: Any = a @ (centroid @ ends)
-            by_axis.append((block + b if i == j else block).tocoo())
-        rows.append(by_axis)
-    row = np.concatenate([3 * block.row + i for i in range(3) for block in rows[i]])
-    column = np.concatenate([3 * rows[i][j].col + j for i in range(3) for j in range(3)])
-    value = np.concatenate([block.data for by_axis in rows for block in by_axis])
-    return sparse.csr_matrix((value, (row, column)), shape=(3 * num, 3 * many))
+            block = (block + b if i == j else block).tocoo()
+            rows.append(3 * block.row + i)
+            columns.append(3 * block.col + j)
+            values.append(block.data)
+    where = np.concatenate(rows), np.concatenate(columns)
+    return sparse.csr_matrix((np.concatenate(values), where), shape=(3 * num, 3 * many))
 
 
 @jax.jit
@@ -56,8 +71,9 @@ def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
     )
 
 
-def spread_of(sigma: Any, num: int) -> np.ndarray:
-    """(num,) standard deviations from a number, or from an array; a ConfigError for anything else."""
+def covariance(skeleton: "Skeleton", sigma: Any) -> np.ndarray:
+    """See `Skeleton.covariance`: the diagonal blocks of J diag(sigma^2) J^T."""
+    num = len(skeleton.mesh_map)
     try:
         spread = np.asarray(sigma, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -66,15 +82,11 @@ def spread_of(sigma: Any, num: int) -> np.ndarray:
         raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
     if not (np.isfinite(spread) & (spread >= 0)).all():
         raise ConfigError("sigma has values that are negative or not finite: expected lengths of 0 or more")
-    return np.broadcast_to(spread, num)
-
-
-def covariance(slopes: Any, sigma: np.ndarray) -> np.ndarray:
-    """(N, 3, 3) diagonal blocks of J diag(sigma^2) J^T, one for each node, for noise of ``sigma`` (V,) on each axis."""
-    by_axis: list[Any] = [slopes[axis::3] for axis in range(3)]
-    variance = np.repeat(sigma**2, 3)
-    found = np.empty((slopes.shape[0] // 3, 3, 3))
+    slopes: Any = skeleton.jacobian()
+    by_axis = [slopes[axis::3] for axis in range(3)]
+    variance = np.repeat(np.broadcast_to(spread, num) ** 2, 3)
+    blocks = np.empty((len(skeleton.vertices), 3, 3))
     for i in range(3):
         for j in range(i + 1):
-            found[:, i, j] = found[:, j, i] = by_axis[i].multiply(by_axis[j]) @ variance
-    return found
+            blocks[:, i, j] = blocks[:, j, i] = by_axis[i].multiply(by_axis[j]) @ variance
+    return blocks

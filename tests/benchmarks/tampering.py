@@ -328,7 +328,7 @@ resource.setrlimit(resource.RLIMIT_AS, ({limit}, {limit}))
 from msf_jax.base.errors import ConfigError, MeshError
 try:
     if sys.argv[1].endswith(("npz", "json", "swc")):
-        from msf_jax.skeleton.formats.reporting import lines_of
+        from msf_jax.skeleton.formats.importing import report_lines as lines_of
         print("read", *lines_of(sys.argv[1]))
     else:
         from msf_jax.meshes import reading
@@ -340,7 +340,7 @@ print(int(open("/proc/self/status").read().split("VmHWM:")[1].split()[0]) // 100
 
 
 def _report() -> dict[str, Any]:
-    from msf_jax.skeleton.bare import curve_of as bare
+    from msf_jax.skeleton.skeleton import curve_of as bare
 
     return bare(np.zeros((1, 3)), np.zeros((0, 2), dtype=np.int64), np.ones(1)).report.to_dict()
 

@@ -11,7 +11,7 @@ import trimesh
 
 import msf_jax
 from msf_jax import ConfigError
-from msf_jax.skeleton.formats import reporting
+from msf_jax.skeleton.formats import importing
 
 WORDS = [
     "-5",
@@ -50,7 +50,7 @@ def try_texts(seed: int, num: int) -> list[str]:
             path.write_text("".join(words))
             try:
                 found = msf_jax.read_curve(path)
-                lines = reporting.lines_of(path) if suffix in ("json", "swc") else []
+                lines = importing.report_lines(path) if suffix in ("json", "swc") else []
             except ConfigError:
                 outcome = "refused"
             except Exception:

@@ -19,8 +19,8 @@ from msf_jax import Config, ConfigError, MeshError, Tape
 from msf_jax.app.cli import main
 from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
-from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats.whole import plain_json
+from msf_jax.skeleton.skeleton import curve_of
 from tests.benchmarks import tampering
 
 ONCE = Config(max_iterations=3)

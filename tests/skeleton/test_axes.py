@@ -12,8 +12,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import shapes
-from msf_jax.skeleton.bare import curve_of
-from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
 
 class Plant:

@@ -12,9 +12,8 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError, ground_truth
-from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.measures import frames_of, profiles_of, swept_volumes
-from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.skeleton import Skeleton, curve_of
 from msf_jax.skeleton.source import Source
 from msf_jax.solid.solid import Solid
 

@@ -11,7 +11,7 @@ import trimesh
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, Report, Skeleton, shapes
-from msf_jax.skeleton.formats import export
+from msf_jax.base import writing
 from msf_jax.topology import graphs
 
 
@@ -61,14 +61,6 @@ def test_obj_lines_are_read_by_trimesh(lollipop, tmp_path):
     lines = np.array([line.split()[1:] for line in text if line.startswith("l ")], dtype=int) - 1
     assert np.array_equal(vertices, lollipop.vertices)
     assert np.array_equal(lines, lollipop.edges)
-
-
-def test_cg_holds_counts_vertices_and_edges(lollipop, tmp_path):
-    lollipop.save(tmp_path / "a.cg")
-    text = (tmp_path / "a.cg").read_text().splitlines()
-    assert text[0] == "# D:3 NV:6 NE:5"
-    assert np.array_equal(np.array([line.split()[1:] for line in text if line[0] == "v"], float), lollipop.vertices)
-    assert np.array_equal(np.array([line.split()[1:] for line in text if line[0] == "e"], int) - 1, lollipop.edges)
 
 
 def test_polylines_cover_every_edge_once(lollipop, tmp_path):
@@ -129,9 +121,9 @@ def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
     def fail(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(export.os, "replace", fail)
+    monkeypatch.setattr(writing.os, "replace", fail)
     with pytest.raises(OSError, match="No space"):
-        export.write_whole(target, "new")
+        writing.write_whole(target, "new")
     assert target.read_text() == "old"
     assert list(tmp_path.iterdir()) == [target]
 
@@ -202,20 +194,6 @@ def test_networkx_reads_graphml(hand, saved):
     assert graph.nodes[3]["y"] == skeleton.vertices[3, 1]
 
 
-def test_networkx_reads_gml(lollipop, tmp_path):
-    """With every double as it was, a lone node and a loop; edges with the distance of their ends."""
-    lollipop.save(tmp_path / "a.gml")
-    graph = nx.read_gml(tmp_path / "a.gml", label="id")
-    assert sorted(graph) == list(range(6))
-    assert {tuple(sorted(edge)) for edge in graph.edges} == set(map(tuple, lollipop.edges.tolist()))
-    rows = [[graph.nodes[node][name] for name in ("x", "y", "z", "radius")] for node in range(6)]
-    np.testing.assert_array_equal(rows, np.column_stack([lollipop.vertices, lollipop.radii]))
-    assert {frozenset(edge): length for *edge, length in graph.edges(data="length")} == {
-        frozenset((a, b)): pytest.approx(np.linalg.norm(lollipop.vertices[a] - lollipop.vertices[b]))
-        for a, b in lollipop.edges.tolist()
-    }
-
-
 def test_numpy_reads_npz(hand, saved):
     skeleton, _ = hand
     with np.load(saved(".npz")) as file:
@@ -232,7 +210,7 @@ def test_a_glb_needs_its_mesh(hand, tmp_path):
         skeleton.save(tmp_path / "hand.glb", (mesh.vertices[:-1], mesh.faces[:1]))
 
 
-@pytest.mark.parametrize("suffix", [".obj", ".cg", ".ply", ".graphml", ".json"])
+@pytest.mark.parametrize("suffix", [".obj", ".ply", ".graphml", ".json"])
 def test_graphs_are_read_as_they_were_saved(lollipop, tmp_path, suffix):
     """With their nodes' numbers, a lone node and a loop; radii where the format has them."""
     lollipop.save(tmp_path / f"a{suffix}")
@@ -240,7 +218,7 @@ def test_graphs_are_read_as_they_were_saved(lollipop, tmp_path, suffix):
     np.testing.assert_array_equal(found.vertices, lollipop.vertices)
     if suffix != ".json":  # others come in ascending order
         np.testing.assert_array_equal(found.edges, np.unique(lollipop.edges, axis=0))
-    has_radii = suffix not in (".obj", ".cg")
+    has_radii = suffix != ".obj"
     np.testing.assert_array_equal(found.radii, lollipop.radii if has_radii else np.zeros(6))
     if suffix == ".json":
         np.testing.assert_array_equal(found.edges, lollipop.edges)
@@ -272,7 +250,6 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
         ("a.vtp", "<VTKFile/>", r"cannot read 'a.vtp': expected one of .npz, .json, .swc"),
         ("a.obj", "v 0 0 0\nl 1 2", "has edges to nodes that it does not have: expected ids below 1"),
         ("a.obj", "v 0 0\n", "line 1 of 'a.obj' is 'v 0 0': expected v and three numbers, or l"),
-        ("a.cg", "v 0 0 0\ne 1 x", "line 2 of 'a.cg' is 'e 1 x'"),
         ("a.ply", "ply\nformat binary_little_endian 1.0\n", "it is binary_little_endian: expected ascii"),
         ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n", "is no PLY of a curve"),
         ("a.graphml", "<graphml/>", "is no GraphML of a curve"),
@@ -331,7 +308,6 @@ def test_a_radius_that_is_none_is_refused_in_every_format(lollipop, tmp_path, su
     ("name", "content"),
     [
         ("a.obj", f"v 0 0 0\nv 1 0 0\nl 1 {2**70}\n"),
-        ("a.cg", f"v 0 0 0\nv 1 0 0\ne 1 {2**70}\n"),
         ("a.obj", "v 0 0 0\nv 1e308 0 0\nl 1 2\n"),
         ("a.swc", "1 1 0 0 0 1 -1\n2 1 -1e308 0 0 1 1\n"),
         ("a.polylines.txt", f"{2**70} 0 0 0 1 1 1\n"),

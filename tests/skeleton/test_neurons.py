@@ -11,7 +11,7 @@ from scipy.spatial.distance import cdist
 
 import msf_jax
 from msf_jax import ConfigError
-from msf_jax.skeleton.bare import curve_of
+from msf_jax.skeleton.skeleton import curve_of
 
 
 def neuron(soma: float):

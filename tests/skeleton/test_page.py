@@ -14,8 +14,8 @@ from conftest import blob, torus
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, ground_truth, shapes
 from msf_jax.app.cli import main
-from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.pictures import packing
+from msf_jax.skeleton.skeleton import curve_of
 
 
 @pytest.fixture(scope="module")

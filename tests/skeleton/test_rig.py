@@ -12,10 +12,9 @@ from scipy import spatial
 
 from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.meshes import reading
-from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, bones, mirror, naming, rig
-from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
 SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
 

@@ -9,7 +9,7 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError
-from msf_jax.skeleton.bare import curve_of
+from msf_jax.skeleton.skeleton import curve_of
 from msf_jax.topology import graphs
 
 
