@@ -33,7 +33,7 @@ _NAMES = {
     "gradients.tape": "Tape",
     "gradients.track": "Track track",
     "inside.preprocessing": "reconstruct voronoi_poles",
-    "limbs.pruning": "Branch",
+    "limbs.one_branch": "Branch",
     "meshes.reading": "MeshLike read_mesh",
     "meshes.repair": "Repair",
     "skeleton.formats.importing": "read_curve",

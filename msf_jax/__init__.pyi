@@ -38,7 +38,7 @@ from msf_jax.gradients.track import Track as Track
 from msf_jax.gradients.track import track as track
 from msf_jax.inside.preprocessing import reconstruct as reconstruct
 from msf_jax.inside.preprocessing import voronoi_poles as voronoi_poles
-from msf_jax.limbs.pruning import Branch as Branch
+from msf_jax.limbs.one_branch import Branch as Branch
 from msf_jax.meshes.reading import MeshLike as MeshLike
 from msf_jax.meshes.reading import read_mesh as read_mesh
 from msf_jax.meshes.repair import Repair as Repair

@@ -8,7 +8,7 @@ import trimesh
 
 from msf_jax import ground_truth, metrics
 from msf_jax.curve import centring, finishing, handle_loops
-from msf_jax.curve.draft import Draft, Job
+from msf_jax.curve.finishing import Draft, Job
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap
 from msf_jax.limbs.caps import Caps

@@ -345,7 +345,7 @@ class Config(Options):
 
     Attributes:
         detail: which limbs that are shorter than ``least_slenderness`` asks have a branch, because they stand out (see
-            `limbs.protrusion`): none at 0, and any that might be a limb from 0.83 on. Nested: a finer detail
+            `limbs.caps.protrusions`): none at 0, and any that might be a limb from 0.83 on. Nested: a finer detail
             only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
         least_slenderness: of the solid's limbs (see `limbs.caps`): length over radius, and half of that below
             0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball

@@ -13,11 +13,10 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.clock import Clock, Stopped
-from msf_jax.curve import branches, centring, handle_loops, junctions, moves, resampling, side_branches
-from msf_jax.curve.draft import Draft, Job, reduced
+from msf_jax.curve import branches, centring, handle_loops, junctions, resampling
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap
-from msf_jax.limbs import one_branch, pruning, reeb_curve
+from msf_jax.limbs import one_branch, reeb_curve
 from msf_jax.limbs.caps import Caps
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology import graphs
@@ -28,6 +27,77 @@ SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where p
 # Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
 ASTRAY = 0.05
 FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
+
+
+class Draft(NamedTuple):
+    """A curve on its way to being finished.
+
+    vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the number of each node in the
+    flow's curve, ascending; -1 for new nodes, which come last. node_of_flow: (n,) the node for each of the flow's
+    nodes: itself, or the junction that its branch was pruned from.
+    is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
+    that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
+    finer: limbs of a finer detail, as the least detail and the place (3,) of the end of each.
+    """
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    is_held: np.ndarray
+    origin: np.ndarray
+    node_of_flow: np.ndarray
+    is_sparse: bool = False
+    num_pruned: int = 0
+    num_grown: int = 0
+    finer: tuple[tuple[float, np.ndarray], ...] = ()
+
+    def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
+        """The draft with moved nodes, new ones last, and with other edges if they are given."""
+        new = (0, len(vertices) - len(self.vertices))
+        return self._replace(
+            vertices=vertices,
+            edges=self.edges if edges is None else edges,
+            is_held=np.pad(self.is_held, new),
+            origin=np.pad(self.origin, new, constant_values=-1),
+        )
+
+    def degree(self) -> np.ndarray:
+        """(N,) number of edges at each node."""
+        return np.bincount(self.edges.ravel(), minlength=len(self.vertices))
+
+    def is_leaf(self) -> np.ndarray:
+        """(N,) True for a node with one edge."""
+        return self.degree() == 1
+
+
+class Job(NamedTuple):
+    """The inputs of all passes.
+
+    shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
+    prune: least slenderness of a limb, 0 for no pruning (see `limbs.caps`). roadmap: paths through the solid.
+    budget: of all centring together. caps: returns those of the coarse surface.
+    """
+
+    shape: Enclosure
+    coarse: Enclosure
+    prune: float
+    roadmap: Roadmap
+    budget: centring.Budget
+    caps: Callable[[], Caps]
+
+
+def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
+    """The draft with the nodes of ``stays`` (N,) only; the others are replaced by their ``target`` (N,)."""
+    x, e, is_held = draft.vertices, draft.edges, draft.is_held
+    rank = np.cumsum(stays) - 1
+    left = rank[e[stays[e].all(axis=1)]]
+    of_flow = rank[target[draft.node_of_flow]]
+    return draft._replace(
+        vertices=x[stays],
+        edges=left,
+        is_held=is_held[stays],
+        origin=draft.origin[stays],
+        node_of_flow=of_flow,
+    )
 
 
 class Finished(NamedTuple):
@@ -260,7 +330,7 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
     """The junctions of tubes are where the axes of their branches meet, and no others are left."""
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     x, is_held = draft.vertices, draft.is_held
-    trunk, is_aside, is_part = side_branches.bulged(x, draft.edges, is_held, radii)
+    trunk, is_aside, is_part = junctions.bulged(x, draft.edges, is_held, radii)
     if is_aside.any():
         held, handles = is_held | draft.is_leaf() | ~is_part, job.shape.handles
         x = centring.centre(
@@ -268,12 +338,12 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
         )
         draft, radii = draft.changed(x), job.coarse.approximate_clearance(x)[0]
     is_leaf = draft.is_leaf()
-    draft = draft.changed(*side_branches.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
+    draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
     draft = _without_new_ends(draft, is_leaf)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
-    at = moves.places_of(job.shape, draft.vertices)
-    return draft.changed(moves.taken(job.shape, job.shape.handles, at, step, draft.edges).x)
+    at = centring.places_of(job.shape, draft.vertices)
+    return draft.changed(centring.take_steps(job.shape, job.shape.handles, at, step, draft.edges).x)
 
 
 def _without_new_ends(draft: Draft, is_leaf: np.ndarray) -> Draft:
@@ -291,8 +361,8 @@ def prune_by_balls(draft: Draft, job: Job) -> Draft:
     if not job.prune:
         return draft
     x = draft.vertices
-    slenderness = pruning.by_balls(x, job.shape.approximate_clearance(x)[0])
-    left = reduced(draft, *pruning.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
+    slenderness = one_branch.by_balls(x, job.shape.approximate_clearance(x)[0])
+    left = reduced(draft, *one_branch.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 

@@ -15,7 +15,7 @@ from msf_jax.curve import branches, finishing
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, ComponentCurve, Stitched, is_left, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, stage_at
-from msf_jax.limbs import outlets
+from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import Surface
 from msf_jax.recording.records import ComponentRecord, Recording
 from msf_jax.skeleton.report import Report, assessed, loops_of
@@ -148,7 +148,7 @@ def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: S
         return _skeleton(stitched, checked, report, source, clock)
     is_held = np.zeros(len(stitched.vertices), dtype=bool)
     is_held[stitched.node_of_vertex[checked.vertex_of_input[source.pins]]] = True
-    found = outlets.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
+    found = one_branch.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
     if not len(found.ends):
         return _skeleton(stitched, checked, report, source, clock)
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))

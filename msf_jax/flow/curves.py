@@ -9,9 +9,8 @@ from scipy import spatial
 from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config
 from msf_jax.curve import branches, extraction, finishing
-from msf_jax.curve.draft import Draft, Job
 from msf_jax.curve.extraction import Curve
-from msf_jax.curve.finishing import Finished
+from msf_jax.curve.finishing import Draft, Finished, Job
 from msf_jax.flow.state import State
 from msf_jax.meshes.checking import Surface
 from msf_jax.meso import collapse, short_loops, surgery

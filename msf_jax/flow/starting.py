@@ -7,7 +7,7 @@ from msf_jax.base.errors import MeshError
 from msf_jax.base.options import Config, PreprocessingOptions
 from msf_jax.flow.state import LIMITS, Limits, State
 from msf_jax.flow.stepping import compile_ahead
-from msf_jax.inside import balls, thickness, voronoi
+from msf_jax.inside import balls
 from msf_jax.limbs.caps import Caps
 from msf_jax.meshes.checking import Component
 from msf_jax.meso import collapse, homology, ring_tables, split
@@ -47,7 +47,7 @@ def init(
     meso, mesh_filter = _surface(shape, pins, options, clock)
     meso.weights = None if weights is None else weights[order]
     with clock.stage("thickness"):
-        meso.scale = thickness.scales(meso.positions, faces)
+        meso.scale = balls.scales(meso.positions, faces)
     if abs(meso.volume()) < LEAST_VOLUME:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -183,7 +183,7 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> Meso
         least = max(refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
         asked = longest > least
         limit = np.full(meso.num_rows, 1.0)
-        limit[asked] = thickness.edge_lengths(shape, meso.positions[asked], longest[asked])
+        limit[asked] = balls.edge_lengths(shape, meso.positions[asked], longest[asked])
         split.split_long_edges(meso, np.maximum(limit, least), check=config.check)
         return meso
 
@@ -220,10 +220,10 @@ def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: C
         sites, kept = meso.positions, None
     with clock.stage("poles"):
         seek = balls.ball_poles if options.poles == "balls" or (options.poles == "auto" and is_thin) else None
-        found = (seek or voronoi.voronoi_poles)(sites, faces, box=shape.vertices)
+        found = (seek or balls.voronoi_poles)(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
-        trust = (1 - np.cos(voronoi.spoke_angles(found, sites))) / 2
+        trust = (1 - np.cos(balls.spoke_angles(found, sites))) / 2
         return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole, trust)
 
 

@@ -24,9 +24,8 @@ from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import placed_between_neighbours
 from msf_jax.recording import padded
-from msf_jax.recording.decisions import decisions, num_unlike
-from msf_jax.recording.records import Recording
-from msf_jax.recording.stretches import Capacity, size_for
+from msf_jax.recording.padded import Capacity, size_for
+from msf_jax.recording.records import Recording, decisions, num_unlike
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 

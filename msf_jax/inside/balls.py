@@ -1,4 +1,6 @@
-"""Poles by shrinking balls: the largest ball that touches the surface at a point from inside (Ma, Bae, Choi 2012).
+"""Poles, and the thickness of a solid, by balls inside.
+
+A shrinking ball becomes the largest ball that touches the surface at a point from inside (Ma, Bae, Choi 2012).
 
 The ball of radius r that touches the surface at v, with outward unit normal n, has its centre at c = v - r n. If
 another point q of the surface is inside, the ball through v and q that touches at v is smaller, and has the radius
@@ -8,20 +10,118 @@ another point q of the surface is inside, the ball through v and q that touches 
 With q the point nearest to c, the ball shrinks until it is empty, after four to seven queries of a k-d tree. Queries
 are fast for small balls, so balls start small, and double while they are empty. A point q that is close to v as seen
 from the centre is noise, and does not count (Peters 2018).
+
+A Voronoi pole is a point of the medial axis for a vertex (article 3.1.2; Amenta et al. 2001). The Voronoi vertices of
+the sites' diagram are the circumcentres of its Delaunay tetrahedra. The pole of a vertex v with outward normal n is the
+Voronoi vertex w of its cell, inside the bounding box, with the most negative <n, w - v>.
+
+The lengths of the flow adapt to the thickness of the solid at each vertex. Lengths are fractions of the diagonal, and a
+wire, a vessel or a neurite is thin compared with that. The ball at a vertex gives the thickness. But at a sharp edge, a
+bump or a dent balls are small on every solid. So the thickness comes from the largest nearby ball: at a distance d from
+a ball of radius r, it is at least r - SLOPE d.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
+from scipy.sparse import csgraph
 
-from msf_jax.inside.voronoi import Poles
+from msf_jax.base.errors import FlowError
+from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
+from msf_jax.topology import graphs
 
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
 MOST_SAMPLES = 20_000  # of a surface, between its vertices, at which balls start
 MOST_QUERIES = 60  # queries for each ball, at most
+THIN = 0.005  # diagonals: a limb of a smaller radius is thin
+SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
+LEAST_THICKNESS = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
+LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
+NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thickness at a point
+FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
+
+
+class Poles(NamedTuple):
+    """position: (V, 3), the vertex itself if it has no pole. tetrahedron: (V, 4) the sites whose circumcentre the pole
+    is, -1 without a pole. radius: (V,) distance from vertex to pole, 0 without a pole."""
+
+    position: np.ndarray
+    tetrahedron: np.ndarray
+    radius: np.ndarray
+
+    @property
+    def is_found(self) -> np.ndarray:
+        """(V,) True where the vertex has a pole."""
+        return self.tetrahedron[:, 0] >= 0
+
+
+def spoke_angles(found: Poles, sites: np.ndarray) -> np.ndarray:
+    """Largest angle (V,) between the spokes from each pole to its four sites, in radians; 0 without a pole.
+
+    It is near pi for a ball that touches the surface on opposite sides, and small for a ball caused by noise (Amenta et
+    al. 2001; Tagliasacchi et al. 2012).
+    """
+    spokes = sites[found.tetrahedron] - found.position[:, None]
+    spokes /= np.maximum(np.linalg.norm(spokes, axis=2, keepdims=True), 1e-300)
+    cosines = np.einsum("vai,vbi->vab", spokes, spokes).min(axis=(1, 2))
+    return np.where(found.is_found, np.arccos(np.clip(cosines, -1, 1)), 0.0)
+
+
+def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
+    """Circumcentres (T, 3) of the tetrahedra; not finite for a tetrahedron without volume.
+
+    Lifted to the paraboloid z = |x|^2, a tetrahedron spans the hyperplane n . x + m z + c = 0, and its circumcentre is
+    -n / 2m. Qhull computes one hyperplane for all tetrahedra of the same empty ball (cospherical sites, common on
+    symmetric meshes). The formula in the four corners would divide rounding errors for flat tetrahedra.
+    """
+    plane = diagram.equations
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        return -plane[:, :3] / (2 * diagram.paraboloid_scale * plane[:, 3:4])
+
+
+def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
+    """The pole of every vertex of the closed mesh ``(sites, faces)``.
+
+    Poles must be inside the bounding box of the points ``box`` (P, 3), by default of the sites. A vertex has no pole if
+    its cell has no Voronoi vertex behind the surface and inside the box.
+
+    Raises:
+        FlowError: the vertices span no volume, or have non-finite values.
+    """
+    try:
+        diagram = spatial.Delaunay(sites)
+    except (spatial.QhullError, ValueError) as error:
+        raise FlowError(
+            f"no Voronoi diagram of {len(sites)} vertices: {str(error).strip().splitlines()[0]}; "
+            "expected points that span a volume: check the mesh, or turn poles off: "
+            "Config(preprocessing=PreprocessingOptions(use_poles=False))"
+        ) from error
+    tetrahedra, centre = diagram.simplices, circumcentres(diagram)
+    box = sites if box is None else box
+    low, high = box.min(axis=0), box.max(axis=0)
+    is_inside_box = ((centre >= low) & (centre <= high)).all(axis=1)  # False if a centre is not finite
+    tetrahedra, centre = tetrahedra[is_inside_box], centre[is_inside_box]
+
+    normal = vertex_normals(sites, faces)
+    site = tetrahedra.ravel()
+    tetrahedron = np.repeat(np.arange(len(tetrahedra)), 4)
+    depth = np.einsum("ij,ij->i", normal[site], centre[tetrahedron] - sites[site])
+    deepest = np.zeros(len(sites))
+    np.minimum.at(deepest, site, depth)
+    is_pole = (depth == deepest[site]) & (depth < 0)
+    site, tetrahedron = site[is_pole], tetrahedron[is_pole]
+    chosen = np.full(len(sites), -1)
+    chosen[site[::-1]] = tetrahedron[::-1]  # the first of several at the same depth (cospherical sites)
+
+    found = chosen >= 0
+    position = np.array(sites, dtype=np.float64)
+    position[found] = centre[chosen[found]]
+    corners = np.full((len(sites), 4), -1)
+    corners[found] = tetrahedra[chosen[found]]
+    return Poles(position, corners, np.linalg.norm(position - sites, axis=1))
 
 
 class Balls(NamedTuple):
@@ -96,3 +196,55 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
         np.where(is_found[:, None], pair, -1),
         np.where(is_found, found.radius, 0.0),
     )
+
+
+def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
+    """(V,) the limb's radius at each vertex over `THIN`, at most 1; None if it is 1 nearly everywhere.
+
+    Args:
+        vertices: (V, 3), of diagonal 1.
+        faces: (F, 3), closed and oriented.
+    """
+    normals, tree = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices)
+    every = np.arange(len(vertices))
+    radius = shrinking_balls(vertices, normals, tree, 2 * THIN, 2 * THIN, every).radius
+    if (radius < THIN).mean() > FEW:
+        pairs = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+        radius = limb_radii(vertices, pairs, every, radius, 2 * THIN)
+    if (radius < THIN).mean() <= FEW:
+        return None
+    return np.clip(radius / THIN, LEAST_THICKNESS, 1.0)
+
+
+def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:
+    """(P,) the longest edge at each of ``points`` (P, 3), of a solid of diagonal 1, that still resolves the limb.
+
+    Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
+    them would cost most of the time. The balls touch samples of the surface, which are also between its vertices.
+    """
+    samples, normals = shape.surface_points(MOST_SAMPLES)
+    tree, limit = spatial.KDTree(samples), np.zeros(len(points))
+    for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
+        left = np.flatnonzero(limit < longest)
+        away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))
+        enough, radius = np.zeros((2, len(samples)))
+        np.maximum.at(enough, near, longest[left, None] + SLOPE * away)
+        asked = np.flatnonzero(enough)
+        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked).radius
+        limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
+    return limit
+
+
+def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: np.ndarray, most: float) -> np.ndarray:
+    """(P,) lower bounds of the solid's radius at all points, from balls of ``radius``, up to ``most``, at ``some``.
+
+    ``pairs`` (E, 2) are edges between ``points`` (P, 3) of the surface or the curve.
+
+    The maximum of r_u - SLOPE |u - v| over all u is computed as ``most`` minus a shortest path to v, from an extra node
+    with an edge of length most - r_u to each u.
+    """
+    (tail, head), num = pairs.T, len(points)
+    length = SLOPE * np.linalg.norm(points[tail] - points[head], axis=1)
+    cost = np.maximum(np.r_[length, most - radius], 1e-12)
+    paths = graphs.weighted(num + 1, np.r_[tail, np.full(len(some), num)], np.r_[head, some], cost)
+    return most - csgraph.dijkstra(paths, directed=False, indices=num)[:num]

@@ -6,7 +6,7 @@ import numpy as np
 import trimesh
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.inside import voronoi
+from msf_jax.inside import balls
 from msf_jax.meshes import checking
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.numerics import reconstruction
@@ -55,7 +55,7 @@ def voronoi_poles(mesh: "MeshLike") -> np.ndarray:
     positions = np.full(checked.vertices.shape, np.nan)
     for component, member in zip(checked.components, checked.members, strict=True):
         centre = (component.vertices.min(axis=0) + component.vertices.max(axis=0)) / 2
-        found = voronoi.voronoi_poles(component.vertices - centre, component.faces)
+        found = balls.voronoi_poles(component.vertices - centre, component.faces)
         is_found = found.is_found
         positions[member[is_found]] = centre + found.position[is_found]
     return positions

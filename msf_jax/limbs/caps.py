@@ -10,11 +10,14 @@ and half of that if A is less than `SMALL_CAP` of the surface. It is 0 for a fla
 h / radius for a cylinder that sticks out by h from a larger body. Unlike a measure along a curve, it does not depend on
 where the curve runs, and little on the size of the triangles. The smallest cap around a tip that is slender enough is a
 *limb*, unless it overlaps a smaller one and one has the other's tip: else the two share what they both have, and
-grow on together (see `meeting`). A very small limb must be twice as slender: it has too few triangles in most
+grow on together (see `grown_together`). A very small limb must be twice as slender: it has too few triangles in most
 meshes, and its slenderness changes by a fifth with them.
 
 A tip is a vertex whose average geodesic distance from the surface is larger than that of its neighbours (Hilaga,
 Shinagawa, Kohmura, Kunii 2001).
+
+Limbs that are short, blunt, or beside longer ones only stand out, see `protrusions`. The apex of a mitre looks like a
+limb and is none, see `is_apex`.
 """
 
 from collections.abc import Callable
@@ -23,12 +26,15 @@ from typing import NamedTuple
 
 import numpy as np
 import trimesh
+from scipy import sparse
 
-from msf_jax.limbs import ends, fronts, meeting, mitre, protrusion
-from msf_jax.limbs.meeting import Cap
+from msf_jax.limbs import ends, fronts
+from msf_jax.limbs.levels import Levels, levels
 from msf_jax.meshes.reconnecting import reconnected
+from msf_jax.numerics.factors import surface_factor
+from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import cross, largest_of_each
+from msf_jax.solid.geometry import ROUNDING, cross, largest_of_each, unit
 from msf_jax.topology import graphs
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
@@ -41,7 +47,7 @@ BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`
 BODY = 0.25  # of the surface of a solid with handles: its two blunt ends have more, corners of a truss have less
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
-RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
+RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusions`
 LEAST_RAISED = 0.35  # of what a limb needs: less is none at any detail; of four more with 0.2, nobody drew one
 LARGEST_CAP = 0.25  # of the surface: caps of limbs that only stand out
 OBLIQUE = 3.5  # slenderness from which on a base can be oblique: at the end, rings are so by exp(-4) of that
@@ -54,6 +60,76 @@ MOST_DISCS = 200  # radii: more than from the first one to the whole of a surfac
 SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
 MOST_AREA = 100.0  # surfaces of a component: area of all its discs together; then no further tip of it is tried
+# Square roots of the area: from a head's to a toe's; between two, the protrusion falls by 4 %.
+HEAT_SCALES = 0.2 * 1.8 ** -np.arange(5)
+BALL = 0.36  # the largest protrusion of a ball, 1 / sqrt(8) for s = sqrt(2) R, and a little more
+TIPS_APART = 0.6  # of the larger scale: tips are that far from one with more protrusion
+MOST_RAISED = 200  # tips, those with the largest protrusion
+MITRE_STEP = 0.1  # of their distance from the tip: rings of a front around a mitre's apex are that far apart
+MITRE_WIDER = 3  # rings of a front that are compared: fewer apart, their lengths are noise of the triangles
+MITRE_RINGS = 6  # rings of a bar beyond the corner, over almost the distance from the tip to the corner
+
+
+class Cap(NamedTuple):
+    """tip: a vertex. slenderness, area: of the cap, see `caps`. region: (r,) the cap's vertices."""
+
+    tip: int
+    slenderness: float
+    area: float
+    region: np.ndarray
+
+
+class Patch(NamedTuple):
+    """A component of a surface. member: (v,) its vertices. points: (v, 3). faces: (f, 3). area: (f,)."""
+
+    member: np.ndarray
+    points: np.ndarray
+    faces: np.ndarray
+    area: np.ndarray
+
+
+def grown_together(part: Patch, tips: np.ndarray, away: np.ndarray, radius: np.ndarray, ratio: float) -> list[Cap]:
+    """The caps of discs that grow together around ``tips`` (t,), such as the two ends of a hammer's head, with the
+    distances ``away`` (t, v) from them, from the radii ``radius`` (t,) on.
+
+    A disc around one end is oblique at the middle of the head, and passes it before its cap is slender enough. With the
+    geodesic distances d_i from the tips and the radii r_i, the disc of tip i is where
+
+        min(r_i - d_i, max(d_j - d_i, d_j - r_j) for all j)
+
+    is positive: within its own radius, and nearer to its tip than to another one whose disc is there, too. All radii
+    grow by ``ratio`` while the least slender cap gets more slender.
+    """
+    found: list[Cap] = []
+    while True:
+        value = radius[:, None] - away
+        for one, other in np.ndindex(len(away), len(away)):
+            if one != other:
+                beside = np.maximum(away[other] - away[one], away[other] - radius[other])
+                value[one] = np.minimum(value[one], beside)
+        caps = [cap_where(part, tip, own) for tip, own in zip(tips.tolist(), value, strict=True)]
+        if found and min(cap.slenderness for cap in caps) <= min(cap.slenderness for cap in found):
+            return found
+        found, radius = caps, ratio * radius
+
+
+def cap_where(part: Patch, tip: int, value: np.ndarray) -> Cap:
+    """The cap around ``tip`` where ``value`` (v,) is positive: all but the largest piece where it is not."""
+    tail, head = part.faces.ravel(), np.roll(part.faces, -1, axis=1).ravel()
+    is_out = (value[tail] <= 0) & (value[head] <= 0)
+    piece = graphs.labels(len(value), tail[is_out], head[is_out])
+    share = np.bincount(part.faces.ravel(), np.repeat(part.area, 3), len(value))
+    is_beyond = piece == np.bincount(piece, np.where(value <= 0, share, 0.0)).argmax()
+    # Of a face with one corner on one side, that side has the part s t, if it has the parts s and t of the edges there.
+    is_in = ~is_beyond[part.faces]
+    count, corner = is_in.sum(axis=1), value[part.faces]
+    odd = (is_in == (count == 1)[:, None]).argmax(axis=1)
+    p, a, b = (np.take_along_axis(corner, (odd[:, None] + k) % 3, axis=1)[:, 0] for k in range(3))
+    is_cut = (count == 1) | (count == 2)
+    cut = p**2 / np.where(is_cut, (p - a) * (p - b), 1.0)
+    area = float(part.area @ np.where(is_cut, np.where(count == 1, cut, 1 - cut), count == 3))
+    perimeter = ends.zero_line(part.points, part.faces[is_cut], value)
+    return Cap(tip, 2 * np.pi * area / perimeter**2 - 0.5, area, part.member[~is_beyond])
 
 
 class Raised(NamedTuple):
@@ -259,7 +335,7 @@ class Caps:
         return [times[number] for number in range(len(caps))]
 
     def _raised(self, caps: list[Cap], owner: np.ndarray, times: list[np.ndarray], least: float) -> list[Raised]:
-        """Limbs around tips where the surface stands out (see `protrusion`), besides the limbs ``caps``, and beyond
+        """Limbs around tips where the surface stands out (see `protrusions`), besides the limbs ``caps``, and beyond
         their ends, by their numbers ``owner`` (V,) and exit times (V,) of each.
 
         Of the caps around such a tip, up to the next tip of a limb, the slenderest one counts that is followed by a
@@ -269,9 +345,9 @@ class Caps:
         x, raised = self.surface.points, []
         others = np.zeros(len(x), dtype=np.int64)
         others[[cap.tip for cap in caps]] = 1
-        for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
+        for tip, height, scale in zip(*raised_tips(x, self.surface.faces, BALL), strict=True):
             near = np.flatnonzero(others)
-            is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
+            is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= TIPS_APART * scale).any()
             own = owner[tip] - 1
             if is_end or (own >= 0 and ends.is_near_end(times[own], *caps[own][2:], np.array([tip]))[0]):
                 continue
@@ -296,16 +372,16 @@ class Caps:
         return raised
 
     def _is_apex(self, tip: int, region: np.ndarray, least: float) -> bool:
-        """Whether the cap ``region`` (r,) around ``tip`` is the apex of a mitre (see `mitre`)."""
+        """Whether the cap ``region`` (r,) around ``tip`` is the apex of a mitre (see `is_apex`)."""
         if (tip, least) not in self._apexes:
-            self._apexes[tip, least] = mitre.is_apex(self.shape, self._distances(np.array([tip])), region, least)
+            self._apexes[tip, least] = is_apex(self.shape, self._distances(np.array([tip])), region, least)
         return self._apexes[tip, least]
 
     def _halves(self, number: int) -> tuple[list[Cap], bool]:
         """The halves of a component, as caps, and whether it is long in one direction (see `ends.halves`)."""
         part = self._part(number)
         value, is_long = ends.halves(part.points, part.faces)
-        return [meeting.inside(part, int(part.member[side.argmax()]), side) for side in (value, -value)], is_long
+        return [cap_where(part, int(part.member[side.argmax()]), side) for side in (value, -value)], is_long
 
     def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.LimbAxis:
         """The curve of one of the limbs in the solid ``shape``."""
@@ -350,17 +426,17 @@ class Caps:
         return [(tip, group[number][number] if number in group else None) for number, (tip, _) in disc.items()]
 
     def _meeting(self, discs: list[tuple[int, float]]) -> list[Cap]:
-        """The caps of ``discs``, tips and radii, that grow together (see `meeting`)."""
+        """The caps of ``discs``, tips and radii, that grow together (see `grown_together`)."""
         part, (tips, radii) = self._part(int(self._component[discs[0][0]])), np.array(discs).T
         away = np.stack([self._distances(np.array([tip]))[part.member] for tip, _ in discs])
         self._left[self._component[discs[0][0]]] -= len(discs)
-        return meeting.grown(part, tips.astype(np.int64), away, radii, RATIO)
+        return grown_together(part, tips.astype(np.int64), away, radii, RATIO)
 
-    def _part(self, number: int) -> meeting.Patch:
+    def _part(self, number: int) -> Patch:
         """A component of the surface."""
         of_face, member = self._component[self.surface.faces[:, 0]] == number, np.flatnonzero(self._component == number)
         faces = np.searchsorted(member, self.surface.faces[of_face])
-        return meeting.Patch(member, self.surface.points[member], faces, self.area[of_face])
+        return Patch(member, self.surface.points[member], faces, self.area[of_face])
 
     def _slenderest(
         self, tip: int, others: np.ndarray, least: float, share: float
@@ -400,3 +476,149 @@ def _own(rows: np.ndarray) -> float:
     """The largest slenderness of the caps of `Caps.grown` before a disc goes around a handle or a larger part."""
     gap = np.flatnonzero(rows[1:, 1] > 1.01 * RATIO * rows[:-1, 1])
     return float(rows[: gap[0] + 1 if len(gap) else None, 0].max())
+
+
+def protrusions(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(S, V) the protrusion of each vertex at each of `HEAT_SCALES`: where a surface stands out.
+
+    After a heat flow of scale s, a point x of the surface has come to x_s, the mean of the surface around it:
+
+        (M + s^2 / 4 L) x_s = M x,    protrusion h = n . (x - x_s) / s,
+
+    with cotangent weights L and areas M. It is at most 1 / 4 on a long cylinder and `BALL` on a ball, 1 / 2 at the end
+    of a thin rod, and more where that narrows.
+    """
+    matrix, share = ends.laplacian(vertices, faces)
+    size, corners = float(np.sqrt(share.sum())), vertices[faces]
+    around = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal = unit(
+        np.stack([np.bincount(faces.ravel(), np.repeat(column, 3), len(vertices)) for column in around.T], axis=1)
+    )
+    found, mass = np.empty((len(HEAT_SCALES), len(vertices))), sparse.diags_array(share)
+    for row, scale in enumerate(sorted(HEAT_SCALES * size)):
+        solver = surface_factor((mass + scale**2 / 4 * matrix).tocsc())
+        found[row] = np.einsum("vi,vi->v", normal, vertices - solver.solve(share[:, None] * vertices)) / scale
+    return found
+
+
+def raised_tips(vertices: np.ndarray, faces: np.ndarray, least: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Vertices (t,) whose protrusion is the largest around them at some scale: with a protrusion of at least ``least``,
+    the largest one first, that protrusion (t,), and its scale (t,), a length."""
+    height, scale = (
+        protrusions(vertices, faces),
+        np.sort(HEAT_SCALES) * np.sqrt(ends.laplacian(vertices, faces)[1].sum()),
+    )
+    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    row, vertex = [], []
+    for number, own in enumerate(height):
+        is_tip = own >= least
+        is_tip[tail[own[head] > own[tail]]] = is_tip[head[own[tail] > own[head]]] = False
+        vertex.append(np.flatnonzero(is_tip))
+        row.append(np.full(len(vertex[-1]), number))
+    rows, places = np.concatenate(row), np.concatenate(vertex)
+    order = np.lexsort((places, -height[rows, places]))[: 4 * MOST_RAISED]
+    rows, places = rows[order], places[order]
+    kept: list[int] = []
+    for number in range(len(rows)):
+        reach = TIPS_APART * np.maximum(scale[rows[kept]], scale[rows[number]])
+        away = np.linalg.norm(vertices[places[kept]] - vertices[places[number]], axis=1)
+        if (away > reach).all() and len(kept) < MOST_RAISED:
+            kept.append(number)
+    return places[kept], height[rows[kept], places[kept]], scale[rows[kept]]
+
+
+def is_apex(shape: Enclosure, away: np.ndarray, region: np.ndarray, least: float) -> bool:
+    """Whether the cap ``region`` (r,) of the solid ``shape`` is the apex of a mitre, and no limb that sticks out of the
+    bars there by ``least`` of their half widths. ``away`` (V,) is the distance from the cap's tip.
+
+    A mitre, where two bars meet in an acute corner, looks like a limb, and is the outside of a bend. A disc around its
+    apex grows until its front divides into two rings, around the two bars. Let lines along their axes, in the unit
+    directions d and e from the corner, pass each other at p, and let u = -(d + e) / |d + e|. Beyond p the solid of a
+    mitre is where both bars go on:
+
+        (x - p) . u > 0   only for x within the section of each bar, moved along its axis.
+
+    A limb sticks out of one of them. If it does so by h in the direction u, a point at its end is h sin(a / 2) outside
+    the sides of bars that meet at the angle a.
+    """
+    first = last = float(away[region].max())
+    while True:
+        last *= np.exp(MITRE_STEP * MITRE_RINGS)
+        near, local = np.unique(shape.faces[(away < last)[shape.faces].any(axis=1)], return_inverse=True)
+        height = np.log(np.clip(away[near], first / 2, last)) / MITRE_STEP
+        found = levels(shape.vertices[near], local.reshape(-1, 3), height, 1.0)
+        pieces, rings, arms = _followed(found, int(found.piece[away[near].argmin()]))
+        if arms and len(rings) < 2 * MITRE_WIDER:  # the cap reaches beyond
+            first, last = first / 2, last / np.exp(MITRE_STEP * MITRE_RINGS)
+            continue
+        if not _is_widening(found.perimeter[rings]):
+            return False
+        if arms and len(rings) + MITRE_RINGS <= np.log(2 * last / first) / MITRE_STEP:
+            apex = shape.vertices[near[np.isin(found.piece, pieces)]]
+            return len(arms) == 2 and min(map(len, arms)) > 1 and _is_in_both(shape, found, arms, apex, least)
+        if last >= away[np.isfinite(away)].max():
+            return False
+
+
+def _above(found: Levels, piece: int) -> np.ndarray:
+    """The rings upon a piece, without those around bumps."""
+    above = np.flatnonzero(found.below == piece)
+    return above[found.perimeter[above] > ends.HALF * found.perimeter[above].max(initial=0.0)]
+
+
+def _followed(found: Levels, piece: int) -> tuple[list[int], list[int], list[list[int]]]:
+    """Where the front goes from ``piece`` on: its pieces and rings up to where it divides, and the rings of each of
+    the parts beyond, up to the narrowest."""
+    pieces, rings = [piece], []
+    while len(above := _above(found, pieces[-1])) == 1:
+        rings.append(int(above[0]))
+        pieces.append(int(found.above[above[0]]))
+    arms = [[ring] for ring in above.tolist()]
+    for arm in arms:
+        while len(arm) < MITRE_RINGS and len(above := _above(found, int(found.above[arm[-1]]))) == 1:
+            arm.append(int(above[0]))
+        arm[:] = arm[: int(found.perimeter[arm].argmin()) + 1]
+    return pieces, rings, arms
+
+
+def _is_widening(length: np.ndarray) -> bool:
+    """Whether rings of ``length`` (k,) get longer, as those of a wedge do, and no faster than their distance from the
+    tip. The first ones, around a tip on an edge, need not, and the last ones may where the front divides."""
+    growth = length[MITRE_WIDER:] / length[:-MITRE_WIDER]
+    if not len(growth):
+        return False
+    is_longer = growth[min(MITRE_WIDER, len(growth) - 1) :] > 1
+    return bool(is_longer.all() and (growth[:-MITRE_WIDER] <= np.exp(MITRE_STEP * MITRE_WIDER) + ROUNDING).all())
+
+
+def _is_in_both(shape: Enclosure, found: Levels, arms: list[list[int]], apex: np.ndarray, least: float) -> bool:
+    """Whether the points ``apex`` (k, 3) beyond the axes of two ``arms``, and there are some, are within both."""
+    (p, d, one), (q, e, other) = (_axis(shape, found, arm) for arm in arms)
+    if d @ e <= 0 or np.linalg.norm(cross(d, e)) < ROUNDING:
+        return False
+    s, t = np.linalg.lstsq(np.stack([d, -e], axis=1), q - p, rcond=None)[0]
+    u = -unit(d + e)
+    apex = apex[(apex - (p + s * d + q + t * e) / 2) @ u > 0]
+    sine = np.linalg.norm(cross(d, u))
+    bars = (p, d, one), (q, e, other)
+    return len(apex) > 0 and all(_outside(shape, *bar, apex) <= least * bar[2] * sine for bar in bars)
+
+
+def _axis(shape: Enclosure, found: Levels, rings: list[int]) -> tuple[np.ndarray, np.ndarray, float]:
+    """A point (3,) on the axis of a bar, its direction (3,), and half of its width."""
+    pair = [rings[-1], rings[len(rings) // 2 - 1]]
+    places, size = found.centre[pair], found.size[pair]
+    for _ in range(ends.LINE_ROUNDS):
+        places = ends.centred(shape, places, unit(places[0] - places[1]), size)
+    return places[0], unit(places[0] - places[1]), float(size[0])
+
+
+def _outside(shape: Enclosure, place: np.ndarray, along: np.ndarray, size: float, points: np.ndarray) -> float:
+    """How far ``points`` (k, 3) are outside a bar ``along`` (3,) with the section at ``place`` (3,), the largest."""
+    corners = sections.corners(shape, place[None], along[None], np.array([size]))
+    if not corners.is_closed[0]:
+        return np.inf
+    aside = points - place
+    aside = aside - (aside @ along)[:, None] * along
+    edge = (unit(aside) @ (corners.places(shape) - place).T).max(axis=1)
+    return float((np.linalg.norm(aside, axis=1) - edge).max())

@@ -3,9 +3,20 @@
 Limbs are found on the surface (see `caps`), wherever the curve runs. Of the leaves in a limb, the one farthest from its
 base stays. A limb without a leaf can get a branch, through the middles of the curves around its discs. All other leaves
 are removed. A component without loops keeps two leaves: the ends of its longest path, from its limb if it has one.
+
+The branch of a limb that was cut off ends in the middle of the lid, see `opened`. Branches of least worth are pruned
+first. Of a curve without its solid only the balls of its nodes are known. Then a branch stands for a tube of radius
+r(s) at the distance s from its leaf, with a round end. The tip is r(0) beyond the leaf, at the depth d(s) = s + r(0).
+As long as the largest ball still touches the tip, the round end up to that depth has the area A(s) = 2 pi r d
+(Archimedes); from there on, the integral of 2 pi r ds is added. The curve that cuts the cap off has the length P(s) = 2
+pi r(s), so its slenderness is 2 pi A / P^2 - 1 / 2, as on a surface. The slenderness of the branch is the largest one
+outside of the ball at its junction: h / r - 1 / 2 of a tube with a round end that sticks out by h. A branch in one
+ball, which holds its leaf and its junction, does not stick out.
 """
 
+import heapq
 import itertools
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -13,15 +24,127 @@ from scipy import spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside.containment import is_inside
-from msf_jax.limbs import pruning
 from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis, is_near_end
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
+from msf_jax.solid.openings import JUST_INSIDE, Lid, is_end, lids_of
+from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
+TOUCHES = 0.9  # of the depth of a node: least radius of a ball that touches the tip of its limb
+
+Worth = Callable[[Iterator[int]], float]  # of the branch with these nodes, its leaf first
+
+
+class Branch(NamedTuple):
+    """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
+
+    slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
+    `limbs.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than 0.12 %
+    of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
+    `by_balls`). Infinite for a branch without a junction or between junctions: its removal would change the
+    curve's components or cycles.
+
+    surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
+    """
+
+    nodes: list[int]
+    length: float
+    slenderness: float
+    surface: float
+
+    def __repr__(self) -> str:
+        ends = f"{self.nodes[0]} to {self.nodes[-1]}"
+        numbers = f"length {self.length:.4g}, slenderness {self.slenderness:.3g}"
+        return f"Branch({len(self.nodes)} nodes from {ends}, {numbers})"
+
+
+def prune(
+    num_nodes: int, edges: np.ndarray, worth: Worth, least: float, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Remove branches of a ``worth`` below ``least``, the one of least worth first, until none is left.
+
+    When two branches are left at a junction, they become one, and the ``worth`` of its leaf may rise or fall.
+    Components and cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes
+    stay (N,), and the target of each node (N,): itself, or the nearest one that stays, along the branches that went.
+    """
+    beside: list[set[int]] = [set() for _ in range(num_nodes)]
+    for a, b in edges.tolist():
+        beside[a].add(b)
+        beside[b].add(a)
+
+    def walk(leaf: int) -> Iterator[int]:
+        """The nodes from ``leaf`` to the end of its branch: a junction or another leaf."""
+        last, node = -1, leaf
+        while last < 0 or len(beside[node]) == 2:
+            yield node
+            last, node = node, next(each for each in sorted(beside[node]) if each != last)
+        yield node
+
+    stays, target = np.ones(num_nodes, dtype=bool), np.arange(num_nodes)
+    is_done = False
+    while not is_done:  # until a round removes nothing, as worths may have fallen
+        is_done = True
+        queue = [(worth(walk(leaf)), leaf) for leaf in range(num_nodes) if stays[leaf] and len(beside[leaf]) == 1]
+        heapq.heapify(queue)
+        while queue and queue[0][0] < least:
+            known, leaf = heapq.heappop(queue)
+            now = worth(walk(leaf))
+            if now > known:
+                heapq.heappush(queue, (now, leaf))
+                continue
+            nodes = list(walk(leaf))
+            if len(beside[nodes[-1]]) < 3 or is_held[nodes[:-1]].any():
+                continue
+            is_done = False
+            stays[nodes[:-1]], target[nodes[:-1]] = False, nodes[-1]
+            beside[nodes[-1]].discard(nodes[-2])
+    while (target != target[target]).any():
+        target = target[target]
+    return stays, target
+
+
+def by_balls(vertices: np.ndarray, radii: np.ndarray) -> Worth:
+    """The slenderness of branches with balls of ``radii`` (N,) around the nodes ``vertices`` (N, 3); infinite if no
+    radius is known."""
+    radii = np.nan_to_num(radii)
+    is_known = bool((radii > 0).any())
+
+    def slenderness(walk: Iterator[int]) -> float:
+        nodes = np.fromiter(walk, dtype=np.int64)
+        x, r = vertices[nodes], radii[nodes]
+        is_out = (np.linalg.norm(x - x[-1], axis=1) >= r[-1]) & (r > 0)
+        is_out[-1] = False
+        if not is_known or not is_out.any():
+            return 0.0 if is_known else np.inf
+        if (np.maximum(np.linalg.norm(x - x[0], axis=1), np.linalg.norm(x - x[-1], axis=1)) <= r).any():
+            return 0.0
+        along = arc_length(x)
+        depth, added = along + r[0], np.concatenate([[0.0], np.cumsum(np.diff(along) * (r[1:] + r[:-1]) / 2)])
+        end = int(np.argmin(np.append(r >= TOUCHES * depth, False))) - 1  # the last node whose ball touches the tip
+        area = np.where(np.arange(len(r)) <= end, r * depth, (r * depth - added)[end] + added)  # over 2 pi
+        return float((area[is_out] / r[is_out] ** 2).max() - 0.5)
+
+    return slenderness
+
+
+def measure(
+    vertices: np.ndarray, edges: np.ndarray, slenderness: np.ndarray | Worth, share: np.ndarray | None = None
+) -> list[Branch]:
+    """The branches of a curve ``(vertices (N, 3), edges (E, 2))``, with the ``slenderness`` (N,) of leaves, or of
+    branches; ``share`` (N,) of the mesh's area by node."""
+    degree, found = np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel(), minlength=len(vertices)), []
+    for nodes in trace(len(vertices), edges):
+        length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
+        own = np.array(sorted({node for node in nodes if degree[node] < 3}), dtype=np.int64)
+        value, ordered = np.inf, nodes if degree[nodes[0]] == 1 else nodes[::-1]
+        if degree[ordered[0]] == 1 and degree[ordered[-1]] > 2:
+            value = slenderness(iter(ordered)) if callable(slenderness) else float(slenderness[ordered[0]])
+        found.append(Branch(nodes, length, value, np.nan if share is None else float(share[own].sum())))
+    return found
 
 
 class Choice(NamedTuple):
@@ -87,11 +210,11 @@ def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
 def kept(
     vertices: np.ndarray, edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove the branches that end in leaves of finite ``worth`` (N,), but not in `ends`; see `pruning.prune`."""
+    """Remove the branches that end in leaves of finite ``worth`` (N,), but not in `ends`; see `prune`."""
     is_end = np.zeros(len(worth), dtype=bool)
     is_end[leaves_of(edges)] = True
     worth = np.where(ends(vertices, edges, is_end & ((worth == np.inf) | is_held)), np.inf, worth)
-    return pruning.prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), np.inf, is_held)
+    return prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), np.inf, is_held)
 
 
 def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarray:
@@ -199,3 +322,74 @@ def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place:
     near = np.argsort(away - radius, kind="stable")[:TRIED]
     is_open = is_inside(shape, vertices[near], np.repeat(place[None], len(near), axis=0))
     return int(near[is_open.argmax()] if is_open.any() else np.where(radius == -np.inf, np.inf, away).argmin())
+
+
+class Opened(NamedTuple):
+    """A curve that is led to its openings. nodes: (N, 3), new ones last. edges: (E, 2). ends: (k,) the nodes at the
+    openings. lids: (L,) the faces of the solid that are their lids."""
+
+    nodes: np.ndarray
+    edges: np.ndarray
+    ends: np.ndarray
+    lids: np.ndarray
+
+
+def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarray, lids: np.ndarray) -> Opened:
+    """Lead the curve ``(nodes (N, 3), edges (E, 2))`` to the middles of those of the faces ``lids`` (L,) where a limb
+    ends. Nodes of ``is_held`` (N,) do not move.
+
+    A leaf that is no farther from a middle than the rim is a limb's end there. Within this distance a lid cuts off a
+    part of the limb's sections, which drew the curve to one side, so the branch goes straight there. A limb without a
+    leaf, which is short, gets a straight branch.
+    """
+    shape, start, num = solid.shape, solid.enter(nodes), len(nodes)
+    wanted = [lid for lid in lids_of(shape.vertices, shape.faces, lids) if is_end(shape, lid)]
+    x, ball, ends, led = start, shape.approximate_clearance(start)[0], [], [lids[:0]]
+    leaf_of = _leaves(shape, x, leaves_of(edges), wanted)
+    ball[list(leaf_of.values())] = -np.inf
+    for number, lid in enumerate(wanted):
+        if number in leaf_of:
+            paths = (path for each in trace(len(x), edges) for path in (each, each[::-1]))
+            path = np.array(next(path for path in paths if path[0] == leaf_of[number]))
+            away = np.array([np.linalg.norm(x[path] - each.middle, axis=1) - each.reach for each in wanted])
+            stays = (away > 0).all(axis=0) | np.isin(path, np.flatnonzero(is_held))
+            first = min(int(np.append(stays, True).argmax()), len(path) - 1)
+            first = int(np.flatnonzero(_is_open(shape, x[path[: first + 1]], lid))[-1])
+            old, stop = path[:first].tolist(), int(path[first])
+        else:
+            old, stop = [], beginning(shape, x[:num], ball, _below_lid(lid))
+            if not _is_open(shape, x[[stop]], lid)[0]:
+                continue
+        ends.append(old[0] if old else len(x))
+        places = np.stack([lid.middle, x[stop]])
+        x, edges = relaid(x, edges, old, stop, places, RING_SPACING * lid.radius())
+        led.append(lid.faces)
+    moved = np.concatenate([nodes, solid.leave(x[num:])])
+    is_moved = (x[:num] != start).any(axis=1)
+    moved[:num][is_moved] = solid.leave(x[:num][is_moved])
+    return Opened(moved, edges, np.array(ends, dtype=np.int64), np.concatenate(led))
+
+
+def _leaves(shape: Enclosure, x: np.ndarray, leaves: np.ndarray, lids: list[Lid]) -> dict[int, int]:
+    """The leaf of each of the ``lids`` by its number, if there is one: of ``leaves`` (l,) near lids, the nearest pairs
+    first. In a tube that is shorter than wide, both ends of the curve may be near the same lid."""
+    away = np.array([np.linalg.norm(x[leaves] - lid.middle, axis=1) for lid in lids]).reshape(len(lids), len(leaves))
+    is_near = np.any(away <= np.array([lid.reach for lid in lids])[:, None], axis=0)
+    found: dict[int, int] = {}
+    for pair in np.argsort(away, axis=None, kind="stable").tolist():
+        number, column = pair // len(leaves), pair % len(leaves)
+        leaf = int(leaves[column])
+        is_free = is_near[column] and number not in found and leaf not in found.values()
+        if is_free and _is_open(shape, x[[leaf]], lids[number])[0]:
+            found[number] = leaf
+    return found
+
+
+def _below_lid(lid: Lid) -> np.ndarray:
+    """(3,) a place below the middle of the ``lid``, and below all of its faces."""
+    return lid.middle - (lid.uneven + JUST_INSIDE * lid.radius()) * lid.normal
+
+
+def _is_open(shape: Enclosure, points: np.ndarray, lid: Lid) -> np.ndarray:
+    """(P,) whether the way from each of ``points`` (P, 3) to the ``lid`` is inside."""
+    return is_inside(shape, points, np.repeat(_below_lid(lid)[None], len(points), axis=0))

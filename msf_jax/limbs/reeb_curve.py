@@ -12,7 +12,7 @@ import numpy as np
 from scipy import spatial
 from scipy.sparse import csgraph
 
-from msf_jax.inside import balls, thickness
+from msf_jax.inside import balls
 from msf_jax.inside.roadmap import Test
 from msf_jax.limbs import ends
 from msf_jax.limbs.levels import Levels, levels
@@ -42,7 +42,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
     normals = unit(vertex_normals(x, faces))
     asked = x, normals, spatial.KDTree(x), balls.FIRST
     # Whether the solid is thin is decided by balls of limited size, which are found fast.
-    every, most = np.arange(len(x)), thickness.THIN
+    every, most = np.arange(len(x)), balls.THIN
     is_thin = np.median(balls.shrinking_balls(*asked, 2 * most, every).radius) < most
     if only_thin and not is_thin:
         return None

@@ -32,15 +32,14 @@ class Compaction(NamedTuple):
 class Meso:
     """A closed surface under contraction. Lengths are fractions of the input's bounding-box diagonal.
 
-    positions: (n, 3). rings: (n, K), see `ring_tables`. degree: (n,), 0 for a dead row.
-    poles: (n, 3), finite everywhere. has_pole: (n,), False where the pole must not pull.
-    trust: (n,) factor on w_M from 0 to 1, or None if it is 1 everywhere.
-    classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
-    is_fixed: (n,), True where the vertex has reached the skeleton and no longer moves.
-    node_of_input: (V,), the row that every vertex of the input has been merged into.
-    scale: (n,) factor on lengths, up to 1, smaller on thin limbs (see `inside.thickness`), or None if no limb is thin.
-    weights: (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None if they are the same everywhere.
-    edits: the edits of the connectivity, in order: `CollapseRound`, `SplitRound`, `Fixing`, `Compaction`.
+    positions: (n, 3). rings: (n, K), see `ring_tables`. degree: (n,), 0 for a dead row. poles: (n, 3), finite
+    everywhere. has_pole: (n,), False where the pole must not pull. trust: (n,) factor on w_M from 0 to 1, or None if it
+    is 1 everywhere. classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
+    is_fixed: (n,), True where the vertex has reached the skeleton and no longer moves. node_of_input: (V,), the row
+    that every vertex of the input has been merged into. scale: (n,) factor on lengths, up to 1, smaller on thin limbs
+    (see `inside.balls.scales`), or None if no limb is thin. weights: (n, 4), w_L, w_H, w_M and smoothing of every
+    vertex, or None if they are the same everywhere. edits: the edits of the connectivity, in order: `CollapseRound`,
+    `SplitRound`, `Fixing`, `Compaction`.
     """
 
     positions: np.ndarray

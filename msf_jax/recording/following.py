@@ -26,9 +26,9 @@ from scipy import sparse
 from scipy.sparse import csgraph, linalg
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
-from msf_jax.curve import branch_paths as measures
+from msf_jax.curve import branches as measures
 from msf_jax.curve import centring
-from msf_jax.curve.branch_paths import BranchPath
+from msf_jax.curve.branches import BranchPath
 from msf_jax.solid import openings, sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, together, unit, vertex_normals

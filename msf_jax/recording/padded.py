@@ -1,7 +1,10 @@
 """The decisions of a run as padded arrays: the tape of one component, for `device.playback`.
 
 The edits before and after the iterations are linear in the positions, with known shares, and are recorded as one sparse
-matrix each. `stretches` records the iterations.
+matrix each. In an iteration, collapses are linear in the positions: after all collapses of an iteration, a vertex is a
+weighted sum of others, with shares that are powers of one half. So they are recorded as a group and a share for each
+row, however many rounds there were. A split is not linear: its place, the projection of an apex, is computed anew; its
+three rows are recorded.
 """
 
 from typing import Any, NamedTuple
@@ -9,16 +12,190 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base.layout import Layout, layout_for
+from msf_jax.base.layout import Layout, fits, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.collapse import CollapseRound
 from msf_jax.meso.meso import Compaction, Meso
 from msf_jax.meso.split import SplitRound
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import ComponentRecord, FoundPoles, Step
-from msf_jax.recording.stretches import Capacity, Planned, merged, record_steps, rung, size_for, stretches_of
 
 LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
+FEWEST_LINES = 8  # smallest capacity of a stretch, in iterations; idle ones cost almost nothing
+FEWEST_ROUNDS, FEWEST_CUTS = 16, 64  # smallest capacities of rounds of splits in an iteration, and of splits in a round
+WORTH_A_LAYOUT = 0.7  # ratio of the cost of two layouts to that of one, below which two are compiled
+
+
+class Planned(NamedTuple):
+    """Iterations from ``first`` up to, but not including, ``last`` share ``layout``."""
+
+    first: int
+    last: int
+    layout: Layout
+
+
+class Capacity(NamedTuple):
+    """The capacity of a stretch of a tape: ``lines`` iterations in ``layout``, with ``rounds`` of ``cuts`` each."""
+
+    layout: Layout
+    lines: int
+    rounds: int
+    cuts: int
+
+
+class Row(NamedTuple):
+    """For every vertex (num_rows,): its row of the workspace, and the row of the first stretch whose pole it has."""
+
+    workspace: np.ndarray
+    site: np.ndarray
+
+
+def rung(count: int, smallest: int = 1) -> int:
+    """The smallest of ``smallest``, twice that, four times, ... that is at least ``count``; so there are few sizes."""
+    size = smallest
+    while size < count:
+        size *= 2
+    return size
+
+
+def size_for(count: int, smallest: int, before: int = 0) -> int:
+    """A capacity for ``count``: that of ``before`` if it suffices, else a `rung` for a quarter more, so that a slightly
+    longer run fits, too."""
+    return before if count <= before else rung(count + count // 4, smallest)
+
+
+def stretches_of(steps: list[Step], before: tuple[Capacity, ...] = ()) -> list[Planned]:
+    """Divide the iterations into one or two layouts, whichever is cheaper; into those of ``before``, if they suffice.
+
+    Each layout takes seconds to compile. But a surface shrinks fast, and with one layout for all iterations, the late
+    ones would consist mostly of padding.
+    """
+    if not steps:
+        return []
+
+    def needed(first: int, last: int) -> tuple[int, list[int]]:
+        beyond = [packing.degrees_beyond(step.degree) for step in steps[first:last]]
+        most = np.zeros((len(beyond), max(map(len, beyond))), dtype=np.int64)
+        for row, counts in zip(most, beyond, strict=True):
+            row[: len(counts)] = counts
+        return max(len(step.order) for step in steps[first:last]), most.max(axis=0).tolist()
+
+    def planned(first: int, last: int) -> Planned:
+        return Planned(first, last, layout_for(*needed(first, last)))
+
+    def fits_in(given: Capacity, first: int, last: int) -> bool:
+        return 0 < last - first <= given.lines and fits(given.layout, *needed(first, last))
+
+    for cuts in ([], *([k] for k in range(1, len(steps)))) if before else ():
+        ends = [0, *cuts, len(steps)]
+        if len(ends) == len(before) + 1 and all(map(fits_in, before, ends[:-1], ends[1:])):
+            parts = zip(ends[:-1], ends[1:], before, strict=True)
+            return [Planned(first, last, given.layout) for first, last, given in parts]
+
+    def cost(plan: list[Planned]) -> float:
+        return sum(size_for(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
+
+    whole = [planned(0, len(steps))]
+    plans = [[planned(0, k), planned(k, len(steps))] for k in range(1, len(steps))]
+    best = min(plans, key=cost, default=whole)
+    return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
+
+
+def record_steps(
+    steps: list[Step], plan: list[Planned], num_meso: int, before: tuple[Capacity, ...] = ()
+) -> tuple[list[dict[str, Any]], np.ndarray]:
+    """The arrays of `device.playback.Stretch`, by name, for each of ``plan``, and the row (m,) of each vertex of the
+    meso-skeleton in the last workspace."""
+    if not steps:
+        return [], np.arange(num_meso)
+    first = np.argsort(steps[0].order)
+    at = Row(first, first)
+    stretches = []
+    for number, (start, end, layout) in enumerate(plan):
+        given = before[number] if len(before) == len(plan) else Capacity(layout, 0, 0, 0)
+        fields, at = _stretch(steps[start:end], layout, at, given)
+        stretches.append(fields)
+    return stretches, at.workspace
+
+
+def _stretch(steps: list[Step], layout: Layout, at: Row, before: Capacity) -> tuple[dict[str, Any], Row]:
+    capacity = layout.capacity
+    cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
+    num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS, before.rounds)
+    num_cuts = size_for(max((len(done.a) for rounds in cuts for done in rounds), default=1), FEWEST_CUTS, before.cuts)
+    own = np.arange(capacity, dtype=np.int32)
+    lines, handovers = [], []
+    for number, (step, rounds) in enumerate(zip(steps, cuts, strict=True)):
+        num_rows = len(step.order)
+        rank = np.empty(num_rows, dtype=np.int64)
+        rank[step.order] = np.arange(num_rows)
+        enter, site = packing.pad(at.workspace[step.order], capacity, 0, np.dtype(np.int32)), at.site[step.order]
+        handovers.append(enter)
+        # Edits have ids of vertices. Here they become rows: of the buffers, and, for new vertices, of the workspace.
+        group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
+        row_of, site_of = _rows_after(step, rank, at.site)
+        cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
+        for k, done in enumerate(rounds):
+            row_of[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
+            apex = done.a if done.apex is None else done.apex
+            cut[k, : len(done.a)] = np.stack([row_of[done.a], row_of[done.b], row_of[apex]], axis=1)
+        lines.append(
+            {
+                "rings": packing.slots(step.rings, step.degree, layout),
+                "degree": packing.pad(step.degree, capacity, 0, np.dtype(np.float64)),
+                "free": packing.pad(step.free, capacity, 0, np.dtype(np.float64)),
+                "pull": packing.pad(step.pull, capacity, 0, np.dtype(np.float64)),
+                "site": packing.pad(site, capacity, 0, np.dtype(np.int32)),
+                "left": np.pad(step.left.astype(np.float64), ((0, 0), (0, capacity - num_rows), (0, 0))),
+                "factor": np.asarray(step.factor),
+                "enter": enter if number else own,
+                "group": np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
+                "share": packing.pad(share[step.order], capacity, 1, np.dtype(np.float64)),
+                "blend": packing.pad(blend[step.order], capacity, 1, np.dtype(np.float64)),
+                "cut": cut,
+            }
+        )
+        live = [edit.live for edit in step.edits if isinstance(edit, Compaction)]
+        at = Row(*((row_of, site_of) if not live else (row_of[live[0]], site_of[live[0]])))
+    idle = _idle(lines[0], layout)
+    lines = [idle] * (size_for(len(lines), FEWEST_LINES, before.lines) - len(lines)) + lines
+    rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
+    stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
+    return {**stacked, "rings": rings, "handover": handovers[0]}, at
+
+
+def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The row of every vertex, extended for new vertices, and the site of its pole after the collapses."""
+    num_new = sum(len(edit.new) for edit in step.edits if isinstance(edit, SplitRound))
+    site = np.concatenate([site, np.zeros(num_new, dtype=np.int64)])  # a new vertex has no pole that pulls
+    for edit in step.edits:
+        if isinstance(edit, CollapseRound):
+            site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
+    return np.concatenate([rank, np.zeros(num_new, dtype=np.int64)]), site
+
+
+def _idle(line: dict[str, Any], layout: Layout) -> dict[str, Any]:
+    """An iteration that does nothing: no vertex is free or has neighbours, and there are no collapses or splits."""
+    own = np.arange(layout.capacity, dtype=np.int32)
+    of_slot = np.concatenate([own[: level.rows] for level in layout.levels for _ in range(level.slots)])
+    idle = {name: np.zeros_like(values) for name, values in line.items() if name != "rings"}
+    ones = {name: np.ones_like(line[name]) for name in ("factor", "share", "blend")}
+    rings = (of_slot, of_slot, of_slot, np.zeros(len(of_slot), dtype=bool))
+    return idle | ones | {"rings": rings, "enter": own, "group": own}
+
+
+def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The row (n,) that each row is merged into in ``rounds``, its share of that row's position, and of its weights."""
+    group, share, mean = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+    for done in rounds:
+        target, keeps, halves = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+        target[done.removed] = done.survivor
+        keeps[done.survivor], keeps[done.removed] = 1 - done.fraction, done.fraction
+        halves[done.survivor] = halves[done.removed] = 0.5
+        share *= keeps[group]
+        mean *= halves[group]
+        group = target[group]
+    return group, share, mean
 
 
 class Capacities(NamedTuple):

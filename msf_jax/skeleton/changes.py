@@ -13,7 +13,7 @@ from msf_jax import metrics
 from msf_jax.base.errors import ConfigError
 from msf_jax.curve import branches, finishing, resampling
 from msf_jax.inside import containment
-from msf_jax.limbs import one_branch, pruning
+from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.report import assessed
@@ -108,7 +108,7 @@ def pruned(skeleton: "Skeleton", slenderness: float, detail: float | None) -> "S
         note = "the search for limbs ended early; branches that it did not try are kept"
         report = replace(report, notes=report.notes + (note,) * choice.was_hit)
     elif detail is None:
-        stays, target = pruning.prune(num, edges, pruning.by_balls(x, skeleton.radii), least, is_pinned)
+        stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, skeleton.radii), least, is_pinned)
     else:
         raise ConfigError(
             f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.curve import branch_paths
+from msf_jax.curve import branches
 from msf_jax.skeleton.measures import volumes_of
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
@@ -48,13 +48,13 @@ def shares_of(
     ``node_of_vertex`` (V,) is the node of each vertex of the solid; the nearest one if not given.
     """
     radius, near = shape.approximate_clearance(vertices)
-    paths = branch_paths.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
+    paths = branches.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
     # A junction has no cross-section, and the ball of an end is small.
     own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = 0.0
     asked = np.flatnonzero(own * radius > 0)
-    normal = unit(branch_paths.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
+    normal = unit(branches.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
     places = vertices[asked], normal
     corners = sections.corners(shape, *places, radius[asked], near[asked])
     found = sections.measured(shape, *places, corners)

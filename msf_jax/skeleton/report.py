@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
-from msf_jax.curve import branch_paths, handle_loops
-from msf_jax.limbs import one_branch, pruning
+from msf_jax.curve import branches, handle_loops
+from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton import limbs
 from msf_jax.solid import crossings
@@ -281,11 +281,11 @@ def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_tubular
     if len(one_branch.leaves_of(edges)) < MANY:
         return []
     slenderness = (
-        pruning.by_balls(vertices, shape.approximate_clearance(vertices)[0])
+        one_branch.by_balls(vertices, shape.approximate_clearance(vertices)[0])
         if is_tubular
         else one_branch.slenderness(Caps(without_cavities(shape)), vertices, edges, STUB)
     )
-    slender = [branch.slenderness for branch in pruning.measure(vertices, edges, slenderness)]
+    slender = [branch.slenderness for branch in one_branch.measure(vertices, edges, slenderness)]
     ending, stubs = sum(np.isfinite(slender)), sum(each < STUB for each in slender)
     if stubs < MANY or stubs <= MOST_STUBS * ending:
         return []
@@ -297,7 +297,7 @@ def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[st
     than a radius shows no turn."""
     radius, is_held = shape.approximate_clearance(vertices)[0], np.zeros(len(vertices), dtype=bool)
     found: set[int] = set()
-    for nodes, is_loop, *_ in branch_paths.paths_of(vertices, edges, is_held):
+    for nodes, is_loop, *_ in branches.paths_of(vertices, edges, is_held):
         path = np.concatenate([nodes[:-1], nodes]) if is_loop else nodes
         x, along = vertices[path], arc_length(vertices[path])
         before, after = (np.clip(along + sign * radius[path], 0.0, along[-1]) for sign in (-1, 1))

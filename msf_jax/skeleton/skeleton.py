@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from msf_jax.limbs import one_branch, pruning
+from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
-from msf_jax.limbs.pruning import Branch
+from msf_jax.limbs.one_branch import Branch
 from msf_jax.skeleton import changes, pytree, slopes
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.source import Source
@@ -83,8 +83,8 @@ class Skeleton:
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
         known = self._slenderness
-        slenderness = pruning.by_balls(self.vertices, self.radii) if known is None else known
-        return pruning.measure(self.vertices, self.edges, slenderness, share)
+        slenderness = one_branch.by_balls(self.vertices, self.radii) if known is None else known
+        return one_branch.measure(self.vertices, self.edges, slenderness, share)
 
     @cached_property
     def _slenderness(self) -> np.ndarray | None:

@@ -8,8 +8,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.triangles import middles
+from msf_jax.solid.enclosure import Enclosure, middles
 from msf_jax.topology import graphs
 
 RINGS = 3  # edges: faces that so few edges join are neighbours, and never apart

@@ -5,12 +5,12 @@ import numpy as np
 import pytest
 from curve_cases import bored, draft_of, job_of, loops_and_rank, unit_shape
 
-from msf_jax.curve import moves
+from msf_jax.curve import centring
 
 
 def moved_to(shape, edges, x, goal):
     """The nodes x, moved as far to their goals as the rule of moves allows."""
-    return moves.taken(shape, shape.handles, moves.places_of(shape, x), goal - x, edges).x
+    return centring.take_steps(shape, shape.handles, centring.places_of(shape, x), goal - x, edges).x
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from msf_jax import shapes
-from msf_jax.curve import side_branches
+from msf_jax.curve import junctions
 from msf_jax.solid.enclosure import Enclosure
 
 
@@ -16,9 +16,9 @@ def test_the_axis_of_a_side_branch_ends_at_the_first_stretch_of_trunk():
     x = np.concatenate([x + [0, 0, 0.0], [[4 + k, 0.1, 0] for k in (0.0, 1.0, 2.0, 3.0, 8.0)]])
     x[:5, 1] = -0.1
     edges = np.array([*pairwise(range(9)), (2, 9), *pairwise(range(9, 14))])
-    side = side_branches.Side(np.r_[2, 9:14], 0.3, x[10], 3, np.array([7.0, 0, 0]), np.array([1.0, 0, 0]))
+    side = junctions.Side(np.r_[2, 9:14], 0.3, x[10], 3, np.array([7.0, 0, 0]), np.array([1.0, 0, 0]))
     radii, is_trunk = np.where(np.arange(14) < 9, 1.0, 0.3), np.arange(len(edges)) < 8
-    found = side_branches.meeting(side, x, edges, is_trunk, radii)
+    found = junctions.meeting(side, x, edges, is_trunk, radii)
     assert found is not None and found.edge in (1, 2)
     np.testing.assert_allclose(found.place, [4, -0.1, 0], atol=1e-9)
 
@@ -46,7 +46,7 @@ def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
     """`THIN`, `STRETCH`: wherever it ran along the trunk."""
     shape, x, edges, first = side_branch(astray)
     held = np.zeros(len(x), dtype=bool)
-    found, found_edges = side_branches.attached(shape, x, edges, held, shape.clearance(x))
+    found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
     degree = np.bincount(found_edges.ravel())
     assert (degree > 2).sum() == 1 and degree[first] == 2
     assert np.linalg.norm(found[degree > 2]) < 0.1
@@ -57,7 +57,7 @@ def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
 def test_a_node_without_edges_is_no_side_branch():
     """A curve of one node, of a ball. No median is taken of nothing."""
     with np.errstate(all="raise"):
-        sides, is_trunk = side_branches.thin_sides(
+        sides, is_trunk = junctions.thin_sides(
             np.zeros((1, 3)), np.empty((0, 2), np.int64), np.zeros(1, bool), np.ones(1)
         )
     assert sides == [] and is_trunk.shape == (0,)

@@ -20,7 +20,7 @@ from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Weight
 from msf_jax.base.layout import layout_for
 from msf_jax.gradients import replay, tape
 from msf_jax.recording import padded
-from msf_jax.recording.stretches import Planned
+from msf_jax.recording.padded import Planned
 
 pytestmark = pytest.mark.usefixtures("few_rows")
 TIGHT = 1e-15  # of the solves, where differences of replays are taken

@@ -6,7 +6,7 @@ import trimesh
 from conftest import blob, torus
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.inside import preprocessing, voronoi
+from msf_jax.inside import balls, preprocessing
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -37,7 +37,7 @@ def test_the_public_call_gives_one_pole_a_vertex_in_the_callers_units():
 
 def test_the_public_call_says_nan_where_there_is_no_pole():
     vertices, faces = arrays(SHAPES["slab"]())
-    has = voronoi.voronoi_poles(vertices, faces).is_found
+    has = balls.voronoi_poles(vertices, faces).is_found
     found = preprocessing.voronoi_poles((vertices, faces))
     np.testing.assert_array_equal(np.isnan(found).all(axis=1), ~has)
     assert np.isfinite(found[has]).all()

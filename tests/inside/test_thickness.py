@@ -4,7 +4,7 @@ import numpy as np
 import trimesh
 
 from msf_jax import ground_truth
-from msf_jax.inside import thickness
+from msf_jax.inside import balls
 from msf_jax.meso import collapse, split
 from msf_jax.meso.meso import Meso
 
@@ -22,11 +22,11 @@ def coil(radius: float, length: float = 2.0, sides: int = 12) -> tuple[np.ndarra
 
 def test_a_thick_solid_has_no_scale_and_a_thin_limb_has_its_own():
     box = trimesh.creation.box((0.5, 0.5, 0.5)).subdivide().subdivide().subdivide().subdivide()
-    assert thickness.scales(np.array(box.vertices), np.array(box.faces)) is None  # balls vanish at its edges
+    assert balls.scales(np.array(box.vertices), np.array(box.faces)) is None  # balls vanish at its edges
     vertices, faces, _ = coil(0.002, 0.6)
-    scale = thickness.scales(vertices, faces)
+    scale = balls.scales(vertices, faces)
     assert scale is not None
-    assert abs(np.median(scale) - 0.002 / thickness.THIN) < 0.1 * 0.002 / thickness.THIN
+    assert abs(np.median(scale) - 0.002 / balls.THIN) < 0.1 * 0.002 / balls.THIN
 
 
 def test_edges_of_a_thin_limb_outlive_a_length_that_others_do_not():

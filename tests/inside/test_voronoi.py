@@ -8,7 +8,7 @@ from scipy import spatial
 from solid_cases import arrays, outward_normals
 
 from msf_jax.base.errors import FlowError
-from msf_jax.inside import voronoi
+from msf_jax.inside import balls
 from msf_jax.numerics import reconstruction
 
 SHAPES = {"blob": lambda: blob(11), "slab": lambda: jittered(torus(), [3.0, 1, 0.3]), "torus": torus}
@@ -23,7 +23,7 @@ def jittered(mesh: trimesh.Trimesh, scale) -> trimesh.Trimesh:
 def test_the_circumcentres_of_a_box_are_its_centre():
     """Eight cospherical corners: flat tetrahedra among them have the same centre."""
     box = np.array(trimesh.creation.box((4, 6, 10)).vertices) + [3, 5, 8]
-    centre = voronoi.circumcentres(spatial.Delaunay(box))
+    centre = balls.circumcentres(spatial.Delaunay(box))
     np.testing.assert_allclose(centre, np.broadcast_to([3, 5, 8], centre.shape))
 
 
@@ -31,7 +31,7 @@ def test_the_circumcentres_of_a_box_are_its_centre():
 def test_poles_keep_their_promises(name):
     """Behind the surface, in the bounding box, the centre of an empty ball through the vertex and its tetrahedron."""
     vertices, faces = arrays(SHAPES[name]())
-    found = voronoi.voronoi_poles(vertices, faces)
+    found = balls.voronoi_poles(vertices, faces)
     has = found.is_found
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     assert has.mean() > 0.9
@@ -59,7 +59,7 @@ def test_poles_equal_those_read_off_scipys_voronoi_diagram(name):
     normals = outward_normals(vertices, faces)
     corners = diagram.vertices
     is_in_box = ((corners >= vertices.min(axis=0)) & (corners <= vertices.max(axis=0))).all(axis=1)
-    found = voronoi.voronoi_poles(vertices, faces)
+    found = balls.voronoi_poles(vertices, faces)
     num_without = 0
     for site, region in enumerate(diagram.point_region):
         cell = [corner for corner in diagram.regions[region] if corner >= 0 and is_in_box[corner]]
@@ -75,7 +75,7 @@ def test_poles_equal_those_read_off_scipys_voronoi_diagram(name):
 def test_a_vertex_without_a_pole_is_its_own():
     """A sphere turned inside out: nothing of any cell lies behind the surface."""
     vertices, faces = arrays(trimesh.creation.icosphere(1))
-    found = voronoi.voronoi_poles(vertices, faces[:, ::-1])
+    found = balls.voronoi_poles(vertices, faces[:, ::-1])
     assert not found.is_found.any()
     np.testing.assert_array_equal(found.position, vertices)
     assert (found.radius == 0).all() and (found.tetrahedron == -1).all()
@@ -86,21 +86,21 @@ def test_poles_follow_when_the_shape_is_moved_turned_and_scaled():
     turn = trimesh.transformations.random_rotation_matrix(np.array([0.2, 0.5, 0.8]))[:3, :3]
     vertices, faces = arrays(mesh)
     # The bounding box does not turn with the shape, so only poles well inside both boxes are compared.
-    here = voronoi.voronoi_poles(vertices, faces)
-    there = voronoi.voronoi_poles(vertices @ turn.T * 3 + [1, 2, 3], faces)
+    here = balls.voronoi_poles(vertices, faces)
+    there = balls.voronoi_poles(vertices @ turn.T * 3 + [1, 2, 3], faces)
     is_same = np.linalg.norm(here.position @ turn.T * 3 + [1, 2, 3] - there.position, axis=1) < 1e-7
     assert is_same.mean() > 0.99
-    scaled = voronoi.voronoi_poles(vertices * 0.25 + [8, 0, 0], faces)
+    scaled = balls.voronoi_poles(vertices * 0.25 + [8, 0, 0], faces)
     np.testing.assert_allclose(scaled.position, here.position * 0.25 + [8, 0, 0], atol=1e-9)
 
 
 def test_vertices_that_span_no_volume_have_no_diagram():
     vertices, faces = arrays(trimesh.creation.icosphere(1))
     with pytest.raises(FlowError, match=r"no Voronoi diagram of 42 vertices.*span a volume"):
-        voronoi.voronoi_poles(vertices * [1, 1, 0], faces)
+        balls.voronoi_poles(vertices * [1, 1, 0], faces)
     vertices[0] = np.nan
     with pytest.raises(FlowError, match="no Voronoi diagram"):
-        voronoi.voronoi_poles(vertices, faces)
+        balls.voronoi_poles(vertices, faces)
 
 
 def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
@@ -108,7 +108,7 @@ def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
     mesh = torus(around=60, across=20)
     for rebuild in (reconstruction.filtered, reconstruction.reconstruct):
         sites = rebuild(mesh.vertices, mesh.faces, 200)
-        found = voronoi.voronoi_poles(sites, mesh.faces).position
+        found = balls.voronoi_poles(sites, mesh.faces).position
         off = np.hypot(np.hypot(found[:, 0], found[:, 1]) - 1.0, found[:, 2])
         assert np.median(off) < 0.01
 
@@ -117,7 +117,7 @@ def test_the_published_poles_of_sindorelax(research_mesh):
     """All 12,128 poles that Tagliasacchi's own program published, to 1e-5 of the diagonal."""
     vertices, faces = research_mesh("sindorelax")
     published = np.load(MESHES / "sindorelax_poles.npy")
-    found = voronoi.voronoi_poles(vertices, faces)
+    found = balls.voronoi_poles(vertices, faces)
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     assert published.shape[0] == len(vertices) == 12128
     assert found.is_found.all()
@@ -131,6 +131,6 @@ def test_the_ball_of_a_pole_is_empty_on_a_mesh_of_symmetric_quads(size):
     """The corners of each quad of a torus grid are cocircular: flat Delaunay tetrahedra must not make poles."""
     mesh = torus(1.0, 0.35, *size)
     vertices, faces = np.array(mesh.vertices), np.array(mesh.faces)
-    found = voronoi.voronoi_poles(vertices, faces)
+    found = balls.voronoi_poles(vertices, faces)
     nearest = np.linalg.norm(found.position[:, None] - vertices[None], axis=2).min(axis=1)
     np.testing.assert_allclose(nearest, found.radius, rtol=0, atol=1e-6)

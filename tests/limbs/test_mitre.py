@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from limb_cases import Solid, as_shape, mitred, zigzag
 
-from msf_jax.limbs import mitre
+from msf_jax.limbs import caps
 from msf_jax.limbs.caps import Caps
 
 
@@ -24,14 +24,14 @@ def test_letters_have_two_ends(arms, length):
 
 
 def test_the_front_of_a_mitre_gets_longer_but_no_faster_than_its_distance():
-    distance = 2.0 * np.exp(mitre.STEP * np.arange(12))
-    assert mitre._is_widening(distance) and mitre._is_widening(4 + distance)
-    assert mitre._is_widening(np.r_[distance[:-2], 3 * distance[-2:]])  # about to divide
-    assert not mitre._is_widening(np.full(12, 4.0))
-    assert not mitre._is_widening(np.r_[4 + distance[:6], 4 + distance[:6]])
-    assert not mitre._is_widening(distance**1.3)
-    assert not mitre._is_widening(distance[:3])
-    assert not mitre._is_widening(np.exp(0.12 * np.arange(12)))  # 0.1 is the step, in their distance
+    distance = 2.0 * np.exp(caps.MITRE_STEP * np.arange(12))
+    assert caps._is_widening(distance) and caps._is_widening(4 + distance)
+    assert caps._is_widening(np.r_[distance[:-2], 3 * distance[-2:]])  # about to divide
+    assert not caps._is_widening(np.full(12, 4.0))
+    assert not caps._is_widening(np.r_[4 + distance[:6], 4 + distance[:6]])
+    assert not caps._is_widening(distance**1.3)
+    assert not caps._is_widening(distance[:3])
+    assert not caps._is_widening(np.exp(0.12 * np.arange(12)))  # 0.1 is the step, in their distance
     dip = 4 + distance
     dip[6:10] = dip[5]
-    assert not mitre._is_widening(dip)
+    assert not caps._is_widening(dip)

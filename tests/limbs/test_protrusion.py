@@ -6,14 +6,14 @@ import trimesh
 from limb_cases import Solid, as_shape, box, round_bar
 
 import msf_jax
-from msf_jax.limbs import protrusion
+from msf_jax.limbs import caps
 from msf_jax.solid.enclosure import Enclosure
 
 
 def protrusions_and_scales(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
     """(S, V) protrusions, and (S, 1) their scales as lengths."""
     area = trimesh.Trimesh(shape.vertices, shape.faces, process=False).area
-    return protrusion.protrusions(shape.vertices, shape.faces), np.sort(protrusion.SCALES)[:, None] * np.sqrt(area)
+    return caps.protrusions(shape.vertices, shape.faces), np.sort(caps.HEAT_SCALES)[:, None] * np.sqrt(area)
 
 
 def test_the_protrusion_of_a_ball_is_that_of_the_closed_form():

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from conftest import blob
 
-from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.triangles import point_triangle_distance2
+from msf_jax.solid.enclosure import Enclosure, point_triangle_distance2
 
 
 def test_arrays_of_another_kind_are_taken_as_copies():
@@ -28,10 +27,10 @@ def test_arrays_of_another_kind_are_taken_as_copies():
 PROGRAM = """
 import sys
 import msf_jax
-from msf_jax.solid import triangles
+from msf_jax.solid import enclosure
 assert "llvmlite" not in sys.modules
 import numpy as np
-print(triangles.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
+print(enclosure.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
 assert "numba" not in sys.modules
 """
 

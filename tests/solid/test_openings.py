@@ -6,7 +6,7 @@ import trimesh
 
 import msf_jax
 from msf_jax.flow import assembly
-from msf_jax.limbs import outlets
+from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import prepare
 from msf_jax.solid.openings import is_end
 from msf_jax.solid.solid import Solid
@@ -133,7 +133,7 @@ def test_a_pin_near_an_opening_stays():
     nodes = np.stack([np.full(12, 0.3), np.zeros(12), np.linspace(0.4, 14.6, 12)], axis=1)
     edges = np.stack([np.arange(11), np.arange(1, 12)], axis=1)
     is_held = np.arange(12) == 0
-    found = outlets.opened(solid, nodes, edges, is_held, lids)
+    found = one_branch.opened(solid, nodes, edges, is_held, lids)
     np.testing.assert_array_equal(found.nodes[:11], nodes[:11])
     np.testing.assert_allclose(found.nodes[found.ends], [[0, 0, 0], [0, 0, 15]], atol=1e-9)
     assert set(found.ends) == {11, 12} and [0, 12] in np.sort(found.edges, axis=1).tolist()

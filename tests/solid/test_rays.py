@@ -7,8 +7,7 @@ from conftest import blob
 from scipy.spatial.transform import Rotation
 from solid_cases import SHAPES, arrays
 
-from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.triangles import point_triangle_distance2
+from msf_jax.solid.enclosure import Enclosure, point_triangle_distance2
 
 
 @pytest.fixture(scope="module", params=SHAPES)
