@@ -41,11 +41,13 @@ def init(
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
     """
     options = config.preprocessing
+    clock.check()
     frame, order, shape, solid = _entered(component)
     faces = shape.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     meso, mesh_filter = _surface(shape, pins, options, clock)
     meso.weights = None if weights is None else weights[order]
+    clock.check()
     with clock.stage("thickness"):
         meso.scale = balls.scales(meso.positions, faces)
     if abs(meso.volume()) < LEAST_VOLUME:
@@ -56,6 +58,7 @@ def init(
     if 0 < component.genus <= homology.LARGEST_GENUS:
         with clock.stage("homology"):
             meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
+    clock.check()
     max_rows = limits.growth * meso.num_rows + limits.growth_margin
     if options.resample:
         with clock.stage("resampling"):
@@ -64,7 +67,9 @@ def init(
     else:
         meso = _refined(meso, shape, config, clock)
         max_rows = max(max_rows, limits.growth * meso.num_rows)
+    clock.check()
     meso, num_coarsened = _coarsened(meso, config, clock)
+    clock.check()
     # A surface that was refined before has more triangles than the solid's own, and is no nearer to it.
     is_coarsened = len(shape.vertices) > 2 * meso.num_rows and not (options.reconstruct_mesh or options.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
