@@ -40,14 +40,12 @@ def test_a_thing_is_seen_along_its_shortest_axis_and_the_right_way_up(extents, a
     assert seen.towards @ [0.5, -1, 0] > 0 if up[2] else seen.towards @ [0.5, 0, 1] > 0  # the front of such files
 
 
-def test_what_lies_askew_is_upright_or_level():
+def test_what_lies_askew_is_seen_along_its_shortest_axis():
     for turn in Rotation.random(20, random_state=0):
         mesh = box(FIGURE)
         mesh.vertices = turn.apply(mesh.vertices)
         seen = looking(mesh.vertices, mesh.faces)
         assert abs(seen.towards @ turn.apply([0, 1, 0])) > 0.9
-        long = turn.apply([0, 0, 1])
-        assert max(abs(seen.up @ long), abs(seen.right @ long)) > 0.78
         assert seen.up @ seen.towards == pytest.approx(0, abs=1e-9)
 
 

@@ -7,7 +7,6 @@ import numpy as np
 EVEN = np.diag([0.02, 0.0, 0.01])  # share of the variance added on x, y, z, to break ties between equal axes
 STEEPEST = 89.9  # degrees: the largest elevation; at 90 the up direction is not defined
 ALONG = 0.85  # cosine above which a principal axis counts as an axis of the file
-ELONGATED = 1.7  # ratio of length to width above which a shape has a direction of its own
 STANDS = 1.5  # ratio of height to width above which a shape stands; people have 2 to 4, animals less than 1
 ASIDE = np.radians(18.0)  # radians: turn to the side, because from the front one half of a shape can hide the other
 ABOVE = np.radians(8.0)  # radians: turn upwards
@@ -40,7 +39,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
 
     In files y or z is up. If the camera looks along z, up is y; along y, up is z. If it looks along x, up is the longer
     of both for a slender shape, such as a person, else the shorter, as for a horse. A shape that is not aligned with
-    the file's axes is turned: its longest axis is level if it is nearest to x, else upright.
+    the file's axes is seen along its own shortest one: its longest axis is level if it is nearest to x, else upright.
     """
     vertices = np.asarray(vertices, dtype=np.float64)
     vertices = vertices / max(float(np.abs(vertices).max(initial=0.0)), 1e-300)  # else squares can overflow
@@ -53,7 +52,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
     away = points - np.average(points, axis=0, weights=weight)
     away = away / max(float(np.abs(away).max(initial=0.0)), 1e-300)  # else squares can underflow
     spread = (weight[:, None] * away).T @ away
-    values, axes = np.linalg.eigh(spread / max(float(np.trace(spread)), 1e-300) + EVEN)
+    _, axes = np.linalg.eigh(spread / max(float(np.trace(spread)), 1e-300) + EVEN)
     towards, middle, longest = axes.T
     up = middle if np.abs(longest).argmax() == 0 else longest
     seen_along = int(np.abs(towards).argmax())
@@ -62,10 +61,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
         stands = max(y, z) > STANDS * min(y, z)
         of_file = np.eye(3)[(2 if (z > y) == stands else 1, 2, 1)[seen_along]]
         upright = of_file - (of_file @ towards) * towards
-        upright /= np.linalg.norm(upright)
-        is_askew = ALONG > abs(upright @ longest) > np.sqrt(1 - ALONG**2)
-        if not (is_askew and values[2] > ELONGATED**2 * values[1]):
-            up = upright
+        up = upright / np.linalg.norm(upright)
     nearest = int(np.abs(up).argmax())
     up = up * np.sign(up[nearest])
     front = Camera(towards if towards @ FRONT[nearest] >= 0 else -towards, up)

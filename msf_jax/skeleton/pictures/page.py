@@ -11,24 +11,22 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
-from msf_jax.skeleton.pictures import packing, segmentation
+from msf_jax.skeleton.pictures import segmentation
 from msf_jax.skeleton.pictures.camera import looking
-from msf_jax.solid.geometry import unit
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-TUBE_SIDES = 6  # sides of the tubes that edges are drawn as
-THICKNESS = 0.004  # diagonals: radius of these tubes
+LINE_WIDTH = 6  # pixels: width of the curve
 PRUNED = (0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
 LARGEST_FLOAT32 = 1e30  # coordinates above this, in the caller's units, are written in float64
 GREY = "#8c9eb8"  # colour of the surface
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
 SLOPE = np.tan(np.radians(22.5))  # tangent of half of plotly's angle of view
-LANDSCAPE = 1.3  # width over height of a notebook's cell; a page measures its own
-LEAST_EXTENT = 0.01  # least ratio of the scene's extents: plotly divides by the cube root of their product
+LANDSCAPE = 1.3  # width over height of a picture, at least
+LEAST_EXTENT = 0.01  # least ratio of the scene's extents: the box of a line or a point would be empty
 
 
 def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "Figure":
@@ -53,7 +51,7 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
     num_stages = len(traces) - num_surfaces
     low, high = float(skeleton.radii.min()), float(skeleton.radii.max())
     for number, (_, curve) in enumerate(kept):
-        traces.append(_tubes(curve, skeleton, middle, (low, high), visible=number == 0))
+        traces.append(_line(curve, middle, (low, high), visible=number == 0))
     drawing = go.Figure(traces)
     first = num_surfaces + num_stages
     drawing.update_layout(
@@ -69,7 +67,7 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
         updatemenus=[_menu(num_surfaces, node)],
     )
     if path is not None:
-        write_whole(path, packing.page_of(drawing, Path(path).stem, _title(skeleton)))
+        write_whole(path, drawing.to_html(include_plotlyjs=True))
     return drawing
 
 
@@ -122,32 +120,31 @@ def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) ->
 
 def _short(points: np.ndarray) -> np.ndarray:
     """Coordinates as float32, for a smaller page, unless they are too large for that."""
-    return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST_FLOAT32 else np.float64)
+    return points.astype(np.float32 if np.nanmax(np.abs(points), initial=0.0) < LARGEST_FLOAT32 else np.float64)
 
 
 def _scene(traces: list[Any]) -> dict[str, Any]:
-    """Axes and camera such that all is in view, and stays in place when parts are hidden. Lengths in ``meta`` are in
-    plotly's unit, in which the product of the scene's extents is 1. In a square picture the scene fills the view if the
-    camera's distance is ``deep`` plus the larger of ``high`` and ``wide``."""
+    """Axes and camera such that all is in view, and stays in place when parts are hidden. Plotly's unit of length is
+    the diagonal of the scene's box."""
     parts = [np.stack([np.asarray(trace[axis], dtype=np.float64) for axis in "xyz"], axis=1) for trace in traces]
     points = np.concatenate(parts)
+    points = points[np.isfinite(points).all(axis=1)]  # there are gaps in lines
     faces = np.stack([traces[0][corner] for corner in "ijk"], axis=1) if traces[0].type == "mesh3d" else None
-    seen = looking(parts[0], faces)
+    seen = looking(points if faces is None else parts[0], faces)
     middle, half = (points.max(axis=0) + points.min(axis=0)) / 2, np.ptp(points, axis=0) / 2
     half = np.maximum(half, LEAST_EXTENT * (float(half.max()) or 1.0))
+    diagonal = 2 * float(np.linalg.norm(half / half.max())) * float(half.max())
     reach = np.abs((points - middle) @ np.stack([seen.right, seen.up, seen.towards], axis=1)).max(axis=0)
-    wide, high, deep = (reach / np.cbrt(2 * half).prod() / (SLOPE, SLOPE, 1.0)).tolist()
+    wide, high, deep = (reach / diagonal).tolist()
+    away = deep + max(high, wide / LANDSCAPE) / SLOPE
     axes = {
         f"{axis}axis": {"visible": False, "range": [a, b]}
         for axis, a, b in zip("xyz", (middle - half).tolist(), (middle + half).tolist(), strict=True)
     }
-    away = deep + max(high, wide / LANDSCAPE)
-    camera = {"eye": dict(zip("xyz", (away * seen.towards).tolist(), strict=True))}
-    camera["up"] = dict(zip("xyz", seen.up.tolist(), strict=True))
-    return {
-        "scene": {"aspectmode": "data", "camera": camera, **axes},
-        "meta": {"wide": wide, "high": high, "deep": deep},
-    }
+    ratio, eye, up = (
+        dict(zip("xyz", v.tolist(), strict=True)) for v in (2 * half / diagonal, away * seen.towards, seen.up)
+    )
+    return {"scene": {"aspectmode": "manual", "aspectratio": ratio, "camera": {"eye": eye, "up": up}, **axes}}
 
 
 def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
@@ -160,42 +157,23 @@ def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
     return kept
 
 
-def _tubes(
-    curve: "Skeleton", whole: "Skeleton", middle: np.ndarray, limits: tuple[float, float], *, visible: bool
-) -> Any:
-    """Every edge as a prism, coloured by radius; neighbouring prisms overlap at their ends."""
+def _line(curve: "Skeleton", middle: np.ndarray, limits: tuple[float, float], *, visible: bool) -> Any:
+    """Every edge as a line, coloured by radius, with a gap after it; a curve without edges as dots."""
     import plotly.graph_objects as go
 
-    extent = whole.source.solid.diagonal if whole.source else float(np.linalg.norm(np.ptp(whole.vertices, axis=0)))
-    thickness = THICKNESS * (extent or 1.0)
     bar = {"title": "radius", "len": 0.5, "thickness": 14, "x": 1, "xanchor": "right"}
     scale = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": bar}
-    if len(curve.edges) == 0:
-        at = dict(zip("xyz", (curve.vertices - middle).T, strict=True))
-        marker = {"color": curve.radii, "size": 6, **scale}
-        return go.Scatter3d(**at, mode="markers", marker=marker, name="curve", visible=visible)
-    start, end = (curve.vertices[curve.edges[:, k]] - middle for k in (0, 1))
-    along = unit(end - start)
-    side = unit(np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)]))
-    angle = 2 * np.pi * np.arange(TUBE_SIDES) / TUBE_SIDES
-    ring = np.cos(angle)[:, None] * side[:, None] + np.sin(angle)[:, None] * np.cross(along, side)[:, None]
-    # Of shape (E, 2, TUBE_SIDES, 3).
-    points = np.stack([start[:, None] + thickness * ring, end[:, None] + thickness * ring], axis=1)
-    corner = np.arange(TUBE_SIDES)
-    other = (corner + 1) % TUBE_SIDES
-    sheet = np.concatenate(
-        [
-            np.stack([corner, other, corner + TUBE_SIDES], axis=1),
-            np.stack([other, other + TUBE_SIDES, corner + TUBE_SIDES], axis=1),
-        ]
+    points, radius = curve.vertices - middle, curve.radii
+    if len(curve.edges):
+        points = np.pad(points[curve.edges], ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(-1, 3)
+        radius = np.repeat(radius[curve.edges], [1, 2], axis=1).ravel()  # the gap has one, too
+        style = {"mode": "lines", "line": {"color": _short(radius), "width": LINE_WIDTH, **scale}}
+    else:
+        style = {"mode": "markers", "marker": {"color": radius, "size": 6, **scale}}
+    hover = {"customdata": _short(radius), "hovertemplate": RADIUS}
+    return go.Scatter3d(
+        **dict(zip("xyz", _short(points).T, strict=True)), **style, **hover, name="curve", visible=visible
     )
-    faces = (2 * TUBE_SIDES * np.arange(len(start))[:, None, None] + sheet).reshape(-1, 3)
-    radius = np.repeat(_short(curve.radii)[curve.edges], TUBE_SIDES, axis=1).ravel()
-    flat = _short(points.reshape(-1, 3))
-    corners = dict(zip("ijk", faces.astype(np.int32).T, strict=True))
-    at = dict(zip("xyz", flat.T, strict=True))
-    hover = {"customdata": radius, "hovertemplate": RADIUS}
-    return go.Mesh3d(**at, **corners, intensity=radius, name="curve", visible=visible, **hover, **scale)
 
 
 def _slider(prefix: str, labels: list[str], first: int, width: int, at: float, skip: int) -> dict[str, Any]:
