@@ -111,7 +111,8 @@ def merge_coincident(
     """
     num, every = len(vertices), np.arange(len(vertices))
     places = _places(vertices, edges, is_held)
-    doubled = _doubled(_laid(edges, places, np.ones(num, dtype=bool))[1])
+    single, count = np.unique(_laid(edges, places, np.ones(num, dtype=bool))[1], axis=0, return_counts=True)
+    doubled = single[(count > 1) | (single[:, 0] == single[:, 1])]  # pieces that occur several times or are points
     group = graphs.labels(num, *doubled.T)
     is_glued, cycles = np.zeros(num, dtype=bool), graphs.cycle_count(num, edges)[1]
     for number in np.unique(group[doubled[:, 0]]):
@@ -148,12 +149,6 @@ def _laid(edges: np.ndarray, places: _Places, is_glued: np.ndarray) -> tuple[np.
     target, edge, node, part = places
     goal, stops = np.where(is_glued[target], target, np.arange(len(target))), is_glued[target[node]]
     return goal, np.sort(goal[_pieces(edges, edge[stops], node[stops], part[stops])], axis=1)
-
-
-def _doubled(pieces: np.ndarray) -> np.ndarray:
-    """The pieces that occur several times or have equal ends."""
-    single, count = np.unique(pieces, axis=0, return_counts=True)
-    return single[(count > 1) | (single[:, 0] == single[:, 1])]
 
 
 def _nodes_on(

@@ -61,16 +61,13 @@ class Span:
         self._size, self._blocks, self._added = size, [], []
         self._refill()
 
-    def adds(self, vector: np.ndarray) -> bool:
-        """Whether ``vector`` (size,) is outside the span; then it is added."""
-        return next(self.each_added(vector[None]))
-
     def adds_all(self, vectors: np.ndarray) -> np.ndarray:
-        """`adds` for each of ``vectors`` (k, size), in their order: (k,)."""
+        """Whether each of ``vectors`` (k, size), in their order, is outside the span of those before it: (k,)."""
         return np.fromiter(self.each_added(vectors), dtype=bool, count=len(vectors))
 
     def each_added(self, vectors: np.ndarray) -> Iterator[bool]:
-        """`adds` for one of ``vectors`` (k, size) after the other; those that are not asked for are not added."""
+        """Whether one of ``vectors`` (k, size) after the other is outside the span, and then added; those that are not
+        asked for are not added."""
         done = 0
         while done < len(vectors):
             if len(self._added) == BLOCK:
