@@ -13,12 +13,21 @@ from scipy import spatial
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import joining
 from msf_jax.meshes.reading import OR_REPAIR, MeshLike, count, enough_memory, read
-from msf_jax.meshes.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, NO_VOLUME, Repair, as_repair, repaired, with_volume
+from msf_jax.meshes.repair import (
+    FEWEST_TO_JOIN,
+    FEWEST_VERTICES,
+    NO_VOLUME,
+    Repair,
+    as_repair,
+    has_corner_twice,
+    repaired,
+    with_volume,
+)
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.solid.solid import nested
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import by_label, half_edges, next_in_ring
+from msf_jax.topology.half_edges import by_label, edge_codes, half_edges, next_in_ring
 
 
 @dataclass(frozen=True)
@@ -138,7 +147,7 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     """The checked surface after joining closed parts; see `joining`."""
     parts = _checked(vertices, faces, is_joined=False)
     done = joining.joined([_with_cavities(part) for part in parts.components], reach)
-    faces, num_few, num_flat, _, _ = with_volume(done.vertices, done.faces, 0.0)
+    faces, left_out = with_volume(done.vertices, done.faces, 0.0)
     if len(faces) == 0:
         raise MeshError(f"no part has the {FEWEST_VERTICES} vertices and the volume that a solid needs")
     used, corners = np.unique(faces, return_inverse=True)
@@ -148,11 +157,12 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     source = done.source[used][checked.input_of_vertex]
     is_made = source < 0
     source[is_made] = source[~is_made][spatial.KDTree(checked.vertices[~is_made]).query(checked.vertices[is_made])[1]]
-    number = np.append(np.full(len(done.vertices), -1), -1)
+    number = np.full(len(done.vertices) + 1, -1)
     number[used] = checked.vertex_of_input
     target = np.full(len(parts.vertices) + 1, -1)
     target[member] = number[done.vertex_of_part]
-    crumbs = [f"left out {num_few + num_flat} crumbs"] if num_few + num_flat else []
+    num_crumbs = sum(left_out.values())
+    crumbs = [f"left out {num_crumbs} crumbs"] if num_crumbs else []
     return replace(
         checked,
         vertex_of_input=target[parts.vertex_of_input],
@@ -179,9 +189,10 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     given = vertices, faces
     repairs: list[str] = []
     vertex_of_input = np.arange(len(vertices))
-    faces = _without_repeated_corners(faces)
     caller_number = np.arange(len(vertices))
-
+    bad = np.flatnonzero(has_corner_twice(faces))
+    if len(bad):
+        raise MeshError(f"{count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them{OR_REPAIR}")
     if (half_edges(faces).twin < 0).any():
         vertices, faces, welded, vertex_of_input = _weld(vertices, faces)
         if welded:
@@ -254,13 +265,6 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     )
 
 
-def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
-    bad = np.flatnonzero((faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0]))
-    if len(bad):
-        raise MeshError(f"{count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them{OR_REPAIR}")
-    return faces
-
-
 def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
     """Merge exactly coincident vertices, and drop the faces that become degenerate."""
     _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
@@ -268,8 +272,7 @@ def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarr
     order = np.argsort(first, kind="stable")  # keep the caller's order
     number = np.argsort(order)
     welded = number[inverse][faces]
-    keep = (welded[:, 0] != welded[:, 1]) & (welded[:, 1] != welded[:, 2]) & (welded[:, 2] != welded[:, 0])
-    return vertices[first[order]], welded[keep], len(vertices) - len(first), number[inverse]
+    return vertices[first[order]], welded[~has_corner_twice(welded)], len(vertices) - len(first), number[inverse]
 
 
 def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
@@ -279,29 +282,28 @@ def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
     """
     if len(faces) == 0:
         raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
-    num = np.int64(faces.max()) + 1
-    edge = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=-1).reshape(-1, 2), axis=1)
-    code, inverse, count = np.unique(edge[:, 0] * num + edge[:, 1], return_inverse=True, return_counts=True)
+    edge, _, count = edge_codes(faces)
+    origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
 
     def say(bad: np.ndarray) -> str:
-        shown = ", ".join(f"{caller_number[c // num]}-{caller_number[c % num]}" for c in code[bad][:5])
+        half = [np.flatnonzero(edge == each)[0] for each in bad[:5]]
+        shown = ", ".join("{}-{}".format(*caller_number[sorted((origin[k], target[k]))]) for k in half)
         return f"{len(bad)} {'edge' if len(bad) == 1 else 'edges'} ({shown}{', ...' if len(bad) > 5 else ''})"
 
     crowded, single = np.flatnonzero(count > 2), np.flatnonzero(count == 1)
     if len(crowded):
         also = f", and open: {say(single)} with only one face" if len(single) else ""
+        close = " and close the holes" if len(single) else ""
         raise MeshError(
-            f"not manifold: {say(crowded)} with more than two faces{also}: separate the sheets that meet there"
-            + (" and close the holes" if len(single) else "")
-            + OR_REPAIR
+            f"not manifold: {say(crowded)} with more than two faces{also}: "
+            f"separate the sheets that meet there{close}{OR_REPAIR}"
         )
     if len(single):
         raise MeshError(
             f"the mesh is open: {say(single)} with only one face: close its holes first, "
             f"for example with trimesh.repair.fill_holes{OR_REPAIR}"
         )
-    forward = faces.ravel() < faces[:, [1, 2, 0]].ravel()
-    odd = np.flatnonzero(np.bincount(inverse.ravel(), weights=forward) != 1)
+    odd = np.flatnonzero(np.bincount(edge, weights=origin < target) != 1)
     if len(odd):
         raise MeshError(
             f"not consistently oriented: {say(odd)} run the same way in both faces: "
@@ -315,16 +317,13 @@ def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
     Returns vertices, faces, and the old vertex for each new one.
     """
     edges = half_edges(faces)
-    num = len(edges.origin)
-    step = next_in_ring(edges)
-    fan = graphs.labels(num, np.arange(num), step)
-    _, first = np.unique(fan, return_index=True)  # fans are numbered in the order in which they first occur
-    owner = edges.origin[first]
+    fan = graphs.labels(faces.size, np.arange(faces.size), next_in_ring(edges))
+    owner = edges.origin[np.unique(fan, return_index=True)[1]]  # fans are numbered in the order of their first corners
     is_extra = np.ones(len(owner), dtype=bool)
     is_extra[np.unique(owner, return_index=True)[1]] = False
-    number = owner.copy()
-    number[is_extra] = len(vertices) + np.arange(int(is_extra.sum()))
     extra = owner[is_extra]
+    number = owner.copy()
+    number[is_extra] = len(vertices) + np.arange(len(extra))
     return np.concatenate([vertices, vertices[extra]]), number[fan].reshape(-1, 3), extra
 
 

@@ -1,11 +1,14 @@
 """Joining of closed parts that overlap, touch or nearly touch to one solid, on request.
 
-The library Manifold (Apache-2.0) computes the union. Where a part crosses itself, it is resolved before (see
-`untangling`). Parts are swollen by a hundredth of their thickness, because
+The library Manifold (Apache-2.0) computes the union. Parts are swollen by a hundredth of their thickness, because
 coincident faces, as of a pin in its hole, would leave many slits. Afterwards vertices return to their positions. Solids
 that are still apart are bridged where they are nearest, along a spanning tree, so that no loops are made: a capsule at
 each gap, half as thick as the solids there, and another union. Voids between parts, closed from outside, are filled; a
 part's own cavities are left.
+
+Manifold does not unite a solid with itself. So a box is put around each place where a part crosses itself. Inside it,
+the limbs that cross are pieces of their own, and they are united with what is outside of the boxes: the points around
+which the surface winds at least once. A place where a piece still crosses itself, as a fold, is left as it is.
 """
 
 from collections.abc import Sequence
@@ -16,9 +19,9 @@ import numpy as np
 from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
-from msf_jax.meshes.untangling import MeshArrays, Untangled, arrays_of, solid_of, untangled
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import signed_volume, unit, vertex_normals
+from msf_jax.solid.geometry import signed_volume, triangle_areas, unit, vertex_normals
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from manifold3d import Manifold
@@ -27,12 +30,19 @@ SWELL = 0.01  # radii of a part, by which it is swollen for the union
 TOUCH = 1e-6  # diagonals: solids closer than this touch
 MOST_SITES = 60_000  # sample points on faces, besides vertices, between which gaps are measured
 MOST_TRIES = 4  # rounds of bridging; each makes capsules twice as thick
-MOST_PAIRS = 20_000  # pairs of solids whose gap is measured, those with the nearest boxes first
 PROJECTIONS = 4  # alternating projections between two surfaces that find the ends of a gap
 # A capsule's radius: ratio to the thickness at its ends; least ratio to the smaller radius.
 GLUE, THINNEST_CAPSULE = 0.5, 0.1
 SECTIONS = 8  # sides of a capsule's circles
 SAME = 1e-12  # diagonals: distance between a vertex of the union and the same vertex of a part, at most
+MARGINS = (
+    0.1,
+    0.3,
+    1.0,
+)  # sizes of a crossing: by which its box is larger on each side; the first that serves is taken
+MOST_PLACES = 100  # crossings of a part that are tried; each costs some unions
+
+MeshArrays = tuple[np.ndarray, np.ndarray]
 
 
 class Joined(NamedTuple):
@@ -61,6 +71,15 @@ class Gap(NamedTuple):
     @property
     def length(self) -> float:
         return float(np.linalg.norm(self.ends[1] - self.ends[0]))
+
+
+class Untangled(NamedTuple):
+    """vertices and faces; num: places that were resolved; num_left: places that were not."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    num: int = 0
+    num_left: int = 0
 
 
 class ClosedSurface:
@@ -107,32 +126,25 @@ def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
     solids = [solid_of(moved, part.faces) for moved, part in zip(swollen, simple, strict=True)]
     united = Manifold.batch_boolean(solids, OpType.Add)
     whole, voids = _filled(united), _given(solids, united)
-    num_voids = len(_parted(united)[1]) - len(voids)
-    pieces = whole.decompose()
-    repairs = [_overlapped(len(parts), len(pieces))] if len(parts) > 1 or not any(part.num for part in simple) else []
-    if num := sum(part.num for part in simple):
-        repairs.append(f"resolved {_count(num, 'place')} where a part crossed itself")
-    if num := sum(part.num_left for part in simple):
-        repairs.append(f"left {_count(num, 'place')} where a part crosses itself, as a fold")
-    if num_voids:
+    num_solids, num_resolved, num_folds = (
+        len(whole.decompose()),
+        sum(p.num for p in simple),
+        sum(p.num_left for p in simple),
+    )
+    repairs = []
+    if num_solids < len(parts):
+        repairs.append(f"joined {len(parts)} parts that overlap or touch to {_count(num_solids, 'solid')}")
+    elif len(parts) > 1:
+        repairs.append(f"joined none of {len(parts)} parts by overlap")
+    elif not num_resolved:
+        repairs.append("joined nothing: one part")
+    if num_resolved:
+        repairs.append(f"resolved {_count(num_resolved, 'place')} where a part crossed itself")
+    if num_folds:
+        repairs.append(f"left {_count(num_folds, 'place')} where a part crosses itself, as a fold")
+    if num_voids := len(_parted(united)[1]) - len(voids):
         repairs.append(f"filled {_count(num_voids, 'void')} between parts")
-    bodies, bridged, num_unmeasured = [ClosedSurface(piece) for piece in pieces], [], 0
-    for tries in range(MOST_TRIES):
-        if len(bodies) == 1:
-            break
-        gaps, num_unmeasured = _spanning(bodies, reach)
-        if not gaps:
-            break
-        bridged += [(gap, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
-        capsules = [_capsule(bodies, gap, 2**tries) for gap in gaps]
-        whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))
-        bodies = [ClosedSurface(piece) for piece in whole.decompose()]
-    if bridged:
-        repairs.append(_joined_over(len(pieces), len(bodies), bridged, diagonal))
-    if len(bodies) > 1:
-        repairs.append(_apart(bodies, diagonal))
-    if num_unmeasured:
-        repairs.append(f"left {_count(num_unmeasured, 'pair')} of solids unmeasured: over {MOST_PAIRS} are near")
+    whole = _bridged(whole, reach, diagonal, repairs)
     vertices, faces = arrays_of(_hollowed(whole, voids, united) if voids else whole)
     larger = np.concatenate(swollen)
     of_simple, vertex = _same_place(larger, vertices), _same_place(vertices, larger)
@@ -168,35 +180,39 @@ def _count(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
 
 
-def _overlapped(num_parts: int, num_bodies: int) -> str:
-    if num_bodies < num_parts:
-        return f"joined {num_parts} parts that overlap or touch to {_count(num_bodies, 'solid')}"
-    return f"joined none of {_count(num_parts, 'part')} by overlap" if num_parts > 1 else "joined nothing: one part"
+def _bridged(whole: "Manifold", reach: float, diagonal: float, repairs: list[str]) -> "Manifold":
+    """The solid with capsules over its gaps of up to ``reach``, and sentences about them in ``repairs``."""
+    from manifold3d import Manifold, OpType
 
-
-def _joined_over(before: int, after: int, bridged: list[tuple[Gap, float]], diagonal: float) -> str:
-    gap, radius = max(bridged, key=lambda one: one[0].length)
-    over = "that touch"
-    if gap.length > TOUCH:
-        over = f"over gaps of up to {gap.length * diagonal:.3g} ({gap.length / radius:.2g} radii of the smaller)"
-    return f"joined {before} solids to {after} at {_count(len(bridged), 'place')} {over}"
-
-
-def _apart(bodies: list[ClosedSurface], diagonal: float) -> str:
-    """The report about solids that stay apart, with the distance from the largest to the next."""
-    largest = max(bodies, key=lambda body: body.size)
-    others = np.concatenate([body.vertices for body in bodies if body is not largest])
-    gap = float(largest.shape.distances(others).min())
-    return (
-        f"left {len(bodies)} solids apart: the largest is {gap * diagonal:.3g} from the next ({gap:.2g} diagonals; "
-        "Repair(join=...) sets the largest gap)"
-    )
+    bodies, bridged = [ClosedSurface(piece) for piece in whole.decompose()], []
+    num_solids = len(bodies)
+    for tries in range(MOST_TRIES):
+        gaps = _spanning(bodies, reach) if len(bodies) > 1 else []
+        if not gaps:
+            break
+        bridged += [(gap.length, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
+        capsules = [_capsule(bodies, gap, 2**tries) for gap in gaps]
+        whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))
+        bodies = [ClosedSurface(piece) for piece in whole.decompose()]
+    if bridged:
+        longest, radius = max(bridged, key=lambda each: each[0])
+        over = f"over gaps of up to {longest * diagonal:.3g} ({longest / radius:.2g} radii of the smaller)"
+        over = over if longest > TOUCH else "that touch"
+        repairs.append(f"joined {num_solids} solids to {len(bodies)} at {_count(len(bridged), 'place')} {over}")
+    if len(bodies) > 1:
+        largest = max(bodies, key=lambda body: body.size)
+        others = np.concatenate([body.vertices for body in bodies if body is not largest])
+        gap = float(largest.shape.distances(others).min())
+        repairs.append(
+            f"left {len(bodies)} solids apart: the largest is {gap * diagonal:.3g} from the next ({gap:.2g} diagonals; "
+            "Repair(join=...) sets the largest gap)"
+        )
+    return whole
 
 
 def _swollen(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """The vertices moved outwards by ``SWELL`` times the radius of the ball with the part's ratio of volume to area."""
-    a, b, c = np.moveaxis(vertices[faces], 1, 0)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+    area = triangle_areas(vertices[faces]).sum()
     return vertices + SWELL * 3 * signed_volume(vertices, faces) / area * unit(vertex_normals(vertices, faces))
 
 
@@ -232,58 +248,45 @@ def _hollowed(whole: "Manifold", voids: list["Manifold"], united: "Manifold") ->
     return Manifold.batch_boolean([Manifold.batch_boolean([whole, *voids], OpType.Subtract), *within], OpType.Add)
 
 
-def _spanning(bodies: list[ClosedSurface], reach: float) -> tuple[list[Gap], int]:
-    """The gaps of a spanning tree that are short enough to bridge, shortest first, and the number of unmeasured pairs.
+def _spanning(bodies: list[ClosedSurface], reach: float) -> list[Gap]:
+    """The gaps of a spanning tree that are short enough to bridge, shortest first.
 
     Gaps are found between sample points of the surfaces, and then measured between the surfaces.
     """
     radius = np.array([body.radius for body in bodies])
-    spacing, sites = _sites(bodies)
-    pairs, bounds = _near_pairs(bodies, radius, reach)
-    trees: dict[int, spatial.KDTree] = {}
-    found = []
-    for (one, other), bound in zip(pairs[:MOST_PAIRS].tolist(), bounds.tolist(), strict=False):
-        if len(sites[one]) < len(sites[other]):
-            one, other = other, one
-        if one not in trees:
-            trees[one] = spatial.KDTree(sites[one])
-        away, place = trees[one].query(sites[other], distance_upper_bound=bound + spacing)
-        nearest = int(np.argmin(away))
-        if away[nearest] < np.inf:
-            found.append((float(away[nearest]), one, other, int(np.asarray(place)[nearest]), nearest, bound))
-    sets, bridged = DisjointSet(range(len(bodies))), []
-    for _, one, other, at_one, at_other, bound in sorted(found):
-        if not sets.connected(one, other):
-            gap = _measured(bodies, one, other, sites[one][at_one], sites[other][at_other])
-            if gap.length <= bound:
-                sets.merge(one, other)
-                bridged.append(gap)
-    return bridged, max(len(pairs) - MOST_PAIRS, 0)
-
-
-def _near_pairs(bodies: list[ClosedSurface], radius: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs (n, 2) of bodies whose boxes are near enough for a bridge, nearest first, and its largest length."""
     low = np.array([body.vertices.min(axis=0) for body in bodies])
     high = np.array([body.vertices.max(axis=0) for body in bodies])
-    pairs, bounds, gaps = [], [], []
-    for number in range(len(bodies) - 1):
-        after = slice(number + 1, None)
-        away = np.maximum(np.maximum(low[after] - high[number], low[number] - high[after]), 0)
-        gap = np.linalg.norm(away, axis=1)
-        bound = np.maximum(np.minimum(radius[after], radius[number]), reach) if reach > 0 else np.full(len(gap), TOUCH)
-        near = np.flatnonzero(gap <= bound)
-        pairs.append(np.stack([np.full(len(near), number), number + 1 + near], axis=1))
-        bounds.append(bound[near])
-        gaps.append(gap[near])
-    order = np.argsort(np.concatenate(gaps), kind="stable")
-    return np.concatenate(pairs)[order], np.concatenate(bounds)[order]
+    spacing, sites = _sites(bodies)
+    trees: dict[int, spatial.KDTree] = {}
+    nearest = []
+    for one in range(len(bodies) - 1):
+        away = np.maximum(np.maximum(low[one + 1 :] - high[one], low[one] - high[one + 1 :]), 0)
+        bound = (
+            np.maximum(np.minimum(radius[one + 1 :], radius[one]), reach) if reach > 0 else np.full(len(away), TOUCH)
+        )
+        for number in np.flatnonzero(np.linalg.norm(away, axis=1) <= bound).tolist():
+            most = float(bound[number])
+            more, less = sorted((one, one + 1 + number), key=lambda each: -len(sites[each]))
+            if more not in trees:
+                trees[more] = spatial.KDTree(sites[more])
+            lengths, places = trees[more].query(sites[less], distance_upper_bound=most + spacing)
+            place = int(np.argmin(lengths))
+            if lengths[place] < np.inf:
+                nearest.append((float(lengths[place]), more, less, int(np.asarray(places)[place]), place, most))
+    sets, gaps = DisjointSet(range(len(bodies))), []
+    for _, one, other, at_one, at_other, most in sorted(nearest):
+        if not sets.connected(one, other):
+            gap = _measured(bodies, one, other, sites[one][at_one], sites[other][at_other])
+            if gap.length <= most:
+                sets.merge(one, other)
+                gaps.append(gap)
+    return gaps
 
 
 def _sites(bodies: list[ClosedSurface]) -> tuple[float, list[np.ndarray]]:
     """The spacing of sample points on large faces, and sample points of each surface, with its vertices."""
     corners = [body.vertices[body.faces] for body in bodies]
-    a, b, c = np.moveaxis(np.concatenate(corners), 1, 0)
-    spacing = float(np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / MOST_SITES))
+    spacing = float(np.sqrt(2 * triangle_areas(np.concatenate(corners)).sum() / MOST_SITES))
     sites = []
     for body, triangles in zip(bodies, corners, strict=True):
         longest = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1)
@@ -329,3 +332,70 @@ def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
     share = ((point - triangle) * ahead).sum(axis=1) / np.maximum((ahead**2).sum(axis=1), 1e-300)
     feet = triangle + np.clip(share, 0, 1)[:, None] * ahead
     return feet[np.linalg.norm(feet - point, axis=1).argmin()]
+
+
+def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
+    """Resolve where the closed part ``vertices`` (V, 3), ``faces`` (F, 3) crosses itself."""
+    from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
+
+    shape = Enclosure(vertices, faces)
+    crossed = shape.crossed
+    if not crossed.num:
+        return Untangled(vertices, faces)
+    places = _places(shape, crossed.pairs)
+    whole, boxes, strands = solid_of(vertices, faces), [], []
+    for low, high in places[:MOST_PLACES]:
+        for margin in MARGINS:
+            size = (1 + 2 * margin) * (high - low)
+            box = Manifold.cube(size.tolist(), True).translate(((low + high) / 2).tolist())
+            pieces = (whole ^ box).decompose()
+            if len(pieces) > 1 and all(map(_is_simple, pieces)):
+                boxes.append(box)
+                strands += pieces
+                break
+    if not boxes:
+        return Untangled(vertices, faces, 0, len(places))
+    rest = Manifold.batch_boolean([whole, *boxes], OpType.Subtract)
+    found = arrays_of(Manifold.batch_boolean([rest, *strands], OpType.Add))
+    return Untangled(*found, len(boxes), len(places) - len(boxes))
+
+
+def solid_of(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
+    from manifold3d import Manifold, Mesh64
+
+    return Manifold(Mesh64(np.ascontiguousarray(vertices), np.ascontiguousarray(faces, dtype=np.uint64)))
+
+
+def arrays_of(solid: "Manifold") -> MeshArrays:
+    mesh = solid.to_mesh64()
+    return np.array(mesh.vert_properties)[:, :3], np.array(mesh.tri_verts).astype(np.int64)
+
+
+def _is_simple(piece: "Manifold") -> bool:
+    """Whether a piece is a solid, no cavity, and does not cross itself."""
+    return piece.volume() > 0 and not Enclosure(*arrays_of(piece)).crossed.num
+
+
+def _places(shape: Enclosure, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
+    """The boxes (low, high) around the places where faces cross, those that overlap united, largest first."""
+    face, row = np.unique(pairs, return_inverse=True)
+    one, other = row.reshape(pairs.shape).T
+    # Faces that cross, and faces with a corner in common, are of one place.
+    corner, of_face = shape.faces[face].ravel(), np.repeat(np.arange(len(face)), 3)
+    ends = np.concatenate([one, of_face]), np.concatenate([other, len(face) + corner])
+    num = len(face) + len(shape.vertices)
+    label = graphs.labels(num, *ends)
+    corners = shape.triangles[face]
+    boxes = []
+    for number in np.unique(label[: len(face)]):
+        own = corners[label[: len(face)] == number].reshape(-1, 3)
+        boxes.append((own.min(axis=0), own.max(axis=0)))
+    while True:
+        low, high = (np.array(each) for each in zip(*boxes, strict=True))
+        reach = MARGINS[0] * (high - low)
+        meet = ((low - reach)[:, None] <= (high + reach)[None]).all(axis=2)
+        meet &= meet.T
+        group = graphs.labels(len(low), *np.nonzero(meet))
+        boxes = [(low[group == number].min(axis=0), high[group == number].max(axis=0)) for number in np.unique(group)]
+        if len(boxes) == len(low):
+            return sorted(boxes, key=lambda box: -float(np.prod(box[1] - box[0])))

@@ -2,10 +2,13 @@
 
 The steps are: place vertices that are not finite between their neighbours; weld coincident vertices at open edges;
 remove degenerate and duplicate faces, and internal walls; orient faces consistently; separate sheets that share an edge
-or a vertex; fill holes without new vertices; remove pieces without volume.
+or a vertex; fill holes without new vertices; remove pieces without volume. Each vertex of the result is one of the
+caller's, so that weights, pins and gradients apply to it, except those of an extruded rim (see `holes`).
 
-Each vertex of the result is one of the caller's, so that weights, pins and gradients apply to it. Exceptions are the
-vertices of an extruded rim, where a lid would cut through the surface (see `rim_extrusion`).
+Sheets: a mesh of cells, or of bodies that share faces, has internal walls, and at an edge as many faces as cells.
+Around an edge, the side of a face is connected to the facing side of the next face. Connected sides form a shell. The
+shell of a cell encloses its volume; the outer shell encloses the sum of all volumes, with the opposite sign. A face
+with neither side in the outer shell is a wall. (Shells of cells around an edge: Zhou et al. 2016.)
 """
 
 from dataclasses import dataclass
@@ -16,9 +19,7 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Options, number
-from msf_jax.meshes.filling import filled
-from msf_jax.meshes.rim_extrusion import extruded
-from msf_jax.meshes.sheets import cut_apart, is_double, is_wall, left_alone, oriented, twins
+from msf_jax.meshes.holes import extruded, filled
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.topology import graphs
 from msf_jax.topology.half_edges import by_label, edge_codes
@@ -77,8 +78,7 @@ class Repaired(NamedTuple):
     vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. is_made: (V,) new vertices of an extruded
     rim, whose source is the vertex of the rim. vertex_of_given: (V_in,) the new vertex for each given one, or -1.
     given: (V_in, 3) the given vertices, all finite. repairs: the changes, a sentence each. rims: the given vertices
-    around each filled hole. num_left_out: pieces beyond
-    ``most_parts``.
+    around each filled hole. num_left_out: pieces beyond ``most_parts``.
     """
 
     vertices: np.ndarray
@@ -88,8 +88,8 @@ class Repaired(NamedTuple):
     vertex_of_given: np.ndarray
     given: np.ndarray
     repairs: tuple[str, ...]
-    rims: tuple[np.ndarray, ...] = ()
-    num_left_out: int = 0
+    rims: tuple[np.ndarray, ...]
+    num_left_out: int
 
 
 def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
@@ -99,9 +99,25 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
         MeshError: nothing is left, or no vertex is finite.
     """
     repairs: list[str] = []
-    given, placed = placed_between_neighbours(vertices, faces)
-    _note(repairs, "placed {} that {was} not finite between {its} neighbours", placed, "vertex", "vertices")
-    faces = _without_doubles(faces, repairs)
+
+    def note(sentence: str, num: int, one: str) -> None:
+        if num:
+            many = "vertices" if one == "vertex" else f"{one}s"
+            words = {"was": "was", "its": "its"} if num == 1 else {"was": "were", "its": "their"}
+            repairs.append(sentence.format(f"{num} {one if num == 1 else many}", **words))
+
+    def without_doubles(faces: np.ndarray) -> np.ndarray:
+        """The faces without those that have a corner twice, and with one of several with the same three corners."""
+        is_flat = has_corner_twice(faces)
+        note("left out {} with a corner twice", int(is_flat.sum()), "face")
+        faces = faces[~is_flat]
+        first = np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])
+        note("left out {} that {was} there already", len(faces) - len(first), "face")
+        return faces[first]
+
+    given, num_placed = placed_between_neighbours(vertices, faces)
+    note("placed {} that {was} not finite between {its} neighbours", num_placed, "vertex")
+    faces = without_doubles(faces)
     welded = np.arange(len(given))
     corners = given[faces.ravel()].reshape(-1, 3, 3)
     diagonal = float(np.linalg.norm(np.ptp(corners.reshape(-1, 3), axis=0))) if len(faces) else 0.0
@@ -111,38 +127,35 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
         if len(rim):
             target = _welded(given, rim, radius)
             moved = int((target != np.arange(len(given)))[rim].sum())
-            _note(repairs, "welded {} at the rim of a hole to another", moved, "vertex", "vertices")
-            welded, faces = target[welded], _without_doubles(target[faces], repairs)
+            note("welded {} at the rim of a hole to another", moved, "vertex")
+            welded, faces = target[welded], without_doubles(target[faces])
     hidden = is_wall(given, faces)
-    _note(repairs, "left out {} of internal walls", int(hidden.sum()), "face", "faces")
-    faces = faces[~hidden]
-    faces, num_turned = oriented(faces, left_alone(faces))
-    _note(repairs, "turned {} round", num_turned, "face", "faces")
-    num_faces, num_crowded = len(faces), int((edge_codes(faces)[2] > 2).sum())
-    _note(repairs, "separated the sheets that met in {}", num_crowded, "edge", "edges")
-    twin = twins(given, faces)
-    while (is_crowded := is_double(cut_apart(faces, twin)[0])).any():  # remove faces where a sheet meets itself
-        faces = faces[~is_crowded]
-        twin = twins(given, faces)
-    _note(repairs, "left out {} at edges where a sheet met itself", num_faces - len(faces), "face", "faces")
-    faces, source = cut_apart(faces, twin)
-    num_cut = len(source) - len(np.unique(source))
-    _note(repairs, "doubled {} in which sheets met", num_cut, "vertex", "vertices")
-    holes = filled(given[source], faces, options.largest_hole * diagonal)
-    _note(repairs, f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole", "holes")
-    closed = extruded(given[source], faces, holes)
+    note("left out {} of internal walls", int(hidden.sum()), "face")
+    faces, num_turned = oriented(faces[~hidden])
+    note("turned {} round", num_turned, "face")
+    num_faces = len(faces)
+    note("separated the sheets that met in {}", int((edge_codes(faces)[2] > 2).sum()), "edge")
+    while True:
+        parted, source = cut_apart(faces, twins(given, faces))
+        edge_of, _, count = edge_codes(parted)
+        is_crowded = (count[edge_of] > 2).reshape(-1, 3).any(axis=1)
+        if not is_crowded.any():
+            break
+        faces = faces[~is_crowded]  # a sheet meets itself there
+    note("left out {} at edges where a sheet met itself", num_faces - len(faces), "face")
+    note("doubled {} in which sheets met", len(source) - len(np.unique(source)), "vertex")
+    holes = filled(given[source], parted, options.largest_hole * diagonal)
+    note(f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole")
+    closed = extruded(given[source], parted, holes)
     repairs += closed.repairs
     rims = tuple(source[hole.loop] for hole in holes)
     vertices, faces, is_made = closed.vertices, closed.faces, np.arange(len(closed.vertices)) >= len(source)
     source = np.concatenate([source, source[closed.source]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
-    smallest = options.smallest_part * diagonal
     most = options.most_parts if options.join is None else len(faces)
-    faces, num_few, num_flat, num_small, num_beyond = with_volume(vertices, faces, smallest, fewest, most)
-    _note(repairs, f"left out {{}} of fewer than {fewest} vertices", num_few, "piece", "pieces")
-    _note(repairs, "left out {} without volume", num_flat, "piece", "pieces")
-    _note(repairs, "left out {} smaller than smallest_part", num_small, "piece", "pieces")
-    _note(repairs, f"left out {{}}, the smallest, beyond most_parts = {most}", num_beyond, "piece", "pieces")
+    faces, left_out = with_volume(vertices, faces, options.smallest_part * diagonal, fewest, most)
+    for reason, num in left_out.items():
+        note(f"left out {{}}{reason}", num, "piece")
     if len(faces) == 0:
         raise MeshError(
             f"after repair no piece is left that encloses a volume and has {fewest} vertices: expected a "
@@ -152,15 +165,22 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     source = source[used]
     first = np.full(len(given), -1)
     first[source[::-1]] = np.arange(len(source))[::-1]
-    target = first[welded]
-    faces = flat.reshape(-1, 3)
-    return Repaired(vertices[used], faces, source, is_made[used], target, given, tuple(repairs), rims, num_beyond)
+    return Repaired(
+        vertices=vertices[used],
+        faces=flat.reshape(-1, 3),
+        source=source,
+        is_made=is_made[used],
+        vertex_of_given=first[welded],
+        given=given,
+        repairs=tuple(repairs),
+        rims=rims,
+        num_left_out=list(left_out.values())[-1],
+    )
 
 
-def _note(repairs: list[str], sentence: str, count: int, one: str, many: str) -> None:
-    if count:
-        words = {"was": "was", "its": "its"} if count == 1 else {"was": "were", "its": "their"}
-        repairs.append(sentence.format(f"{count} {one if count == 1 else many}", **words))
+def has_corner_twice(faces: np.ndarray) -> np.ndarray:
+    """(F,) whether a face of ``faces`` (F, 3) has the same corner twice."""
+    return (faces == np.roll(faces, 1, axis=1)).any(axis=1)
 
 
 def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
@@ -189,17 +209,6 @@ def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[
     return vertices, int(np.sum(is_bad[np.unique(faces)]))
 
 
-def _without_doubles(faces: np.ndarray, repairs: list[str]) -> np.ndarray:
-    """The faces without those that have a corner twice, and with one of several that have the same three corners."""
-    ordered = np.sort(faces, axis=1)
-    is_flat = (ordered[:, 0] == ordered[:, 1]) | (ordered[:, 1] == ordered[:, 2])
-    _note(repairs, "left out {} with a corner twice", int(is_flat.sum()), "face", "faces")
-    faces, ordered = faces[~is_flat], ordered[~is_flat]
-    first = np.sort(np.unique(ordered, axis=0, return_index=True)[1])
-    _note(repairs, "left out {} that {was} there already", len(faces) - len(first), "face", "faces")
-    return faces[first]
-
-
 def _rim(faces: np.ndarray) -> np.ndarray:
     """The ends of the half-edges without another face."""
     edge, _, count = edge_codes(faces)
@@ -223,33 +232,179 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 
 def with_volume(
     vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES, most: int | None = None
-) -> tuple[np.ndarray, int, int, int, int]:
+) -> tuple[np.ndarray, dict[str, int]]:
     """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, those smaller than ``size``, and the
     smallest of more than ``most`` pieces.
 
-    Returns the faces that are left, and how many pieces of each kind were removed.
+    Returns the faces that are left, and how many pieces were removed for each reason, the last of which is ``most``.
     """
+    few, flat, small, beyond = (
+        f" of fewer than {fewest} vertices",
+        " without volume",
+        " smaller than smallest_part",
+        f", the smallest, beyond most_parts = {most}",
+    )
+    left_out = dict.fromkeys((few, flat, small, beyond), 0)
     if len(faces) == 0:
-        return faces, 0, 0, 0, 0
+        return faces, left_out
     edge, _, count = edge_codes(faces)
     label = graphs.pieces(faces, len(vertices))
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
-    keep, diagonal = np.ones(len(is_open), dtype=bool), np.zeros(len(is_open))
-    num_few = num_flat = num_small = 0
+    diagonals, keep = np.zeros(len(is_open)), np.ones(len(is_open), dtype=bool)
     for piece, rows in enumerate(by_label(label)):
-        mine = faces[rows]
-        used, local = np.unique(mine, return_inverse=True)
+        used, local = np.unique(faces[rows], return_inverse=True)
         low, high = vertices[used].min(axis=0), vertices[used].max(axis=0)
         extent = float((high - low).max())
+        diagonals[piece] = np.linalg.norm(high - low)
         centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
         is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= NO_VOLUME
-        is_few = len(used) < fewest
-        is_flat = not is_few and (extent == 0 or is_hollow)
-        diagonal[piece] = np.linalg.norm(high - low)
-        is_small = not is_few and not is_flat and diagonal[piece] < size
-        keep[piece] = not (is_few or is_flat or is_small)
-        num_few, num_flat, num_small = num_few + is_few, num_flat + is_flat, num_small + is_small
-    left = np.flatnonzero(keep)
-    beyond = left[np.argsort(-diagonal[left], kind="stable")][most:] if most is not None else left[:0]
-    keep[beyond] = False
-    return faces[keep[label]], num_few, num_flat, num_small, len(beyond)
+        reasons = (few, len(used) < fewest), (flat, extent == 0 or is_hollow), (small, diagonals[piece] < size)
+        for reason in [reason for reason, applies in reasons if applies][:1]:
+            left_out[reason] += 1
+            keep[piece] = False
+    kept = np.flatnonzero(keep)
+    if most is not None and len(kept) > most:
+        left_out[beyond] = len(kept) - most
+        keep[kept[np.argsort(-diagonals[kept], kind="stable")][most:]] = False
+    return faces[keep[label]], left_out
+
+
+def _pairs(edge: np.ndarray, is_meant: np.ndarray) -> np.ndarray:
+    """(n, 2) half-edges of the same ``edge`` (3F,), at the edges that have exactly two half-edges that ``is_meant``."""
+    num = np.bincount(edge[is_meant], minlength=int(edge.max(initial=-1)) + 1)
+    half = np.flatnonzero(is_meant & (num[edge] == 2))
+    return half[np.argsort(edge[half], kind="stable")].reshape(-1, 2)
+
+
+def _patches(edge: np.ndarray, count: np.ndarray) -> np.ndarray:
+    """(F,) the patch of each face; patches are connected across edges of two faces."""
+    return graphs.labels(len(edge) // 3, *(_pairs(edge, count[edge] == 2) // 3).T)
+
+
+def _in_crowds(edge: np.ndarray, count: np.ndarray) -> list[np.ndarray]:
+    """The half-edges at each edge of more than two faces."""
+    half = np.flatnonzero(count[edge] > 2)
+    half = half[np.argsort(edge[half], kind="stable")]
+    return np.split(half, np.cumsum(count[count > 2])[:-1]) if len(half) else []
+
+
+def left_alone(faces: np.ndarray) -> np.ndarray:
+    """(3F,) half-edges, at an edge of more than two faces, that are not paired with the others there.
+
+    These are the faces of open patches, such as a fin, if the other faces are an even number. Of an odd number of faces
+    it is the one of the smallest patch, preferably an open one, which is more likely a wall than part of a solid.
+    """
+    edge, _, count = edge_codes(faces)
+    patch = _patches(edge, count)
+    size = np.bincount(patch)
+    is_open = np.bincount(patch, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
+    alone = np.zeros(len(edge), dtype=bool)
+    for halves in _in_crowds(edge, count):
+        own = patch[halves // 3]
+        num_closed = int((~is_open[own]).sum())
+        if num_closed and num_closed % 2 == 0:
+            alone[halves[is_open[own]]] = True
+        elif len(halves) % 2:
+            alone[halves[np.lexsort((size[own], ~is_open[own]))[0]]] = True
+    return alone
+
+
+def oriented(faces: np.ndarray) -> tuple[np.ndarray, int]:
+    """Orient faces consistently across edges with two faces that are not left alone. Returns how many were turned.
+
+    In each connected patch, the smaller number of faces is turned. Each face is twice in a graph, as it is and turned,
+    and faces that fit are connected. A patch is then two components, one of which is used. A patch with one side only
+    is a single component, and is not changed.
+    """
+    half, num = _pairs(edge_codes(faces)[0], ~left_alone(faces)), len(faces)
+    one, other = half.T // 3
+    is_same = np.equal(*faces.ravel()[half.T]).astype(np.int64)
+    tail, head = [one, one + num], [other + num * is_same, other + num * (1 - is_same)]
+    as_is, turned = graphs.labels(2 * num, np.concatenate(tail), np.concatenate(head)).reshape(2, -1)
+    is_turned = as_is > turned
+    patch = np.minimum(as_is, turned)
+    share = np.bincount(patch, weights=is_turned) / np.maximum(np.bincount(patch), 1)
+    is_turned ^= (share[patch] > 0.5) & (as_is != turned)
+    return np.where(is_turned[:, None], faces[:, ::-1], faces), int(is_turned.sum())
+
+
+def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(3F,) the twin of each half-edge, or -1.
+
+    At an edge of more than two faces, half-edges of opposite directions are paired, those that enclose the smallest
+    angle of the inside first. Half-edges that are left alone are paired only within their patch.
+    """
+    edge, _, count = edge_codes(faces)
+    origin, twin = faces.ravel(), np.full(faces.size, -1)
+    pair = _pairs(edge, count[edge] == 2)
+    pair = pair[origin[pair[:, 0]] != origin[pair[:, 1]]]
+    twin[pair], crowds = pair[:, ::-1], _in_crowds(edge, count)
+    if not crowds:
+        return twin
+    alone, patch = left_alone(faces), _patches(edge, count)
+    angles, is_forward = _angles_around_edges(vertices, faces)
+    for halves in crowds:
+        ahead, back = halves[is_forward[halves]], halves[~is_forward[halves]]
+        wedge = (angles[ahead][:, None] - angles[back]) % (2 * np.pi)  # inside is in the direction of smaller angles
+        is_barred = (alone[ahead][:, None] | alone[back]) & (patch[ahead // 3][:, None] != patch[back // 3])
+        wedge[is_barred] = np.inf
+        for _ in range(min(wedge.shape)):
+            i, j = np.unravel_index(np.argmin(wedge), wedge.shape)
+            if wedge[i, j] < np.inf:
+                twin[ahead[i]], twin[back[j]] = back[j], ahead[i]
+            wedge[i], wedge[:, j] = np.inf, np.inf
+    return twin
+
+
+def _angles_around_edges(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(3F,) angles of the faces around the edges of their half-edges, seen along the edge from its vertex of smaller
+    number, counter-clockwise; and (3F,) whether the half-edge starts there."""
+    origin, target, apex = (np.roll(faces, -k, axis=1).ravel() for k in range(3))
+    start, end = vertices[np.minimum(origin, target)], vertices[np.maximum(origin, target)]
+    axis = end - start
+    length = np.linalg.norm(axis, axis=1, keepdims=True)
+    axis = np.where(length > 0, axis / np.maximum(length, 1e-300), [0.0, 0.0, 1.0])
+    u = np.cross(axis, np.eye(3)[np.abs(axis).argmin(axis=1)])
+    away, v = vertices[apex] - start, np.cross(axis, u)
+    angles = np.arctan2(np.einsum("ij,ij->i", away, v), np.einsum("ij,ij->i", away, u))
+    return angles, origin < target
+
+
+def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """One vertex for each fan of faces around it: new faces, and the old vertex of each new one."""
+    half = np.flatnonzero(twin >= 0)
+    after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the twin
+    fan = graphs.labels(len(twin), half, after[half])
+    owner = faces.ravel()[np.unique(fan, return_index=True)[1]]
+    order = np.argsort(owner, kind="stable")
+    return np.argsort(order)[fan].reshape(-1, 3), owner[order]
+
+
+def is_wall(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(F,) whether each of ``faces`` (F, 3) is an internal wall of its edge-connected piece.
+
+    There are none if a hole connects inside and outside, or if no edge has more than two faces.
+    """
+    num = len(faces)
+    edge, _, count = edge_codes(faces)
+    if not (count > 2).any():
+        return np.zeros(num, dtype=bool)
+    angle, is_forward = _angles_around_edges(vertices, faces)
+    order = np.lexsort((angle, edge))
+    is_last = np.append(edge[order][1:] != edge[order][:-1], True)
+    first = np.concatenate([[0], np.flatnonzero(is_last)[:-1] + 1])
+    following = np.append(order[1:], 0)
+    following[is_last] = order[first]
+    # The side that the normal of face f points to has the id f, the other side f + F.
+    ahead = order // 3 + num * ~is_forward[order]
+    back = following // 3 + num * is_forward[following]
+    shell = graphs.labels(2 * num, ahead, back)
+    chunk = graphs.labels(shell.max() + 1, shell[:num], shell[num:])
+    a, b, c = (vertices[corner] - vertices[faces].mean(axis=(0, 1)) for corner in faces.T)
+    volume = np.einsum("fi,fi->f", a, np.cross(b, c)) / 6
+    enclosed = np.bincount(shell[num:], weights=volume, minlength=len(chunk))
+    enclosed -= np.bincount(shell[:num], weights=volume, minlength=len(chunk))
+    by_chunk = np.lexsort((enclosed, chunk))
+    is_outer = np.zeros(len(chunk), dtype=bool)
+    is_outer[by_chunk[np.append(True, chunk[by_chunk][1:] != chunk[by_chunk][:-1])]] = True
+    return ~(is_outer[shell[:num]] | is_outer[shell[num:]])

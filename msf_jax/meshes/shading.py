@@ -7,6 +7,7 @@ shading does not show where a texture has a seam.
 
 import numpy as np
 
+from msf_jax.solid.geometry import unit
 from msf_jax.topology import graphs
 
 # Degrees between normals across an edge: a limb of six sides (60) is round, the edge of a box (90) is sharp.
@@ -20,11 +21,11 @@ def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
     ahead, back = (np.roll(corners, shift, axis=1) - corners for shift in (-1, 1))
     across = np.cross(ahead, back)  # (F, 3, 3) twice the area's vector, at each corner
     angle = np.arctan2(np.linalg.norm(across, axis=2), (ahead * back).sum(axis=2))
-    face_normal = _unit(across[:, 0])
+    face_normal = unit(across[:, 0])
     fan = _fans(np.unique(vertices, axis=0, return_inverse=True)[1].reshape(-1)[faces], face_normal)
     weighted = (angle[:, :, None] * face_normal[:, None]).reshape(-1, 3)
     total = np.stack([np.bincount(fan, weighted[:, axis]) for axis in range(3)], axis=1)
-    normal = _unit(total)
+    normal = unit(total)
     normal[~normal.any(axis=1)] = [0.0, 0.0, 1.0]
     return normal[fan].reshape(-1, 3, 3), fan.reshape(-1, 3)
 
@@ -42,11 +43,3 @@ def _fans(places: np.ndarray, face_normal: np.ndarray) -> np.ndarray:
     is_smooth = is_same & ((normal[1:] * normal[:-1]).sum(axis=1) > np.cos(np.radians(CREASE)))
     one, other = np.flatnonzero(is_smooth), np.flatnonzero(is_smooth) + 1
     return graphs.labels(len(place), np.r_[low[one], high[one]], np.r_[low[other], high[other]])
-
-
-def _unit(vectors: np.ndarray) -> np.ndarray:
-    """Rows of length 1; rows of length 0 stay."""
-    largest = np.abs(vectors).max(axis=1, initial=0.0, keepdims=True)  # first, as squares of small lengths are 0
-    scaled = vectors / np.where(largest > 0, largest, 1.0)
-    length = np.linalg.norm(scaled, axis=1, keepdims=True)
-    return scaled / np.where(length > 0, length, 1.0)

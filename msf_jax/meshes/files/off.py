@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 from msf_jax.meshes.decoding import lines_of
-from msf_jax.meshes.filling import lid_of
+from msf_jax.meshes.holes import lid_of
 
 PLAIN = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
 OFF_HEADER = re.compile(r"\s*(ST)?(C)?(N)?(4)?(n)?OFF\b", re.IGNORECASE)

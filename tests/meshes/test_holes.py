@@ -1,12 +1,32 @@
-"""Rims whose flat lid would cut through the surface: they are extruded behind it."""
+"""Holes that repair fills; rims whose flat lid would cut through the surface are extruded behind it."""
 
 import numpy as np
 import pytest
 import trimesh
+from repair_cases import BALL, FACES, VERTICES, assert_sound, volumes
 
 import msf_jax
 from msf_jax import Config, MeshError
-from msf_jax.meshes import checking, rim_extrusion
+from msf_jax.meshes import checking, holes
+from tests.benchmarks import faults
+
+
+def test_holes_are_filled_without_new_vertices():
+    keep = np.random.default_rng(1).random(len(FACES)) > 0.15
+    found = checking.prepare((VERTICES, FACES[keep]), True)
+    assert_sound(found, len(VERTICES))
+    assert [part.genus for part in found.components] == [0]
+    assert volumes(found)[0] == pytest.approx(BALL.volume, rel=0.02)
+    assert sum("filled" in sentence for sentence in found.repairs) == 1
+
+
+def test_a_flat_hole_is_filled_flat():
+    """A box without its lid: 16 vertices around the hole, so 14 faces, and the volume is as before."""
+    vertices, faces = faults.box()
+    keep = vertices[faces][:, :, 2].min(axis=1) < 0.5
+    found = checking.prepare((vertices, faces[keep]), True)
+    assert found.repairs == ("filled 1 hole with 14 faces",)
+    assert volumes(found) == pytest.approx([1.0])
 
 
 def relief(num: int = 16) -> tuple[np.ndarray, np.ndarray]:
@@ -38,7 +58,7 @@ def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_an_extruded
     area = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ across) / 2
     prisms = np.abs((corners.mean(axis=1) - base[0]) @ across) * area
     assert mesh.volume == pytest.approx(prisms.sum())
-    assert rim_extrusion.share_cut_off(found.vertices, found.faces, len(faces)) == 0
+    assert holes.share_cut_off(found.vertices, found.faces, len(faces)) == 0
 
 
 @pytest.mark.slow  # so does that of joined parts, in test_joining
