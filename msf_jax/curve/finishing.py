@@ -253,6 +253,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
         first[place],
         job.roadmap.num_refused,
         job.roadmap.num_closed,
+        job.budget.was_hit,
         num_pruned=draft.num_pruned,
         node_of_vertex=rank[draft.node_of_flow],
         num_unsought=job.roadmap.num_unsought,

@@ -115,6 +115,7 @@ class Solid:
         self._wall = None
         if len(self.lids):  # the wall has no vertices that only lids use
             used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
+            # It is open, so that only its distances mean anything: nothing is inside or outside of it.
             self._wall = Enclosure(self.shape.vertices[used], corners.reshape(-1, 3))
 
     @cached_property
