@@ -42,8 +42,7 @@ _NAMES = {
     "skeleton.rigging.rig": "Rig",
     "skeleton.skeleton": "Skeleton",
     "tuning": "objectives",
-    "tuning.result": "Tuned",
-    "tuning.tuner": "tune",
+    "tuning.tuner": "Tuned tune",
 }
 _HOMES = {name: module for module, names in _NAMES.items() for name in names.split()}
 

@@ -32,21 +32,16 @@ MOST_SAMPLES = 2000  # vertices of a surface that `explained` uses, about
 
 
 class Replayed(NamedTuple):
-    """A replayed curve in its surface.
+    """A replayed curve in its surface."""
 
-    nodes: (N, 3). radii: (N,) distance to the surface, negative outside. edges: (E, 2). surface: (V, 3) vertices of the
-    mesh. areas: (V,) the area that belongs to each. node_of_vertex: (V,). diagonal: of the bounding box. is_node: (N,)
-    False for padding, whose edges lead from a row to itself.
-    """
-
-    nodes: jax.Array
-    radii: jax.Array
-    edges: jax.Array
-    surface: jax.Array
-    areas: jax.Array
-    node_of_vertex: jax.Array
-    diagonal: jax.Array
-    is_node: jax.Array
+    nodes: jax.Array  # (N, 3)
+    radii: jax.Array  # (N,) distance to the surface, negative outside
+    edges: jax.Array  # (E, 2)
+    surface: jax.Array  # (V, 3) vertices of the mesh
+    areas: jax.Array  # (V,) the area that belongs to each
+    node_of_vertex: jax.Array  # (V,)
+    diagonal: jax.Array  # of the bounding box
+    is_node: jax.Array  # (N,) False for padding, whose edges lead from a row to itself
 
 
 @dataclass(frozen=True)
@@ -68,8 +63,7 @@ class Objective:
     def __mul__(self, factor: float) -> "Objective":
         if not isinstance(factor, int | float):
             return NotImplemented
-        name = f"{factor:g} * ({self.name})"
-        return Objective(name, lambda curve: factor * self(curve), self.can_be_padded)
+        return Objective(f"{factor:g} * ({self.name})", lambda curve: factor * self(curve), self.can_be_padded)
 
     __rmul__ = __mul__
 
@@ -104,11 +98,7 @@ def value(
     Raises:
         ConfigError: the objective's value is not one number, or its function takes other arguments.
     """
-    return value_at(as_objective(objective), tape, replay(tape, weights, vertices, tolerance=tolerance), vertices)
-
-
-def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
-    """The ``objective`` of the curve of ``tape`` with nodes at ``nodes`` (N, 3); raises as `value` does."""
+    objective, nodes = as_objective(objective), replay(tape, weights, vertices, tolerance=tolerance)
     found = _value_at(objective, tape, nodes, vertices)
     if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
         raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
@@ -142,8 +132,23 @@ def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
         raise ConfigError(
             f"mesh has {len(surface)} vertices, the skeleton's has {len(skeleton.mesh_map)}: expected the same mesh"
         )
-    curve = skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map
-    return of_arrays(objective, *curve, surface, source.areas)
+    objective = as_objective(objective)
+    num, rows, num_edges = len(skeleton.vertices), len(skeleton.vertices), len(skeleton.edges)
+    if objective.can_be_padded:  # compiled for few sizes
+        rows, num_edges = (max(64, 1 << (size - 1).bit_length()) for size in (num + 1, num_edges))
+    edges = np.full((num_edges, 2), rows - 1)
+    edges[: len(skeleton.edges)] = skeleton.edges
+    curve = Replayed(
+        nodes=jnp.asarray(np.pad(skeleton.vertices, ((0, rows - num), (0, 0)))),
+        radii=jnp.asarray(np.pad(skeleton.radii, (0, rows - num))),
+        edges=jnp.asarray(edges),
+        surface=jnp.asarray(surface),
+        areas=jnp.asarray(source.areas),
+        node_of_vertex=jnp.asarray(skeleton.mesh_map),
+        diagonal=jnp.asarray(np.linalg.norm(np.ptp(surface, axis=0))),
+        is_node=jnp.arange(rows) < num,
+    )
+    return float(_number_jitted(objective, curve))
 
 
 def of_surface(objective: Any, tape: Tape, vertices: Any) -> jax.Array:
@@ -157,16 +162,9 @@ def of_surface(objective: Any, tape: Tape, vertices: Any) -> jax.Array:
     """
     objective = as_objective(objective)
     nothing: Any = None
-    curve = Replayed(
-        nodes=jnp.asarray(vertices),
-        radii=nothing,
-        edges=nothing,
-        surface=jnp.asarray(tape.vertices),
-        areas=jnp.asarray(tape.areas),
-        node_of_vertex=nothing,
-        diagonal=jnp.asarray(tape.diagonal),
-        is_node=jnp.ones(len(vertices), bool),
-    )
+    surface, areas, diagonal = jnp.asarray(tape.vertices), jnp.asarray(tape.areas), jnp.asarray(tape.diagonal)
+    is_node = jnp.ones(len(vertices), bool)
+    curve = Replayed(jnp.asarray(vertices), nothing, nothing, surface, areas, nothing, diagonal, is_node)
     try:
         return _number(objective, curve)
     except (TypeError, AttributeError) as error:
@@ -176,58 +174,19 @@ def of_surface(objective: Any, tape: Tape, vertices: Any) -> jax.Array:
         ) from error
 
 
-def of_arrays(
-    objective: Any,
-    nodes: np.ndarray,
-    radii: np.ndarray,
-    edges: np.ndarray,
-    node_of_vertex: np.ndarray,
-    surface: np.ndarray,
-    areas: np.ndarray,
-) -> float:
-    """The ``objective`` of a curve; see `Replayed` for the arrays. It is padded, to be compiled for few sizes."""
-    objective = as_objective(objective)
-    num, rows, joined = len(nodes), len(nodes), len(edges)
-    if objective.can_be_padded:
-        rows, joined = _rung(num + 1), _rung(len(edges))
-    filled = np.full((joined, 2), rows - 1)
-    filled[: len(edges)] = edges
-    curve = Replayed(
-        nodes=jnp.asarray(np.pad(nodes, ((0, rows - num), (0, 0)))),
-        radii=jnp.asarray(np.pad(radii, (0, rows - num))),
-        edges=jnp.asarray(filled),
-        surface=jnp.asarray(surface),
-        areas=jnp.asarray(areas),
-        node_of_vertex=jnp.asarray(node_of_vertex),
-        diagonal=jnp.asarray(np.linalg.norm(np.ptp(surface, axis=0))),
-        is_node=jnp.arange(rows) < num,
-    )
-    return float(_value_of(objective, curve))
-
-
-def _rung(num: int) -> int:
-    """The smallest of 64, 128, 256, ... that is at least ``num``."""
-    return max(64, 1 << (num - 1).bit_length())
-
-
-@partial(jax.jit, static_argnums=0)
-def _value_of(objective: Objective, curve: Replayed) -> jax.Array:
-    return _number(objective, curve)
-
-
 def _number(objective: Objective, curve: Replayed) -> jax.Array:
     returned = objective(curve)
     try:
-        found = jnp.asarray(returned)
-    except (TypeError, ValueError) as error:
-        raise ConfigError(
-            f"objective {objective.name} returned {type(returned).__name__}: expected a number"
-        ) from error
-    if found.shape != ():
-        raise ConfigError(f"objective {objective.name} returned shape {found.shape}: expected one number, shape ()")
-    if not jnp.issubdtype(found.dtype, jnp.floating):
-        raise ConfigError(f"objective {objective.name} returned {found.dtype}: expected a floating-point number")
-    return found
+        number = jnp.asarray(returned)
+    except (TypeError, ValueError):
+        raise ConfigError(f"objective {objective.name} returned {type(returned).__name__}: expected a number") from None
+    if number.shape != () or not jnp.issubdtype(number.dtype, jnp.floating):
+        what = f"{number.dtype} of shape {number.shape}"
+        raise ConfigError(f"objective {objective.name} returned {what}: expected one floating-point number, shape ()")
+    return number
+
+
+_number_jitted = jax.jit(_number, static_argnums=0)
 
 
 def explained() -> Objective:
@@ -277,7 +236,6 @@ def centred() -> Objective:
 
 def inside(margin: float = 0.0) -> Objective:
     """Mean over the nodes of the shortfall of the signed distance to the surface below ``margin``, in diagonals."""
-
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not np.isfinite(margin):
         raise ConfigError(f"margin is {margin!r}: expected a finite number, in diagonals")
 
@@ -309,10 +267,9 @@ def near(target: Any) -> Objective:
         points = np.asarray(getattr(target, "vertices", target), dtype=np.float64)
     except (TypeError, ValueError):
         raise ConfigError(f"target is a {type(target).__name__}: expected points (P, 3) along a curve") from None
-    if points.ndim != 2 or points.shape[1] != 3 or not len(points):
-        raise ConfigError(f"target has shape {points.shape}: expected (P, 3) points along a curve")
-    if not np.isfinite(points).all():
-        raise ConfigError("target has points that are not finite: expected finite points along a curve")
+    if points.ndim != 2 or points.shape[1] != 3 or not len(points) or not np.isfinite(points).all():
+        what = f"shape {points.shape}, {points.size - np.isfinite(points).sum()} values that are not finite"
+        raise ConfigError(f"target has {what}: expected finite points (P, 3) along a curve")
 
     def function(curve: Replayed) -> jax.Array:
         away = _distances(jnp.asarray(points, curve.nodes.dtype), curve.nodes, curve.diagonal)

@@ -1,131 +1,116 @@
-"""Is `tune` better than what people would use instead? At equal wall time, compiling included.
+"""Is `tune` better than what people would use instead, at an equal number of runs?
 
-    python -m tests.benchmarks.tuning [--shapes SHAPE,..] [--starts N] [--steps N]
+    python -m tests.benchmarks.tuning [--fields] [--shapes SHAPE,..] [--steps N] [--starts N]
 
-A table in Markdown: for each of ``--shapes``, the median and the worst over the starts of the objective of the finished
-curve, as `tune` finds it in ``--steps`` fresh runs, and as a grid, random weights and CMA-ES (the ``cma`` package, if
-it is installed) find it in the time that this took. All begin with the same start and know the defaults. The shapes are
-those of `msf_jax.ground_truth`, or of a file.
+A table in Markdown. Without ``--fields``: the median and the worst over poor starts of the objective of the finished
+curve, by `tune`, and by as many points of a grid and random weights, which know the start and the defaults, too. With
+``--fields``: the mean distance between the contracted surface and the true curve, then that of the finished curve, in
+thousandths of the diagonal, with the default weights, random numbers, and the numbers and fields of `tune`.
 """
 
 import argparse
 import itertools
-import time
-from collections.abc import Callable, Iterator
-from pathlib import Path
-from typing import Any
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 import jax
 import numpy as np
 
 import msf_jax
-from msf_jax import Config, Weights, ground_truth, objectives
-from msf_jax.tuning.runs import Runs
+from msf_jax import Config, Weights, ground_truth, metrics, objectives
+from msf_jax.gradients.replay import replay_meso
+from msf_jax.ground_truth import KnownShape
+from msf_jax.tuning.tuner import FIELD_BOUNDS, MOST_PAIRS
 
 OBJECTIVE = objectives.explained() + 0.02 * objectives.centred() + objectives.inside()
-STARTS = [(10, 0.1, 0.1, 10), (0.1, 10, 10, 0.1), (10, 10, 0.1, 0.1)]  # times the defaults
+STARTS = [(1, 0.01, 0.01, 10), (1, 100, 100, 0.1), (1, 1, 0.01, 0.1)]  # times the defaults; only ratios matter
 SHAPES = "arc_coarse,y_coarse,s_curve,wavy_radius,octopus_low,tree_coarse"
 REACH = np.log(10.0)  # of a grid and of random weights, to either side of the defaults, in logarithms
+SPACING = 0.005  # diagonals: between points of the true curve
+LINE = np.linspace(0, 1, 401)
+SWEPT = {  # held out: line, radius, ends: tubes of eight sides, so that a run is short
+    "s_curve_8": ("s_curve", 0.12, "flat"),
+    "taper_8": ("straight", 0.21 - 0.14 * LINE, "round"),
+    "wavy_8": ("straight", 0.13 + 0.03 * np.sin(5 * np.pi * LINE), "round"),
+    "ring_8": ("ring", 0.14, "none"),
+}
 
 
-def weights_at(point: np.ndarray) -> Weights:
-    """Weights by the logarithms of w_H, w_M and smoothing over their defaults; only ratios matter, so w_L is 1."""
-    usual = Weights()
-    return Weights(
-        1.0, *(base * np.exp(one) for base, one in zip((usual.w_H, usual.w_M, usual.smoothing), point, strict=True))
-    )
+def made(name: str) -> KnownShape:
+    if name not in SWEPT:
+        return ground_truth.make(name)
+    line, radius, ends = SWEPT[name]
+    return replace(ground_truth._swept(line, radius, 8, ends), name=name)
 
 
-def point_of(factors: tuple[float, ...]) -> np.ndarray:
-    """The logarithms of a start."""
-    w_L, w_H, w_M, smoothing = np.log(factors)
-    return np.array([w_H - w_L, w_M - w_L, smoothing])
+def times_defaults(factors: Iterable[float]) -> Weights:
+    return Weights(*(value * factor for value, factor in zip(vars(Weights()).values(), factors, strict=True)))
 
 
-def by_grid(start: np.ndarray, seed: int) -> Iterator[np.ndarray]:
-    """Three, then five, ... values of each, in any order."""
-    for count in (3, 5, 7, 9):
-        points = list(itertools.product(np.linspace(-REACH, REACH, count), repeat=3))
-        yield from np.random.default_rng(seed).permutation(points)
+def row_of_numbers(shape: KnownShape, steps: int, starts: int) -> list[str]:
+    def value_at(weights: Weights) -> float:
+        skeleton = msf_jax.skeletonize(shape.mesh, weights)
+        return objectives.of_skeleton(OBJECTIVE, skeleton, shape.mesh) if skeleton.report.converged else np.inf
+
+    def best_of(points: Iterable[np.ndarray]) -> float:
+        return min(usual, *(value_at(times_defaults([1.0, *np.exp(point)])) for point in points))
+
+    usual = value_at(Weights())
+    grid = [*itertools.product(np.linspace(-REACH, REACH, 3), repeat=3)]
+    found: dict[str, list[float]] = {"tune": [], "grid": [], "random": []}
+    for seed, factors in enumerate(STARTS[:starts]):
+        random = np.random.default_rng(seed)
+        found["tune"].append(msf_jax.tune(shape.mesh, OBJECTIVE, times_defaults(factors), steps=steps).value)
+        found["grid"].append(best_of(random.permutation(grid)[: steps - 1]))
+        found["random"].append(best_of(random.uniform(-REACH, REACH, (steps - 1, 3))))
+    return [f"{usual:.5f}", *(f"{np.median(values):.5f}, {max(values):.5f}" for values in found.values())]
 
 
-def by_chance(start: np.ndarray, seed: int) -> Iterator[np.ndarray]:
-    """Even in the logarithms."""
-    random = np.random.default_rng(seed)
-    while True:
-        yield random.uniform(-REACH, REACH, 3)
+def row_of_fields(shape: KnownShape, steps: int) -> list[str]:
+    config = Config.smooth()
+    objective = objectives.near(metrics.sample_curve(shape.points, shape.edges, SPACING * shape.mesh.scale)[0])
+    tuned = msf_jax.tune(shape.mesh, objective, of="surface", steps=steps)
+    tape = msf_jax.contract(shape.mesh, config=config).tape
 
+    def numbers_at(pair: np.ndarray) -> Weights:
+        return Weights(w_H=float(pair[0]), w_M=float(pair[1]))
 
-METHODS: dict[str, Callable[[np.ndarray, int], Iterator[np.ndarray]]] = {"grid": by_grid, "random": by_chance}
+    value: Callable = jax.jit(lambda tape, weights: objectives.of_surface(objective, tape, replay_meso(tape, weights)))
+    pairs = np.exp(np.random.default_rng(0).uniform(*np.log(FIELD_BOUNDS), size=(MOST_PAIRS + steps, 2)))
+    values = [float(value(tape, numbers_at(pair))) for pair in pairs]
 
+    def shown(weights: Weights, config: Config) -> str:
+        run = msf_jax.contract(shape.mesh, weights, config)
+        surface = float(objectives.of_surface(objective, run.tape, run.meso_skeleton[0]))
+        return f"{1e3 * surface:.2f}, {1e3 * objectives.of_skeleton(objective, run.skeleton, shape.mesh):.2f}"
 
-def found_by(points: Iterator[np.ndarray], runs: Runs, start: np.ndarray, seconds: float) -> float:
-    """The best value of the points that there is time for."""
-    end = time.perf_counter() + seconds
-    best = min((one.value for one in runs.found([weights_at(start), Weights()]) if one.converges), default=np.inf)
-    for point in points:
-        if time.perf_counter() > end:
-            break
-        found = runs.found([weights_at(point)])[0]
-        best = min(best, found.value if found.converges else np.inf)
-    return best
-
-
-def found_by_cma(cma: Any, runs: Runs, start: np.ndarray, seconds: float, seed: int) -> float:
-    """The same by CMA-ES, with the spread that its authors advise: a third of the range."""
-    end = time.perf_counter() + seconds
-    best = min((one.value for one in runs.found([weights_at(start), Weights()]) if one.converges), default=np.inf)
-    search = cma.CMAEvolutionStrategy(start, 2 * REACH / 3, {"verbose": -9, "seed": seed + 1})
-    while time.perf_counter() < end:
-        points, values = search.ask(), []
-        for point in points:
-            found = runs.found([weights_at(point)])[0]
-            values.append(found.value if found.converges else 10.0)
-            if time.perf_counter() > end:
-                break
-        best = min(best, *values)
-        if len(values) < len(points):
-            break
-        search.tell(points, values)
-    return best
+    _, numbers, last = tuned.trajectory
+    tried = [Weights(), numbers_at(pairs[np.nanargmin(values)]), numbers.weights, last.weights]
+    off = abs(last.found / last.expected - 1)
+    return [*(shown(weights, config) for weights in tried), f"{off:.0e}", shown(Weights(), Config())]
 
 
 def main() -> None:
     """Print the table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument(
-        "--shapes", default="arc_coarse,y_coarse,s_curve,wavy_radius,octopus_low,tree_coarse", help="which"
-    )
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--fields", action="store_true", help="weights per vertex")
+    parser.add_argument("--shapes", default="", help="which")
+    parser.add_argument("--steps", type=int, default=0, help="runs of tune (24), or steps of Adam (60)")
     parser.add_argument("--starts", type=int, default=3, help="how many of three")
-    parser.add_argument("--steps", type=int, default=24, help="fresh runs of tune, which say how much time there is")
-    arguments = parser.parse_args()
+    options = parser.parse_args()
     jax.config.update("jax_enable_x64", True)
-    try:
-        import cma
-    except ImportError:
-        cma = None
-    names = ["tune", *METHODS, *(["CMA-ES"] if cma else [])]
-    print(f"| shape | defaults | {' | '.join(names)} | s |\n| --- {'| --- ' * (len(names) + 2)}|")
-    for name in arguments.shapes.split(","):
-        mesh = name if Path(name).suffix else ground_truth.make(name).mesh
-
-        def fresh(mesh: Any = mesh) -> Runs:
-            return Runs([mesh], OBJECTIVE, Config(), "skeleton")
-
-        usual = fresh().found([Weights()])[0].value  # and everything is compiled once
-        best: dict[str, list[float]] = {method: [] for method in names}
-        spent = []
-        for seed, factors in enumerate(STARTS[: arguments.starts]):
-            start = point_of(factors)
-            begin = time.perf_counter()
-            best["tune"].append(msf_jax.tune(mesh, OBJECTIVE, weights_at(start), steps=arguments.steps).value)
-            spent.append(time.perf_counter() - begin)
-            for method, points in METHODS.items():
-                best[method].append(found_by(points(start, seed), fresh(), start, spent[-1]))
-            if cma:
-                best["CMA-ES"].append(found_by_cma(cma, fresh(), start, spent[-1], seed))
-        row = " | ".join(f"{np.median(best[method]):.5f}, {max(best[method]):.5f}" for method in names)
-        print(f"| {name} | {usual:.5f} | {row} | {np.mean(spent):.0f} |", flush=True)
+    columns = ["default weights", "tune", "grid", "random"]
+    if options.fields:
+        columns = ["default weights", "random numbers", "numbers", "fields", "tape and run", "Config()"]
+    print(f"| shape | {' | '.join(columns)} |\n{'| --- ' * (len(columns) + 1)}|")
+    coarse = ",".join(["straight_coarse", "arc_coarse", "helix_coarse", "y_coarse", *SWEPT])
+    for name in (options.shapes or (coarse if options.fields else SHAPES)).split(","):
+        shape = made(name)
+        if options.fields:
+            cells = row_of_fields(shape, options.steps or 60)
+        else:
+            cells = row_of_numbers(shape, options.steps or 24, options.starts)
+        print(f"| {name} | {' | '.join(cells)} |", flush=True)
 
 
 if __name__ == "__main__":

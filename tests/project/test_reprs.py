@@ -11,7 +11,7 @@ import msf_jax
 from msf_jax import Weights, ground_truth
 from msf_jax.app.batch import BatchResult
 from msf_jax.gradients.sensitivity import Sensitivity
-from msf_jax.tuning.result import Tuned, TuningStep
+from msf_jax.tuning.tuner import Tuned, TuningStep
 
 LONGEST = 160
 
@@ -23,7 +23,7 @@ def results():
     flow = flow_of("straight_coarse")
     skeleton, nodes = flow.skeleton, f"{len(flow.skeleton.vertices)} nodes"
     track = msf_jax.track(skeleton, [shape.mesh.vertices])
-    step = TuningStep(Weights(w_L=np.ones(5)), 0.2, 0.1, True, 0.1, True, None)
+    step = TuningStep(Weights(w_L=np.ones(5)), 0.2, 0.1, True, True)
     tuned = Tuned(step.weights, 0.1, (flow,), (step,), "no more")
     return [
         (skeleton, f"Skeleton({nodes}, "),

@@ -69,11 +69,8 @@ def test_explained():
         assert value(curve) == pytest.approx(expected, abs=1e-12)
     two = replayed([[0, 0, 0], [9, 0, 0]], [0.5, 8.5], surface=[[1, 0, 0], [0, 1, 0]])
     assert value(two) == pytest.approx(0.25 / 2)  # the second ball reaches the first point, past it
-
-
-def test_explained_takes_samples_of_a_large_surface():
-    surface = np.tile(sphere(), (10, 1))
-    assert compiled(objectives.explained())(replayed([[0, 0, 0]], [0.5], surface=surface)) == pytest.approx(0.25)
+    large = np.tile(sphere(), (10, 1))  # of which samples are taken
+    assert value(replayed([[0, 0, 0]], [0.5], surface=large)) == pytest.approx(0.25)
 
 
 def test_centred():
@@ -118,21 +115,13 @@ def test_near():
 
 
 def test_gradients_are_finite_where_points_coincide():
-    """Nodes on each other, on the surface, and on the target; a node without surface."""
+    """Nodes on each other, on the surface, and on the target; and where nodes are no numbers, so is the value."""
     curve = replayed(np.zeros((3, 3)), np.zeros(3), [[0, 1], [1, 2]])
     total = objectives.explained() + objectives.centred() + objectives.inside() + objectives.smooth()
     total = total + objectives.near(np.zeros((2, 3)))
     slope = jax.jit(jax.grad(lambda nodes: total(curve._replace(nodes=nodes))))(curve.nodes)
     assert np.isfinite(slope).all()
-
-
-@pytest.mark.slow  # what is returned for finite nodes is below
-def test_nodes_that_are_no_numbers_are_not_perfect():
-    """A replay that did not converge is NaN, and so is all that is said of it."""
-    curve = replayed(np.full((3, 3), np.nan), np.full(3, np.nan), [[0, 1], [1, 2]])
-    for objective in (objectives.explained(), objectives.centred(), objectives.inside(), objectives.smooth()):
-        assert np.isnan(objective(curve))
-    assert np.isnan(objectives.near(np.zeros((2, 3)))(curve))
+    assert np.isnan(total(curve._replace(nodes=jnp.full((3, 3), jnp.nan))))
 
 
 def test_no_unit():
@@ -177,8 +166,8 @@ def test_value_of_a_run(flow):
     ("objective", "says"),
     [
         (3.0, "objective is a float, 3.0: expected one of msf_jax.objectives"),
-        (lambda nodes, radii: nodes, r"returned shape \(\d+, 3\): expected one number"),
-        (lambda nodes, radii: len(nodes), "returned int.*: expected a floating-point number"),
+        (lambda nodes, radii: nodes, r"returned float64 of shape \(\d+, 3\): expected one"),
+        (lambda nodes, radii: len(nodes), "returned int.*: expected one floating-point number"),
         (lambda nodes: nodes.sum(), r"objective is a function.*: expected one of"),
         (lambda nodes, radii: None, "returned NoneType: expected a number"),
         (lambda nodes, radii: jnp.nan * nodes.sum(), "returned NaN for finite nodes"),
