@@ -1,6 +1,6 @@
 """Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-The formats are in `files`: OFF, PLY and STL are read there. OBJ, glTF and 3MF are checked there, and then read by
+The formats are in `files`: OFF, PLY, STL and 3MF are read there. OBJ and glTF are checked there, and then read by
 trimesh, as others are, except VTK's formats, which pyvista reads. Sizes are checked before memory is allocated. The
 meshes of a scene become one list of triangles, placed as in the scene. STL has no indices, so corners that differ only
 in the last bits of a float32 become one vertex.
@@ -253,6 +253,8 @@ def _meshes_of(path: Path, suffix: str, with_attributes: bool) -> list[Any]:
     """What a file of a known format has."""
     if suffix in VTK:
         return [_of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))]
+    if suffix == "3mf":
+        return [trimesh.Trimesh(*mesh, process=False) for mesh in unpacking.meshes_of_3mf(path)]
     if suffix == "off":
         return [trimesh.Trimesh(*off.parsed(decoded(path.read_bytes())), process=False)]
     if suffix in ("stl", "stl_ascii"):
@@ -269,7 +271,7 @@ def _meshes_of(path: Path, suffix: str, with_attributes: bool) -> list[Any]:
         return _by_trimesh(io.BytesIO(obj.plain(decoded(path.read_bytes())).encode()), suffix, path)
     if suffix in ("gltf", "glb"):
         gltf.check(path)
-    elif suffix in ("3mf", "3dxml"):
+    elif suffix == "3dxml":
         unpacking.check_archive(path)
     return _by_trimesh(path, suffix, path)
 

@@ -6,7 +6,6 @@ import re
 import subprocess
 import sys
 import tomllib
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -86,20 +85,43 @@ def written_3mf(path, **parts):
     return path
 
 
-def test_3mf_is_weighed_before_it_is_read(tmp_path, monkeypatch):
-    """A sound file is read; one that is too large, or has several models, is refused before its reader sees it."""
-    assert reading.read(written_3mf(tmp_path / "sound.3mf", inside=tampering._mesh(1)))[1].shape == (4, 3)
+PART = b'<components><component objectid="%d"/><component objectid="%d"/></components>'
+TWICE = b"".join(b'<object id="%d">%s</object>' % (k + 1, PART % (k, k)) for k in range(1, 9))
+
+
+@pytest.mark.parametrize(
+    ("parts", "num"),
+    [
+        ({"build": b'<item objectid="1"/>'}, 1),
+        ({"build": b'<item objectid="1" partnumber="A"/>' * 2}, 2),
+        ({"more": TWICE, "build": b'<item objectid="9"/>'}, 256),
+    ],
+)
+def test_every_item_and_part_of_a_3mf_is_read(tmp_path, parts, num):
+    """Also those with one part number, and parts of parts: 2^8 tetrahedra."""
+    inside = tampering._mesh(1) + parts.pop("more", b"")
+    vertices, faces = reading.read(written_3mf(tmp_path / "sound.3mf", inside=inside, **parts))
+    assert (len(vertices), len(faces), faces.max()) == (4 * num, 4 * num, 4 * num - 1)
+
+
+def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_path, monkeypatch):
+    """Before its arrays are made."""
     monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 40)
-    with pytest.raises(MeshError, match="11 instances and 44 triangles"):
-        reading.read(written_3mf(tmp_path / "a.3mf", inside=tampering._mesh(1), build=b'<item objectid="1"/>' * 11))
-    monkeypatch.setattr(trimesh, "load", None)
-    with pytest.raises(MeshError, match=r"unpacks to \d+ bytes: expected at most 10000000"):
-        reading.read(written_3mf(tmp_path / "bomb.3mf", inside=b" " * 20_000_000))
-    path = written_3mf(tmp_path / "two.3mf", inside=tampering._mesh(1))
-    with zipfile.ZipFile(path, "a") as archive:
-        archive.writestr("3D/Objects/a.model", "<model/>")
-    with pytest.raises(MeshError, match="it has 2 models"):
-        reading.read(path)
+    monkeypatch.setattr(unpacking, "MOST_ELEMENTS", 50)
+    mesh = tampering._mesh(1)
+    cases = {
+        "over 50 elements that are no part of a mesh": {"inside": tampering._mesh(1, b"<a/>" * 60)},
+        "declares entities": {"inside": mesh, "before": tampering.DECLARED},
+        "triangles, which is too many": {"inside": b'<object id="1">%s</object>' % (PART % (1, 1))},
+        "an object '1' in another, or twice": {"inside": mesh + mesh},
+        "an object '7' that it does not have": {"inside": mesh, "build": b'<item objectid="7"/>'},
+        "several models": {"inside": mesh, "build": b'<item objectid="1" path="/3D/a.model"/>'},
+        "11 instances and 44 triangles": {"inside": mesh, "build": b'<item objectid="1"/>' * 11},
+        r"unpacks to \d+ bytes: expected at most 10000000": {"inside": b" " * 20_000_000},
+    }
+    for says, parts in cases.items():
+        with pytest.raises(MeshError, match=says):
+            reading.read(written_3mf(tmp_path / "bomb.3mf", **parts))
 
 
 def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
