@@ -20,9 +20,8 @@ from msf_jax.app.interrupts import held_interrupts
 from msf_jax.app.parser import REPAIRS, configured, parser_of
 from msf_jax.app.shaping import UNCHANGED, Shaping, asked_for, scaled, shaped
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
-from msf_jax.base.writing import made_folder, write_whole
+from msf_jax.base.writing import made_folder, plain, write_whole
 from msf_jax.skeleton.formats import export
-from msf_jax.skeleton.formats.text import plain
 
 if TYPE_CHECKING:
     import numpy as np

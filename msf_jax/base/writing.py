@@ -1,4 +1,5 @@
-"""Atomic writing of files: a file is written under another name, then renamed. And folders that are there or made."""
+"""Atomic writing of files: a file is written under another name, then renamed. Folders that are there or made. Lines that
+are safe to print."""
 
 import os
 import secrets
@@ -45,3 +46,8 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
         if isinstance(error, OSError):
             raise type(error)(error.errno, error.strerror, str(path)) from error
         raise
+
+
+def plain(line: str) -> str:
+    """``line``, safe to print on a terminal: characters that are not printable are escaped."""
+    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode() for one in line)

@@ -96,7 +96,7 @@ def test_the_search_for_limbs_ends_between_two_tips(mesh, monkeypatch):
 
 
 def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_c):
-    pressing(monkeypatch, starting.thickness, "scales", 2)
+    pressing(monkeypatch, starting, "_coarsened", 2)
     with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
         msf_jax.skeletonize(mesh, jittered_runs=1)
     assert at.value.flow.skeleton.report.is_sound

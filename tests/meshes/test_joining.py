@@ -153,5 +153,5 @@ def test_the_command_line_joins(tmp_path, capsys):
     trimesh.Trimesh(vertices, faces, process=False).export(path)
     assert main(["skeletonize", str(path), "-o", str(out), "--max-iterations", "2", "--repair", "join"]) == 0
     assert "joined 2 parts" in capsys.readouterr().out
-    assert main(["skeletonize", "--max-iterations", "2", "-o", str(out), "--repair", str(path)]) == 0
+    assert main(["skeletonize", str(path), "--max-iterations", "2", "-o", str(out), "--repair"]) == 0
     assert "joined" not in capsys.readouterr().out

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import plain
 from msf_jax.meshes import decoding
 from msf_jax.skeleton.formats import export, text, whole
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
@@ -74,7 +75,7 @@ def report_lines(path: str | os.PathLike[str]) -> list[str]:
         lines = text.comments(decoding.lines_of(_text_of(path)), text.REPORT)
     if not lines:
         raise ConfigError(f"{name!r} has no report: expected a file that msf_jax wrote after a run")
-    return [text.plain(line) for line in lines]
+    return [plain(line) for line in lines]
 
 
 def _text_of(path: str | os.PathLike[str]) -> str:

@@ -36,11 +36,6 @@ def point(position: np.ndarray) -> str:
     return " ".join(map(number, position))
 
 
-def plain(line: str) -> str:
-    """``line``, safe to print on a terminal: characters that are not printable are escaped."""
-    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode() for one in line)
-
-
 def swc(skeleton: "Skeleton") -> str:
     """SWC (id, label, x, y, z, radius, parent): ids from 1, parents before children, -1 for the parent of a root; a
     tree's root first. The root is labelled as soma only if that is sure."""
