@@ -1,5 +1,4 @@
-"""Atomic writing of files: a file is written under another name, then renamed. Folders that are there or made. Lines that
-are safe to print."""
+"""Whole files: written under another name, then renamed. Folders that are there or made. Lines that are safe to print."""
 
 import os
 import secrets
