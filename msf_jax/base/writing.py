@@ -1,4 +1,4 @@
-"""Whole files: written under another name, then renamed. Folders that are there or made. Lines that are safe to print."""
+"""Whole files, written under another name and then renamed; folders, there or made; lines that are safe to print."""
 
 import os
 import secrets
