@@ -1,8 +1,18 @@
-"""`Report`: the results of a run, and how far to trust them."""
+"""`Report`: the results of a run, and how far to trust them.
+
+For a branch of length l outside the balls of its junctions, in a part of the solid of volume V (see
+`measures.swept_volumes`) with cross-sections of area A,
+
+    unexplained = max(l - V / A, 0),
+
+because a limb of that cross-section and volume is V / A long. A curve that winds, runs to and fro, or has two strands
+in one limb is longer. A is the median of the areas, or their mean along the branch if that is less: planes near a
+junction cut the trunk, too, and in an ellipsoid most areas are above the mean.
+"""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import spatial
@@ -10,11 +20,12 @@ from scipy import spatial
 from msf_jax.curve import branches, handle_loops
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
-from msf_jax.skeleton import limbs
-from msf_jax.solid import crossings
+from msf_jax.skeleton.measures import volumes_of
+from msf_jax.solid import crossings, sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at
+from msf_jax.solid.geometry import arc_length, at, unit
 from msf_jax.solid.solid import bodies, without_cavities
+from msf_jax.topology import graphs
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
 STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
@@ -33,11 +44,26 @@ LEAST_ELONGATION = 1.0  # diameters: the longest branch of a ball or a cube is s
 # Of the curve's length between two places a radius before and after a node: their distance is less where it turns back.
 # So it turns by 166 degrees or more. In the corner of bars that meet at 25 degrees it rightly turns by 155: it is 0.22.
 FOLDED = 0.125
+SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle 2.6 times as wide as thick
+# Mean radius of a sheet's section, over twice its area over its edge: 1 for a disc, 1.1 for a square, 1.4 for the
+# rectangle above
+FLAT_SECTION = 1.35
+THINNEST = 1e-9  # diagonals: a branch whose balls are smaller is in a part without volume, and has no elongation
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
 UNMEASURED = "not measured, as the mesh or the finished curve is not known"
 NOT_SURE = "NOT SURE"  # in a note that is printed first: a root that may be in no soma
 SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
+
+
+class Shares(NamedTuple):
+    """Shares of a curve's length, 0 to 1. in_sheets: in sheets, or in the wall around a void. unexplained: more than a
+    limb of the same cross-sections and volume has. elongation is not a share: the length of a branch in its median
+    diameters, the largest."""
+
+    in_sheets: float
+    unexplained: float
+    elongation: float
 
 
 @dataclass(frozen=True)
@@ -262,12 +288,12 @@ def assessed(
     node_of_vertex: np.ndarray | None = None,
     is_tubular: bool = False,
 ) -> dict[str, Any]:
-    """The report's ``loops``, ``doubts`` and the members of `limbs.Shares` for a finished curve, see `loops_of`.
+    """The report's ``loops``, ``doubts`` and the members of `Shares` for a finished curve, see `loops_of`.
 
     ``is_tubular``: whether its branches are measured by their balls.
     """
     about = loops_of(shape, vertices, edges, node_of_vertex)
-    shares = limbs.shares_of(shape, vertices, edges, node_of_vertex)
+    shares = shares_of(shape, vertices, edges, node_of_vertex)
     doubts = _stubs(shape, vertices, edges, is_tubular)
     if shares.in_sheets > MOSTLY:
         doubts.append(IN_SHEETS.format(shares.in_sheets))
@@ -328,3 +354,59 @@ def _overlaps(
         which = "a solid is inside another" if num == 1 else f"{num} solids are inside others"
         doubts.append(f"{which} and wound outwards, too: it is taken as full; a cavity is wound inwards")
     return doubts
+
+
+def shares_of(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
+) -> Shares:
+    """The `Shares` of a curve ``(vertices (N, 3), edges (E, 2))`` in the solid ``shape``.
+
+    ``node_of_vertex`` (V,) is the node of each vertex of the solid; the nearest one if not given.
+    """
+    radius, near = shape.approximate_clearance(vertices)
+    paths = branches.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
+    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
+    # A junction has no cross-section, and the ball of an end is small.
+    own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = 0.0
+    asked = np.flatnonzero(own * radius > 0)
+    normal = unit(branches.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
+    places = vertices[asked], normal
+    corners = sections.corners(shape, *places, radius[asked], near[asked])
+    found = sections.measured(shape, *places, corners)
+    # Where a limb begins, a plane across it cuts off the trunk's side, and a ball beside an axis is small: a section is
+    # wider than the ball there, and not flat. In the middle of a round section of a shell is a void. Next to its inner
+    # wall, the void is beside the curve, and the section is a wall around it.
+    is_flat = (found.radius > FLAT_SECTION * found.size) | ~shape.contains(found.centroid)
+    is_wide = (found.radius > SHEET * radius[asked]) & is_flat | ~found.is_found
+    known = own[asked] * corners.is_closed
+    in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
+    area = np.full(len(vertices), np.nan)
+    area[asked] = np.where(corners.is_closed & found.is_found, sections.areas(shape, corners, normal), np.nan)
+    if node_of_vertex is None:
+        node_of_vertex = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1])
+    volume = volumes_of(shape, vertices, edges, radius, node_of_vertex)
+    unexplained, elongation = _of_branches(vertices, edges, radius, area, volume)
+    total = max(float(length.sum()), 1e-300)
+    return Shares(in_sheets, unexplained / total, elongation)
+
+
+def _of_branches(
+    vertices: np.ndarray, edges: np.ndarray, radius: np.ndarray, area: np.ndarray, volume: np.ndarray
+) -> tuple[float, float]:
+    """The unexplained length, outside the junctions' balls, and the elongation."""
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    unexplained = elongation = 0.0
+    for number, branch in enumerate(graphs.trace(len(vertices), edges)):
+        nodes = np.array(branch)
+        along, size, areas = arc_length(vertices[nodes]), radius[nodes], area[nodes]
+        begin, end = (float(size[k]) if degree[nodes[k]] > 2 else 0.0 for k in (0, -1))
+        is_known = (along >= begin) & (along <= along[-1] - end) & (areas > 0)
+        if is_known.any():
+            mean = np.average(areas[is_known], weights=np.gradient(along)[is_known])
+            usual = min(float(np.median(areas[is_known])), float(mean))
+            # Where parts overlap, the volume beside a branch may be negative: nothing of it is explained.
+            unexplained += max(float(along[-1] - begin - end - max(volume[number], 0.0) / usual), 0.0)
+        thickness = 2 * float(np.median(size))
+        elongation = max(elongation, float(along[-1]) / thickness if thickness > THINNEST else 0.0)
+    return unexplained, elongation

@@ -76,22 +76,6 @@ def test_polylines_cover_every_edge_once(lollipop, tmp_path):
     assert sorted(found) == sorted(map(tuple, lollipop.edges.tolist()))
 
 
-def test_a_pure_loop_is_one_closed_branch():
-    ring = skeleton_of(np.eye(3), [[0, 1], [1, 2], [0, 2]])
-    (branch,) = ring.branches
-    assert len(branch.nodes) == 4
-    assert branch.nodes[0] == branch.nodes[-1]
-
-
-def test_json_holds_everything(lollipop, tmp_path):
-    lollipop.save(tmp_path / "a.json")
-    content = json.loads((tmp_path / "a.json").read_text())
-    assert content["vertices"] == lollipop.vertices.tolist()
-    assert content["edges"] == lollipop.edges.tolist()
-    assert content["mesh_map"] == lollipop.mesh_map.tolist()
-    assert content["report"]["reason"] == "no volume left"
-
-
 def test_networkx_carries_positions_radii_and_lengths(lollipop):
     graph = lollipop.to_networkx()
     assert graph.number_of_nodes() == 6

@@ -12,8 +12,8 @@ import msf_jax
 from msf_jax import Repair
 from msf_jax.app.cli import _tell
 from msf_jax.meshes.checking import prepare
-from msf_jax.skeleton import limbs, report
-from msf_jax.skeleton.limbs import shares_of
+from msf_jax.skeleton import report
+from msf_jax.skeleton.report import shares_of
 from msf_jax.solid.enclosure import Enclosure
 
 
@@ -62,7 +62,7 @@ def test_a_solid_whose_cross_section_changes_explains_its_axis():
 def test_a_part_of_negative_or_no_volume_explains_nothing():
     """As overlapping parts leave it: the share stays a share, and what has no thickness has no elongation."""
     points, edges = chain(np.stack([np.zeros(11), np.zeros(11), np.linspace(0.0, 1.0, 11)], axis=1))
-    found = limbs._of_branches(points, edges, np.zeros(11), np.full(11, 0.01), np.array([-1.0]))
+    found = report._of_branches(points, edges, np.zeros(11), np.full(11, 0.01), np.array([-1.0]))
     assert found == (pytest.approx(1.0), 0.0)
 
 
@@ -108,26 +108,6 @@ def test_a_plate_is_sound_and_no_limb():
     found = msf_jax.skeletonize(msf_jax.shapes.plate(4)).report
     assert found.is_sound and found.in_sheets is not None and found.in_sheets < report.MOSTLY
     assert not found.are_limbs and "in sheets" in found.not_limbs[0]
-
-
-@pytest.mark.parametrize(
-    ("name", "most", "words"),
-    [
-        ("in_sheets", report.MOST_IN_SHEETS, "in sheets"),
-        ("unexplained", report.MOST_UNEXPLAINED, "more than the solid explains"),
-    ],
-)
-def test_a_reason_is_given_from_a_share_on(rod, name, most, words):
-    assert replace(rod.report, **{name: 0.98 * most}).are_limbs
-    (reason,) = replace(rod.report, **{name: 1.02 * most}).not_limbs
-    assert words in reason
-
-
-def test_limits_would_be_noticed_twice_as_large(rod):
-    """By a bracket, a square plate, and the rod itself."""
-    for wrong in ({"unexplained": 0.14}, {"in_sheets": 0.8}):
-        assert not replace(rod.report, **wrong).are_limbs
-    assert not replace(rod.report, elongation=0.9).are_limbs and replace(rod.report, elongation=1.4).are_limbs
 
 
 def test_what_was_not_measured_is_no_limb(rod, tmp_path):

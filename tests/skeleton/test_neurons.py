@@ -57,15 +57,6 @@ def test_labels_of_an_swc_are_soma_forks_and_ends(tmp_path):
     assert not (rows_of(tmp_path / "b.swc")[:, 1] == 1).any()
 
 
-@pytest.mark.slow  # this project's own reader is quick
-def test_navis_finds_branches_where_labels_say_forks(tmp_path):
-    import navis  # here, because the import takes seconds
-
-    neuron(2.0).to_tree("soma").save(tmp_path / "a.swc")
-    read = navis.read_swc(str(tmp_path / "a.swc")).nodes
-    assert (read["type"].to_numpy()[read["label"].to_numpy() == 5] == "branch").all()
-
-
 def test_files_say_what_radii_and_units_they_have(tmp_path):
     curve = replace(neuron(2.0), units="µm\nand more")
     curve.save(tmp_path / "a.swc")

@@ -93,16 +93,6 @@ def test_all_is_in_view_and_stays_where_it_is(hand):
         assert max(np.abs(height).max(), np.abs(width).max() / 1.3) > 0.75
 
 
-@pytest.mark.slow  # what the page shows is in the tests around it
-def test_the_pointer_tells_the_radius_on_the_surface_too(hand, drawn):
-    skeleton = hand[0]
-    for drawing in (drawn[0], skeleton.view()):
-        surface = drawing.data[0]
-        assert "customdata" in surface.hovertemplate and surface.hoverinfo is None
-        assert set(surface.customdata) <= set(skeleton.radii.astype(np.float32))
-    np.testing.assert_array_equal(drawn[0].data[1].customdata, skeleton.radii.astype(np.float32)[skeleton.mesh_map])
-
-
 @pytest.mark.slow  # one of a run is above
 def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
     (tmp_path / "a.swc").write_text("1 0 0 0 0 1 -1\n2 0 1 0 0 1 1\n")
@@ -159,11 +149,6 @@ def test_segments_are_in_one_piece_with_even_borders():
             joined = trimesh.Trimesh(part.vertices, part.faces, process=False)
             joined.merge_vertices()
             assert joined.body_count == 1
-
-
-def test_plot_is_the_matplotlib_figure(hand):
-    skeleton, mesh = hand
-    assert len(skeleton.plot(mesh).axes) == 2
 
 
 @pytest.mark.slow  # a page is above, and what a command takes in test_cli

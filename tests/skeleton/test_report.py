@@ -157,14 +157,6 @@ def test_a_tree_of_a_curve_in_doubt_stays_in_doubt(ring_curve):
     assert not false.to_tree().report.is_sound and ring_curve.to_tree().report.is_sound
 
 
-def test_a_report_without_loops_is_sound_where_there_is_no_cycle(ring_curve):
-    """One of an earlier version; of a cycle it says nothing."""
-    values = ring_curve.report.to_dict()
-    del values["loops"], values["doubts"]
-    old = msf_jax.Report.from_dict(values)
-    assert old.loops is None and not old.is_sound and replace(old, cycles=0, genus=0).is_sound
-
-
 def test_the_figures_count_loops(ring_curve):
     mesh = torus(minor=0.3)
     assert metrics.evaluate(mesh, ring_curve)["loops"] == 1

@@ -21,11 +21,6 @@ def whole():
     return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(least_slenderness=0))
 
 
-@pytest.fixture(scope="module")
-def ring():
-    return ground_truth.make("theta").mesh, flow_of("theta").skeleton
-
-
 def num_leaves(skeleton):
     return int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
 
@@ -65,12 +60,6 @@ def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
     assert later.report.pruned == num_leaves(skeleton) - num_leaves(later) > 0
     assert run.report.pruned > 0 and f"{run.report.pruned} pruned" in str(run.report)
     assert later.prune(100.0).report.pruned == later.report.pruned + 1
-
-
-@pytest.mark.slow  # so it is in test_pruning
-def test_cycles_are_never_pruned(ring):
-    mesh, skeleton = ring
-    check(mesh, skeleton.prune(1e9), skeleton)
 
 
 def test_branches_cover_the_curve_and_the_surface(whole):
@@ -176,14 +165,6 @@ def test_a_twig_within_a_limb_goes_with_the_surface_and_without_it(whole):
 def test_arguments_out_of_range_are_refused(whole, call, message):
     with pytest.raises(ConfigError, match=message):
         call(whole[1])
-
-
-@pytest.mark.slow  # one loop is in the test of a pure one
-def test_branches_with_the_same_ends_stay_apart_when_resampled(ring):
-    mesh, skeleton = ring
-    resampled = skeleton.resample(100.0)
-    check(mesh, resampled, skeleton)
-    assert skeleton.report.cycles == 2
 
 
 def test_a_changed_curve_without_its_mesh_asks_for_no_distances_of_all_pairs():

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import trimesh
 from conftest import torus
 
 import msf_jax
@@ -63,14 +62,3 @@ def test_a_tree_of_a_run_stays_sound_and_keeps_its_root():
     after = tree.resample(0.3)
     np.testing.assert_allclose(after.vertices[after.roots[0]], tree.vertices[tree.roots[0]], atol=0.3)
     assert not replace(tree.report, cut=0).is_sound
-
-
-# Thin limbs that were lost, which trees are full of
-
-
-def tube(start: list[float], end: list[float], radius: float, rings: int) -> tuple[np.ndarray, np.ndarray]:
-    """A closed tube of eight sections."""
-    mesh = trimesh.creation.cylinder(radius, segment=[start, end], sections=8)
-    while len(mesh.vertices) < 8 * rings:
-        mesh = mesh.subdivide()
-    return np.array(mesh.vertices), np.array(mesh.faces)
