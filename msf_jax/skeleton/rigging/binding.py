@@ -114,13 +114,6 @@ class SkinBinding(NamedTuple):
         return sparse.csr_matrix(bound(self.heat, self.bone, joints, parents, self.influences))
 
 
-def to_segment(points: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """(P,) the distance of ``points`` (P, 3) from the segment from ``start`` (3,) to ``end`` (3,)."""
-    along = end - start
-    t = np.clip((points - start) @ along / max(float(along @ along), 1e-300), 0, 1)
-    return np.linalg.norm(points - start - t[:, None] * along, axis=1)
-
-
 def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray, influences: int) -> np.ndarray:
     """(V, B) weights of the vertices of ``heat``; each row sums to 1, and has at most ``influences`` above 0."""
     heat = copy.copy(heat)  # `loosen` changes it

@@ -15,10 +15,13 @@ from msf_jax.curve import branches
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding, biped, naming
-from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without
+from msf_jax.skeleton.rigging import binding
+from msf_jax.skeleton.rigging.body import STANDARDS
+from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of
 from msf_jax.skeleton.rigging.cutting import FEWEST_HELD
 from msf_jax.skeleton.source import bound
+from msf_jax.solid.geometry import to_segment
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -93,7 +96,7 @@ class Rig:
                 raise ConfigError(
                     f"turns has {name!r} with shape {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)"
                 )
-        found = np.zeros_like(points)
+        posed = np.zeros_like(points)
         columns = self.weights.tocsc()
         linear, shift = np.empty((len(self.joints), 3, 3)), np.empty((len(self.joints), 3))
         for bone, (name, above) in enumerate(zip(self.names, self.parents, strict=True)):
@@ -103,8 +106,8 @@ class Rig:
             shift[bone] = offset if above < 0 else linear[above] @ offset + shift[above]
             rows = columns.indices[columns.indptr[bone] : columns.indptr[bone + 1]]
             share = columns.data[columns.indptr[bone] : columns.indptr[bone + 1]]
-            found[rows] += share[:, None] * (points[rows] @ linear[bone].T + shift[bone])
-        return found
+            posed[rows] += share[:, None] * (points[rows] @ linear[bone].T + shift[bone])
+        return posed
 
     def moved(self, joints: Mapping[str, Any]) -> "Rig":
         """The rig with some joints at other places, and weights made anew for all bones.
@@ -133,7 +136,7 @@ class Rig:
             both = np.array([self.parents[number], number])
             if both[0] >= 0:
                 near = np.flatnonzero(np.isin(bone, both))
-                away = [binding.to_segment(self._binding.places[near], starts[each], tails[each]) for each in both]
+                away = [to_segment(self._binding.places[near], starts[each], tails[each]) for each in both]
                 bone[near] = both[np.argmin(away, axis=0)]
         anew = self._binding._replace(bone=bone)
         return replace(self, joints=starts, tails=tails, weights=anew.weights(starts, self.parents), _binding=anew)
@@ -159,8 +162,8 @@ class Rig:
 
 def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: "MeshLike | None", names: str | None) -> Rig:
     """See `Skeleton.rig`."""
-    if names is not None and names not in biped.STANDARDS:
-        raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(biped.STANDARDS)}")
+    if names is not None and names not in STANDARDS:
+        raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(STANDARDS)}")
     for name, value in (("bones", USUAL if bones is None else bones), ("influences", influences)):
         if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= MOST_BONES:
             raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {MOST_BONES}")
@@ -173,36 +176,32 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: "Mesh
     stays = branches.cut_loops(len(skeleton.vertices), skeleton.edges, size)
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
-    found = _made(skeleton, size, node, bones, names is not None)
+    chosen = _choose_bones(skeleton, size, node, bones, names is not None)
     thinnest = LEAST_DISTANCE * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
-    bind = binding.SkinBinding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
-    weights = bind.weights(found.joints, found.parents)
+    bind = binding.SkinBinding(heat, chosen.of_node[node], skeleton.vertices[node], int(influences))
+    weights = bind.weights(chosen.joints, chosen.parents)
     if bones is None:
-        found, held = _without_idle(found, weights.toarray())
-        bind, weights = bind._replace(bone=found.of_node[node]), sparse.csr_matrix(held)
-    notes = [_cut_at(skeleton.vertices[edge].mean(axis=0)) for edge in skeleton.edges[np.logical_not(stays)]]
-    if bones is not None and len(found.joints) != bones:
-        notes.append(f"{len(found.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
-    called = naming.names_of(found, names)
-    return Rig(found.joints, found.tails, found.parents, called, weights, tuple(notes), bind)
+        chosen, held = without_idle(chosen, weights.toarray())
+        bind, weights = bind._replace(bone=chosen.of_node[node]), sparse.csr_matrix(held)
+    cuts = skeleton.vertices[skeleton.edges[np.logical_not(stays)]].mean(axis=1)
+    where = ["({:.4g}, {:.4g}, {:.4g})".format(*place) for place in cuts]
+    notes = [f"a loop was cut at {place}, where it is thinnest or parts merely touch" for place in where]
+    if bones is not None and len(chosen.joints) != bones:
+        notes.append(f"{len(chosen.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
+    return Rig(chosen.joints, chosen.tails, chosen.parents, chosen.names(names), weights, tuple(notes), bind)
 
 
-def _cut_at(place: np.ndarray) -> str:
-    x, y, z = place
-    return f"a loop was cut at ({x:.4g}, {y:.4g}, {z:.4g}), where it is thinnest or parts merely touch"
-
-
-def _made(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None, is_biped: bool) -> Bones:
+def _choose_bones(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None, is_biped: bool) -> Bones:
     """``asked`` bones that have vertices, or as many as there is length for; None: as the shape has bends."""
     curve, held = (skeleton.vertices, skeleton.edges, skeleton.radii), np.bincount(node, minlength=len(size))
     if asked is None:
-        return _without_empty(bones_of(*curve, USUAL, size, held, is_biped=is_biped), node)
-    best = _without_empty(bones_of(*curve, 1, size, held), node)
+        return without_empty(bones_of(*curve, USUAL, size, held, is_biped=is_biped), node)
+    best = without_empty(bones_of(*curve, 1, size, held), node)
     for for_limbs in (FOR_LIMBS, 1.0):  # where branches cannot be cut so often, more of them have bones
         most = asked
         for _ in range(TRIES):
-            made = _without_empty(bones_of(*curve, most, size, held, for_limbs, True, is_biped), node)
+            made = without_empty(bones_of(*curve, most, size, held, for_limbs, True, is_biped), node)
             if len(best.joints) < len(made.joints) <= asked:
                 best = made
             if len(best.joints) == asked:
@@ -227,52 +226,40 @@ def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarr
     """
     num = len(skeleton.vertices)
     ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
-    beside = sparse.coo_matrix((np.ones(len(ends)), ends.T), shape=(num, num)).tocsr() + sparse.eye(num)
+    beside = graphs.weighted(num, *ends.T) + sparse.eye(num)
     total = np.stack([np.bincount(node, away, num), np.bincount(node, minlength=num)], axis=1)
     for _ in range(NEIGHBOURS):
         total = beside @ total
     return np.maximum(skeleton.radii, total[:, 0] / np.maximum(total[:, 1], 1e-300))
 
 
-def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
+def without_empty(bones: Bones, node: np.ndarray) -> Bones:
     """The bones without those that have few vertices. ``node`` (V,) is that of each vertex.
 
     The only bone of a branch may have few, but not none: a limb of few triangles is still a limb. A spine keeps its
-    joints, which animations expect.
+    joints, which animations expect, and a biped all that have a name.
     """
     while True:
         count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
         is_only = np.bincount(bones.branch + 1)[bones.branch + 1] == 1
-        is_few = (
-            (count < np.where(is_only, 1, FEWEST_HELD)) & (bones.parents >= 0) & ~bones.is_spine & (bones.role == "")
-        )
+        is_few = (count < np.where(is_only, 1, FEWEST_HELD)) & ~bones.is_needed
         if not is_few.any():
             return bones
-        bones = _without_pair(bones, int(is_few.argmax()))[0]
+        bone = int(is_few.argmax())
+        bones = bones.without({bone, int(bones.twin[bone])} - {-1})[0]
 
 
-def _without_pair(bones: Bones, bone: int) -> tuple[Bones, np.ndarray]:
-    """The bones without ``bone`` and its mirror image, and the new number (B,) of each."""
-    twin = int(bones.twin[bone])
-    bones, moved = without(bones, bone)
-    if twin >= 0:
-        bones, again = without(bones, int(moved[twin]))
-        moved = again[moved]
-    return bones, moved
-
-
-def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
-    """Join each bone with small ``weights`` (V, B) at all vertices to another, see `without`; other bones keep theirs.
+def without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
+    """Join each bone with small ``weights`` (V, B) at all vertices, and its mirror image, to others, which keep theirs.
 
     Such bones occur where heat had to spread far.
     """
     while True:
-        most = np.where((bones.parents < 0) | bones.is_spine | (bones.role != ""), np.inf, weights.max(axis=0))
+        most = np.where(bones.is_needed, np.inf, weights.max(axis=0))
         bone = int(most.argmin())
         if most[bone] >= HELD:
             return bones, weights
-        bones, moved = _without_pair(bones, bone)
+        bones, number = bones.without({bone, int(bones.twin[bone])} - {-1})
         joined = np.zeros((len(weights), len(bones.parents)))
-        for old, new in enumerate(moved):
-            joined[:, new] += weights[:, old]
+        np.add.at(joined.T, number, weights.T)
         weights = joined
