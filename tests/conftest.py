@@ -7,19 +7,7 @@ import signal
 import sys
 import tempfile
 from contextlib import contextmanager
-from importlib.metadata import version
 from pathlib import Path
-
-# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, two
-# thirds of the rest with its older emitters, and a fifth of what is left where no program is divided among threads.
-# jaxlib 0.10 knows the last two flags; later ones may refuse them. Tests that compare bits, in test_determinism, are
-# compiled as a user's programs are, and so is the README's example in the smoke.
-os.environ.setdefault(
-    "XLA_FLAGS",
-    "--xla_backend_optimization_level=0"
-    + " --xla_cpu_use_fusion_emitters=false --xla_cpu_parallel_codegen_split_count=1"
-    * version("jaxlib").startswith("0.10."),
-)
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -42,8 +30,8 @@ jax.config.update("jax_enable_x64", True)
 matplotlib.use("Agg")
 gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the search for cycles among JAX's objects
 
-# A surface of a few hundred vertices is in 1024 rows, not in 2048: programs that are not optimised take time for each,
-# a third of a short run. The curves of six meshes were the same to the last bit in both.
+# A surface of a few hundred vertices is in 1024 rows, not in 2048: short runs take two thirds of the time. Curves of
+# six meshes were the same to the last bit in both.
 OWN_SMALLEST_CAPACITY, layout.SMALLEST_CAPACITY = layout.SMALLEST_CAPACITY, 1024
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
@@ -76,7 +64,7 @@ def two_levels(capacity: int, largest_degree: int) -> layout.Layout:
 
 @contextmanager
 def fewer_rows():
-    """A surface of a few hundred vertices is in as many rows: a replay is not optimised, and takes time for each. A
+    """A surface of a few hundred vertices is in as many rows: a replay takes time for each. A
     program has a part for each slot of each level, too: with 20 slots in two levels, the gradient of a replay compiles
     in three quarters of the time that it takes with 20 in four. An iteration's gradient with the package's own levels
     is in test_padding."""
