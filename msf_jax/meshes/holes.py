@@ -24,7 +24,6 @@ LARGEST_CUT = 0.01  # share of a piece's area whose inner side is outside of the
 MARGIN = 0.05  # extents of the rim: distance between the piece and the end of the extrusion
 EVEN = 1e-6  # extents of the rim: a rim of less height has a flat lid, which needs no extrusion
 FEWEST_FACES = 100  # faces of a piece whose rim may be extruded: smaller pieces are fragments
-MOST_TESTED = 200  # pieces with an uneven rim that are tested, those with the most faces first
 BESIDE = 1e-5  # extents of the piece: depth below the centre of a face of the point that is tested to be inside
 
 
@@ -122,7 +121,7 @@ def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extr
     """
     sources, vertices_of, repairs, num_cut = [np.empty(0, dtype=np.int64)], [vertices], [], 0
     lids = [hole.lid for hole in holes]
-    for number, mine, others in _uneven(vertices, faces, holes)[:MOST_TESTED]:
+    for number, mine, others in _uneven(vertices, faces, holes):
         known = np.concatenate([faces[mine], *(holes[other].lid for other in others)])
         if share_cut_off(vertices, np.concatenate([known, holes[number].lid]), len(mine)) <= LARGEST_CUT:
             continue
