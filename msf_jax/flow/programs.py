@@ -60,13 +60,12 @@ def compile_moves(settings: StepSettings, layouts: list[Layout], of_vertices: bo
     with _lock:
         missing = [layout for layout in layouts if _key(settings, layout, of_vertices) not in _programs]
         # Traced on this thread, because JAX's settings can differ between threads.
-        lowered = [jitted_move.lower(*_arguments(each, of_vertices), settings, each) for each in missing]
+        traced = [jitted_move.lower(*_arguments(each, of_vertices), settings, each) for each in missing]
         keys = [_key(settings, layout, of_vertices) for layout in missing]
-        for key, one in list(zip(keys, lowered, strict=True))[1:]:
-            _programs[key] = begin(_compiled, one)
-        for key, one in list(zip(keys, lowered, strict=True))[:1]:
-            _programs[key] = Future()
-            _programs[key].set_result(_compiled(one))
+        _programs.update({key: begin(_compiled, one) for key, one in zip(keys[1:], traced[1:], strict=True)})
+        if missing:
+            _programs[keys[0]] = Future()
+            _programs[keys[0]].set_result(_compiled(traced[0]))
 
 
 def _compiled(lowered: Any) -> Program:
