@@ -15,7 +15,7 @@ from msf_jax.base import version
 # The public names of each module, which is imported when one of them is used first: a program that needs no JAX does
 # not import it. Editors and type checkers read `__init__.pyi`.
 _NAMES = {
-    "": "ground_truth guide metrics shapes view",
+    "": "guide metrics shapes view",
     "app": "batch",
     "base.binding": "Binding",
     "base.errors": "ConfigError FlowError Interrupted MeshError",

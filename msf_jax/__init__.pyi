@@ -1,6 +1,5 @@
 """The public names of `__init__.py`, for editors and type checkers."""
 
-from msf_jax import ground_truth as ground_truth
 from msf_jax import guide as guide
 from msf_jax import metrics as metrics
 from msf_jax import shapes as shapes

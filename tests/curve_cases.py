@@ -6,7 +6,7 @@ import manifold3d
 import numpy as np
 import trimesh
 
-from msf_jax import ground_truth, metrics
+from msf_jax import metrics
 from msf_jax.curve import centring, finishing, handle_loops
 from msf_jax.curve.finishing import Draft, Job
 from msf_jax.inside import containment
@@ -14,6 +14,7 @@ from msf_jax.inside.roadmap import Roadmap
 from msf_jax.limbs.caps import Caps
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology.graphs import cycle_count
+from tests.benchmarks import ground_truth
 
 
 def path(points):

@@ -5,9 +5,9 @@ from functools import cache
 import numpy as np
 from conftest import torus
 
-from msf_jax import ground_truth
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
+from tests.benchmarks import ground_truth
 
 NO_EDGES = np.empty((0, 2), dtype=np.int64)
 

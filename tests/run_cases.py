@@ -3,7 +3,8 @@
 from functools import cache
 
 import msf_jax
-from msf_jax import Config, Flow, SolverOptions, ground_truth
+from msf_jax import Config, Flow, SolverOptions
+from tests.benchmarks import ground_truth
 
 SLOW = Config(max_iterations=5, solver=SolverOptions(step_tolerance=0.1))
 

@@ -10,8 +10,8 @@ from conftest import torus
 
 from msf_jax import Report, Skeleton, metrics
 from msf_jax.base.errors import MeshError
-from msf_jax.ground_truth import swept_tube
 from msf_jax.metrics import compare, curve_distance, evaluate, sample_curve
+from tests.benchmarks.ground_truth import swept_tube
 
 Curve = tuple[np.ndarray, np.ndarray]
 

@@ -14,10 +14,11 @@ import trimesh
 from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
-from msf_jax import ConfigError, ground_truth, shapes
+from msf_jax import ConfigError, shapes
 from msf_jax.app import shaping
 from msf_jax.app.cli import main
 from msf_jax.app.parser import parser_of
+from tests.benchmarks import ground_truth
 
 
 @pytest.fixture

@@ -4,9 +4,9 @@
         [--meshes FOLDER] [--cache FOLDER] [--limit SECONDS] [--output FILE]
 
 Run from the project's root. The suite ``meshes`` is every closed ``*.off`` of a folder (``MSF_JAX_MESHES``, else
-``../shared/meshes``); ``truth`` is `msf_jax.ground_truth`, solids around known curves. With ``--cache`` the peers'
-results, failures included, are kept, a time-out for limits up to its own; a second run computes this project's curves
-only. ``JAX_COMPILATION_CACHE_DIR`` saves it its compilations. Peers are optional, and run in processes of their own.
+``../shared/meshes``); ``truth`` is `ground_truth`, solids around known curves. With ``--cache`` the peers' results,
+failures included, are kept, a time-out for limits up to its own; a second run computes this project's curves only.
+``JAX_COMPILATION_CACHE_DIR`` saves it its compilations. Peers are optional, and run in processes of their own.
 
 Figures are those of `msf_jax.metrics.evaluate`, lengths in diagonals of the mesh's box. Changed or added here:
 - seconds: of the call alone, without imports; ours compiles in its first calls. Never in bold.
@@ -249,8 +249,7 @@ def line(cells: Sequence[str]) -> str:
 
 
 def table(case: Case, rows: Rows, columns: list[Column]) -> str:
-    marks = [f", {word}" for word in ("tube", "noisy", "coarse") if getattr(case.shape, f"is_{word}", False)]
-    text = f"\n### {case.name} ({len(case.vertices):,} vertices{''.join(marks)})\n\n"
+    text = f"\n### {case.name} ({len(case.vertices):,} vertices)\n\n"
     text += line(["method", *(column.key for column in columns)]) + line(["---", *["---:"] * len(columns)])
     for method, figures in rows.items():
         cells = [f"**{c.text(figures)}**" if method in c.winners(rows) else c.text(figures) for c in columns]
@@ -290,10 +289,10 @@ def mesh_files(folder: Path) -> dict[str, Path]:
 
 
 def cases_of(suite: str, folder: Path, only: list[str] | None) -> Iterator[Case]:
-    from msf_jax import ground_truth
+    from tests.benchmarks import ground_truth
 
     files = mesh_files(folder)
-    for name in files if suite == "meshes" else ground_truth.names():
+    for name in files if suite == "meshes" else ground_truth.BUILDERS:
         if not only or name in only:
             shape = ground_truth.make(name) if suite == "truth" else None
             mesh = shape.mesh if shape else trimesh.load(files[name], process=False)

@@ -3,7 +3,7 @@
     python -m tests.benchmarks.drill [FOLDER ..] [--seed N] [--holes N] [--only NAME,..] [--jobs N] [--limit SECONDS]
         [--most VERTICES] [--count N] [--pictures FOLDER] [--output FILE]
 
-Run from the project's root. Shapes are twelve of `msf_jax.ground_truth` and the closed meshes of the folders, in turn,
+Run from the project's root. Shapes are twelve of `ground_truth` and the closed meshes of the folders, in turn,
 ``--count`` in all. A hole is a quarter of the local clearance wide (its radius) and 0.7 of it deep, along the inward
 normal: it ends before the axis, and has no volume to carry a branch. Clearance is that in the middle of the solid
 behind the point. A shape is right (``ok``) with as many ends and junctions as before, and with each end within 0.05
@@ -52,9 +52,9 @@ class Found(NamedTuple):
 
 
 def shape_of(name: str) -> Solid:
-    """A shape of `msf_jax.ground_truth`, or a file's."""
-    from msf_jax import ground_truth
+    """A shape of `tests.benchmarks.ground_truth`, or a file's."""
     from msf_jax.meshes import reading
+    from tests.benchmarks import ground_truth
 
     if name in KNOWN:
         mesh = ground_truth.make(name).mesh

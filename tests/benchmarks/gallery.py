@@ -19,7 +19,8 @@ import trimesh
 from PIL import Image, ImageChops
 
 import msf_jax
-from msf_jax import ground_truth, shapes, view
+from msf_jax import shapes, view
+from tests.benchmarks import ground_truth
 
 INCHES, DPI, COLOURS = 2.6, 100, 48
 Limb = tuple[float, float, float, float]  # x, y, z, radius

@@ -39,6 +39,7 @@ import trimesh
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from tests.benchmarks import solids
 from tests.benchmarks.curves import ROOT, Case, configure_jax, installed, line, opening, peer_result, publish
 
 COLUMNS = ["mesh", "vertices", "genus", "cycles", "loops", "rank", "CGAL", "inside", "mutants", "seconds", "ok"]
@@ -55,23 +56,21 @@ def turned(mesh: trimesh.Trimesh, seed: int) -> trimesh.Trimesh:
 
 def parts() -> dict[str, Callable[[], trimesh.Trimesh]]:
     """What makes each part, by name."""
-    from msf_jax import shapes
-
     plate_size, pipe_size = float(np.linalg.norm([10, 6, 1])), float(np.linalg.norm([2, 2, 4]))
     found: dict[str, Callable[[], trimesh.Trimesh]] = {}
     for name, cut in CUTS.items():
         for num in (1, 2, 4, 9, 16):
-            found[f"plate-{num}-{name}"] = partial(shapes.plate, num, cut and cut * plate_size)
+            found[f"plate-{num}-{name}"] = partial(solids.plate, num, cut and cut * plate_size)
     for seed in range(TURNS):
-        found[f"plate-4-turned-{seed}"] = lambda seed=seed: turned(shapes.plate(4), seed)
+        found[f"plate-4-turned-{seed}"] = lambda seed=seed: turned(solids.plate(4), seed)
     for wall in (0.5, 0.25, 0.1, 0.03):
         for name, cut in CUTS.items():
-            found[f"pipe-{wall:g}-{name}"] = partial(shapes.pipe, wall, longest=cut and cut * pipe_size)
+            found[f"pipe-{wall:g}-{name}"] = partial(solids.pipe, wall, longest=cut and cut * pipe_size)
     return found | {
-        "bracket-4": shapes.bracket,
-        "bracket-8": partial(shapes.bracket, 8),
-        "rings-linked": partial(shapes.rings, True),
-        "rings-apart": partial(shapes.rings, False),
+        "bracket-4": solids.bracket,
+        "bracket-8": partial(solids.bracket, 8),
+        "rings-linked": partial(solids.rings, True),
+        "rings-apart": partial(solids.rings, False),
     }
 
 

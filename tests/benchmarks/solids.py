@@ -13,6 +13,9 @@ import numpy as np
 import trimesh
 from scipy.spatial.transform import Rotation
 
+from msf_jax.meso import split
+from msf_jax.meso.meso import Meso
+
 SIDES = 32  # of round solids and of holes; a multiple of four keeps a cylinder's quarter turns
 SPACING = 0.3  # edges of the fine form, in radii of the thinnest limb
 MOST_TRIANGLES = 16_000  # of the fine form: its edges are longer where there would be more
@@ -391,3 +394,87 @@ DOUBTFUL: dict[str, Callable[[Size], Solid]] = {
     "cube": lambda s: _no_way(box(side := s(3), side, side), side, side / 2),
     "square-plate": lambda s: _no_way(box(side := s(6), side, s(0.8)), side, 0.4),
 }
+
+
+def plate(num_holes: int, longest: float | None = None) -> trimesh.Trimesh:
+    """A plate of 10 x 6 x 1 with round holes in rows, of genus ``num_holes``: 2 x (4 + 32 ``num_holes``) vertices.
+
+    If ``longest`` is given, edges are halved until none is longer.
+    """
+    columns = min(int(np.ceil(np.sqrt(num_holes * 10 / 6))), num_holes)
+    rows = -(-num_holes // max(columns, 1))
+    cell = np.array([10 / max(columns, 1), 6 / max(rows, 1)])
+    place = np.array([[k % columns + 0.5, k // columns + 0.5] for k in range(num_holes)]).reshape(-1, 2) * cell
+    radius = 0.2 * cell.min()
+    outline = np.array([[0.0, 0], [10, 0], [10, 6], [0, 6]])
+    return _as_mesh(_extruded([outline, *(_circle(radius)[::-1] + centre for centre in place)], 1.0), longest)
+
+
+def pipe(wall: float, length: float = 4.0, sides: int = 48, longest: float | None = None) -> trimesh.Trimesh:
+    """A straight pipe of outer radius 1 and a ``wall`` thickness below 1: genus 1, with one loop around its bore."""
+    return _as_mesh(_extruded([_circle(1.0, sides), _circle(1.0 - wall, sides)[::-1]], length), longest)
+
+
+def bracket(num_holes: int = 4, longest: float | None = None) -> trimesh.Trimesh:
+    """An angle of two plates of 6 x 4 x 0.5 with ``num_holes`` screw holes, at most 8, alternating between the plates.
+    Its genus is ``num_holes``."""
+    leg = np.array([[0.0, 0], [6, 0], [6, 4], [0, 4]])
+    holes: list[list[np.ndarray]] = [[], []]
+    for k in range(num_holes):
+        centre = np.array([1.7 + 3.0 * (k // 2) / max((num_holes - 1) // 2, 1), 2.0])
+        holes[k % 2].append(_circle(0.4)[::-1] + centre)
+    one, other = (_extruded([leg, *own], 0.5) for own in holes)
+    return _as_mesh(one + other.rotate((0.0, -90.0, 0.0)).translate((0.5, 0.0, 0.0)), longest)
+
+
+def rings(are_linked: bool, minor: float = 0.2, around: int = 48, across: int = 12) -> trimesh.Trimesh:
+    """Two separate rings of radius 1, each of genus 1: linked as in a chain, or side by side.
+
+    Their true curves are the circles of `ring_curves`.
+    """
+    shift = np.linspace(0, 2 * np.pi, across, endpoint=False)
+    vertices, faces = [], []
+    i, j = np.divmod(np.arange(around * across), across)
+    there, up = (i + 1) % around * across, (j + 1) % across
+    quads = np.stack([i * across + j, there + j, there + up, i * across + up], axis=1)
+    for points, out, axis in zip(*_rings(are_linked, around), strict=True):
+        tube = minor * (np.cos(shift)[:, None] * out[:, None] + np.sin(shift)[:, None] * axis)
+        faces.append(quads[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3) + around * across * len(vertices))
+        vertices.append((points[:, None] + tube).reshape(-1, 3))
+    return trimesh.Trimesh(np.concatenate(vertices), np.concatenate(faces), process=False)
+
+
+def ring_curves(are_linked: bool, num: int = 48) -> tuple[np.ndarray, np.ndarray]:
+    """The circles in the middle of `rings`: points (2 num, 3) and edges (2 num, 2)."""
+    step = np.arange(num)
+    circle = np.stack([step, (step + 1) % num], axis=1)
+    return np.concatenate(_rings(are_linked, num)[0]), np.concatenate([circle, circle + num])
+
+
+def _rings(are_linked: bool, num: int) -> tuple[list[np.ndarray], list[np.ndarray], list[np.ndarray]]:
+    """Two circles: their points (num, 3), the outward direction at each point, and the axis."""
+    angle = np.linspace(0, 2 * np.pi, num, endpoint=False)
+    flat = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    upright = flat[:, [0, 2, 1]] * [1, 1, -1]  # turned about x, so that both have the same sense about their axis
+    away = np.array([1.0 if are_linked else 3.0, 0.0, 0.0])
+    return [flat, upright + away], [flat, upright], [np.array([0.0, 0, 1]), np.array([0.0, 1, 0])]
+
+
+def _circle(radius: float, sides: int = SIDES) -> np.ndarray:
+    angle = np.linspace(0, 2 * np.pi, sides, endpoint=False)
+    return radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def _extruded(outlines: list[np.ndarray], height: float) -> Manifold:
+    """The extrusion of a polygon; outlines of holes have the opposite orientation."""
+    return manifold3d.CrossSection(outlines).extrude(height)
+
+
+def _as_mesh(solid: Manifold, longest: float | None) -> trimesh.Trimesh:
+    found = solid.to_mesh64()
+    vertices, faces = found.vert_properties[:, :3], found.tri_verts.astype(np.int64)
+    if longest is not None:
+        meso = Meso.from_mesh(vertices, faces)
+        split.split_long_edges(meso, longest)
+        vertices, faces = meso.positions, meso.faces()
+    return trimesh.Trimesh(vertices, faces, process=False)

@@ -17,12 +17,13 @@ import scipy.sparse as sp
 import trimesh
 from scipy.sparse.linalg import splu
 
-from msf_jax import Config, Weights, ground_truth
+from msf_jax import Config, Weights
 from msf_jax.base.clock import Clock
 from msf_jax.device.contraction import Gram
 from msf_jax.device.iteration import _energies, _equations, jitted_move
 from msf_jax.flow import starting, stepping
 from msf_jax.meshes import checking
+from tests.benchmarks import ground_truth
 
 NAMES = ("arc_coarse", "y_coarse", "helix_coarse", "tree_coarse", "octopus_low", "hand", "pawn_low", "comb", "theta")
 WEIGHTS = {

@@ -53,8 +53,8 @@ class Found(NamedTuple):
 
 
 def shapes(only: list[str] | None, folder: Path) -> Iterator[tuple[str, Solid]]:
-    from msf_jax import ground_truth
     from msf_jax.meshes import reading
+    from tests.benchmarks import ground_truth
 
     places = [*(folder / f"{name}.off" for name in RESEARCH)]
     places += [path for name in WILD for path in folder.parent.glob(f"wild/{name}.*")]

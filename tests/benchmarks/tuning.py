@@ -17,10 +17,11 @@ import jax
 import numpy as np
 
 import msf_jax
-from msf_jax import Config, Weights, ground_truth, metrics, objectives
+from msf_jax import Config, Weights, metrics, objectives
 from msf_jax.gradients.replay import replay_meso
-from msf_jax.ground_truth import KnownShape
 from msf_jax.tuning.tuner import FIELD_BOUNDS, MOST_PAIRS
+from tests.benchmarks import ground_truth
+from tests.benchmarks.ground_truth import KnownShape
 
 OBJECTIVE = objectives.explained() + 0.02 * objectives.centred() + objectives.inside()
 STARTS = [(1, 0.01, 0.01, 10), (1, 100, 100, 0.1), (1, 1, 0.01, 0.1)]  # times the defaults; only ratios matter
@@ -40,7 +41,7 @@ def made(name: str) -> KnownShape:
     if name not in SWEPT:
         return ground_truth.make(name)
     line, radius, ends = SWEPT[name]
-    return replace(ground_truth._swept(line, radius, 8, ends), name=name)
+    return replace(ground_truth.swept(line, radius, 8, ends), name=name)
 
 
 def times_defaults(factors: Iterable[float]) -> Weights:

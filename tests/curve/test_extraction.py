@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from conftest import torus
 
-from msf_jax import ground_truth
 from msf_jax.curve import extraction
 from msf_jax.meso.meso import Meso
 from msf_jax.topology import graphs
+from tests.benchmarks import ground_truth
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -9,8 +9,9 @@ from run_cases import flow_of
 from scipy import spatial
 
 import msf_jax
-from msf_jax import Config, CurveOptions, PreprocessingOptions, ground_truth, metrics
+from msf_jax import Config, CurveOptions, PreprocessingOptions, metrics
 from msf_jax.curve import finishing
+from tests.benchmarks import ground_truth
 
 
 @pytest.mark.parametrize("genus", [1, 0])

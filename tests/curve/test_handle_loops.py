@@ -10,7 +10,7 @@ from conftest import torus
 from loop_cases import NO_EDGES, RING, circle, cycle, shape_of, theta, torus_knot
 
 import msf_jax
-from msf_jax import metrics, shapes
+from msf_jax import metrics
 from msf_jax.curve import handle_loops
 from msf_jax.inside import containment
 from msf_jax.inside.containment import is_inside
@@ -19,6 +19,7 @@ from msf_jax.skeleton.report import loops_of
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION
 from msf_jax.topology.graphs import cycle_count, shortest_forest
+from tests.benchmarks import solids
 
 
 @pytest.mark.parametrize(("width", "is_in"), [(RESOLUTION / 4, True), (4 * RESOLUTION, False)])
@@ -68,7 +69,7 @@ def test_proof_of_curves_in_a_ring(curves, expected):
 
 def test_two_loops_are_no_basis_where_one_is_the_other_and_twice_a_third():
     """Around holes a and a + 2 b of a plate: a rank of 2, and still no curve of it."""
-    shape = shape_of(shapes.plate(2))
+    shape = shape_of(solids.plate(2))
     one, other = circle(1.8, (2.5, 3.0, 0.5)), circle(-1.8, (7.5, 3.0, 0.5))
     assert counts(proof(shape, one, other)) == (2, 0, 0, 0, 0)
     both = np.concatenate([one, [[5.0, 3.0, 0.5]], other, circle(-1.6, (7.5, 3.0, 0.5)), [[5.0, 3.0, 0.4]]])
@@ -77,7 +78,7 @@ def test_two_loops_are_no_basis_where_one_is_the_other_and_twice_a_third():
 
 @pytest.mark.parametrize("num_holes", [0, 1, 4, 9])
 def test_a_plate_has_a_loop_around_each_hole_and_one_around_several_adds_none(num_holes):
-    shape = shape_of(shapes.plate(num_holes))
+    shape = shape_of(solids.plate(num_holes))
     assert shape.handles.genus == num_holes
     columns = {0: 1, 1: 1, 4: 3, 9: 4}[num_holes]
     rows = -(-num_holes // columns)
@@ -95,7 +96,7 @@ def test_a_plate_has_a_loop_around_each_hole_and_one_around_several_adds_none(nu
 
 def test_the_linking_number_tells_linked_rings_from_rings_apart():
     for are_linked in (True, False):
-        mesh, (points, edges) = shapes.rings(are_linked), shapes.ring_curves(are_linked)
+        mesh, (points, edges) = solids.rings(are_linked), solids.ring_curves(are_linked)
         assert counts(handle_loops.proof(shape_of(mesh), points, edges)) == (2, 0, 0, 0, 0)
         one, _ = mesh.split()
         own = proof(shape_of(one), points[:48]).rank + proof(shape_of(one), points[48:]).rank
@@ -191,7 +192,7 @@ def test_many_vectors_at_once_are_added_as_one_by_one(prime):
 @pytest.fixture(scope="module")
 def plate():
     """A plate with two holes, and its skeleton."""
-    return (mesh := shapes.plate(2)), msf_jax.skeletonize(mesh)
+    return (mesh := solids.plate(2)), msf_jax.skeletonize(mesh)
 
 
 @pytest.mark.slow  # ranks and their proofs have many tests above

@@ -10,9 +10,9 @@ from conftest import blob, torus
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ground_truth
 from msf_jax.device import nearest
 from msf_jax.solid.solid import Solid
+from tests.benchmarks import ground_truth
 
 
 def needle():

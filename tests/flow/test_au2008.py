@@ -6,9 +6,10 @@ import pytest
 from conftest import torus
 
 import msf_jax
-from msf_jax import Config, ground_truth
+from msf_jax import Config
 from msf_jax.base.options import Weights
 from msf_jax.meso import surgery
+from tests.benchmarks import ground_truth
 
 
 def test_recentring_brings_a_shifted_contraction_back():

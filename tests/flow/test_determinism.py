@@ -15,8 +15,8 @@ import pytest
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ground_truth
 from msf_jax.flow import loop, starting
+from tests.benchmarks import ground_truth
 
 PROCESSES = int(os.environ.get("MSF_JAX_PROCESSES", "2"))
 ROOT = Path(__file__).parents[2]

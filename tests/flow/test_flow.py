@@ -8,21 +8,13 @@ from conftest import blob, torus
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import (
-    Config,
-    ConfigError,
-    FlowOptions,
-    PreprocessingOptions,
-    SolverOptions,
-    Weights,
-    ground_truth,
-    shapes,
-)
+from msf_jax import Config, ConfigError, FlowOptions, PreprocessingOptions, SolverOptions, Weights, shapes
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
 from msf_jax.flow import loop
 from msf_jax.flow.state import Iteration
 from msf_jax.meshes import checking
+from tests.benchmarks import ground_truth
 
 
 def diagonal(vertices):

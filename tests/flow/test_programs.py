@@ -63,7 +63,7 @@ def test_a_library_call_prints_nothing_with_an_empty_and_with_a_full_cache(tmp_p
     """With the setting that hides a false alarm of XLA in some versions; see `cache_compilations`."""
     program = f"""
 import jax, msf_jax
-from msf_jax import ground_truth
+from tests.benchmarks import ground_truth
 jax.config.update("jax_enable_x64", True)
 msf_jax.cache_compilations({str(tmp_path / "cache")!r})
 msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)

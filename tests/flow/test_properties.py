@@ -13,7 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import msf_jax
-from msf_jax import Config, ground_truth, shapes
+from msf_jax import Config, shapes
+from tests.benchmarks import ground_truth
 
 EXAMPLES = int(os.environ.get("MSF_JAX_EXAMPLES", "2"))
 CHECKED = Config(check=True)  # a closed manifold of the same genus after every round of edits, or an error

@@ -10,8 +10,9 @@ from jax import export
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import Config, Weights, ground_truth
+from msf_jax import Config, Weights
 from msf_jax.device import iteration
+from tests.benchmarks import ground_truth
 
 PLATFORMS = ("cpu", "cuda", "tpu")  # XLA compiles for the last two where such a device is; all operations are lowered
 

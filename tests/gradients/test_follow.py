@@ -13,8 +13,9 @@ from run_cases import flow_of
 from scipy.spatial.transform import Rotation
 
 import msf_jax
-from msf_jax import ConfigError, MeshError, ground_truth
+from msf_jax import ConfigError, MeshError
 from msf_jax.solid.solid import Solid
+from tests.benchmarks import ground_truth
 
 KNOWN = {"y": "y_coarse", "tube": "straight_coarse"}
 

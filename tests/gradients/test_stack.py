@@ -15,8 +15,9 @@ import pytest
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ConfigError, MeshError, ground_truth
+from msf_jax import ConfigError, MeshError
 from msf_jax.base.binding import SMALLEST_SIZES, capacity_for, padded, unpadded
+from tests.benchmarks import ground_truth
 
 NAMES = ("straight_coarse", "y_coarse")
 

@@ -11,7 +11,8 @@ import pytest
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ConfigError, MeshError, ground_truth, losses
+from msf_jax import ConfigError, MeshError, losses
+from tests.benchmarks import ground_truth
 
 
 @pytest.fixture(scope="module")

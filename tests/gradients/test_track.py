@@ -10,10 +10,11 @@ from run_cases import flow_of
 from scipy.spatial.transform import Rotation
 
 import msf_jax
-from msf_jax import ConfigError, MeshError, ground_truth
+from msf_jax import ConfigError, MeshError
 from msf_jax.app.cli import main
 from msf_jax.gradients import track as tracking
 from msf_jax.gradients.track import Tracker
+from tests.benchmarks import ground_truth
 
 
 @pytest.fixture(scope="module")

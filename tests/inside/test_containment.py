@@ -7,11 +7,11 @@ import trimesh
 from curve_cases import bow, is_inside, length_of, none_held, path, tube, unit_shape
 
 import msf_jax
-from msf_jax import ground_truth
 from msf_jax.curve import finishing
 from msf_jax.inside import containment
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology.graphs import cycle_count
+from tests.benchmarks import ground_truth
 
 
 def test_an_edge_across_a_bend_is_led_round_it():

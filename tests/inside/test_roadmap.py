@@ -3,10 +3,10 @@
 import numpy as np
 import trimesh
 
-from msf_jax import ground_truth
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap, inner_balls
 from msf_jax.solid.enclosure import Enclosure
+from tests.benchmarks import ground_truth
 
 
 def bent_tube() -> Enclosure:

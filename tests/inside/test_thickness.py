@@ -3,10 +3,10 @@
 import numpy as np
 import trimesh
 
-from msf_jax import ground_truth
 from msf_jax.inside import balls
 from msf_jax.meso import collapse, split
 from msf_jax.meso.meso import Meso
+from tests.benchmarks import ground_truth
 
 
 def coil(radius: float, length: float = 2.0, sides: int = 12) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -8,11 +8,11 @@ from limb_cases import LIMB, RADIUS, block, fingers, legs, solid
 from scipy import spatial
 
 import msf_jax
-from msf_jax import ground_truth
 from msf_jax.curve import finishing
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
 from msf_jax.topology.graphs import cycle_count
+from tests.benchmarks import ground_truth
 
 LINE = np.linspace([-1.0, 0, 0], [1, 0, 0], 41)
 

@@ -15,8 +15,8 @@ import pytest
 import pyvista
 
 import msf_jax
-from msf_jax import ground_truth
 from msf_jax.base import layout
+from tests.benchmarks import ground_truth
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]

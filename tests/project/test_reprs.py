@@ -8,10 +8,11 @@ import pytest
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import Weights, ground_truth
+from msf_jax import Weights
 from msf_jax.app.batch import BatchResult
 from msf_jax.gradients.sensitivity import Sensitivity
 from msf_jax.tuning.tuner import Tuned, TuningStep
+from tests.benchmarks import ground_truth
 
 LONGEST = 160
 

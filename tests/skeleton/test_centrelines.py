@@ -11,11 +11,12 @@ import trimesh
 from scipy import spatial
 
 import msf_jax
-from msf_jax import ConfigError, ground_truth
+from msf_jax import ConfigError
 from msf_jax.skeleton.measures import frames_of, profiles_of, swept_volumes
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
 from msf_jax.skeleton.source import Source
 from msf_jax.solid.solid import Solid
+from tests.benchmarks import ground_truth
 
 
 def measured(nodes, edges, mesh: trimesh.Trimesh) -> Skeleton:

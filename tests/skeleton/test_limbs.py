@@ -15,6 +15,7 @@ from msf_jax.meshes.checking import prepare
 from msf_jax.skeleton import report
 from msf_jax.skeleton.report import shares_of
 from msf_jax.solid.enclosure import Enclosure
+from tests.benchmarks import solids
 
 
 def chain(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +106,7 @@ def test_a_ball_is_none():
 @pytest.mark.slow
 def test_a_plate_is_sound_and_no_limb():
     """Half of the length of its curve, which goes around four holes, is not in sheets."""
-    found = msf_jax.skeletonize(msf_jax.shapes.plate(4)).report
+    found = msf_jax.skeletonize(solids.plate(4)).report
     assert found.is_sound and found.in_sheets is not None and found.in_sheets < report.MOSTLY
     assert not found.are_limbs and "in sheets" in found.not_limbs[0]
 

@@ -9,9 +9,10 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, ground_truth, shapes
+from msf_jax import Config, ConfigError, MeshError, shapes
 from msf_jax.app.cli import main
 from msf_jax.skeleton.skeleton import curve_of
+from tests.benchmarks import ground_truth
 
 
 @pytest.fixture(scope="module")

@@ -10,11 +10,12 @@ import trimesh
 from PIL import Image
 from scipy import spatial
 
-from msf_jax import ConfigError, MeshError, ground_truth
+from msf_jax import ConfigError, MeshError
 from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, body, bones, rig
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
+from tests.benchmarks import ground_truth
 
 SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
 

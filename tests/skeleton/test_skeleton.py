@@ -10,8 +10,9 @@ from conftest import torus
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ConfigError, Skeleton, ground_truth
+from msf_jax import ConfigError, Skeleton
 from msf_jax.solid.enclosure import Enclosure
+from tests.benchmarks import ground_truth
 
 
 @pytest.fixture(scope="module")

@@ -12,8 +12,9 @@ from device_cases import central_difference
 from scipy import spatial
 
 import msf_jax
-from msf_jax import Config, ConfigError, Weights, ground_truth, objectives
+from msf_jax import Config, ConfigError, Weights, objectives
 from msf_jax.tuning import tuner
+from tests.benchmarks import ground_truth
 
 pytestmark = pytest.mark.usefixtures("few_rows")
 OBJECTIVE = objectives.explained() + 0.02 * objectives.centred()

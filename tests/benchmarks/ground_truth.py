@@ -1,11 +1,9 @@
 """Closed meshes whose curve skeleton is known, because they are built around it. Skeletons are scored with them."""
 
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import combinations, pairwise, product
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -14,8 +12,6 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from msf_jax import shapes
-from msf_jax.base.errors import ConfigError
-from msf_jax.meshes import reading
 
 _TURN = Rotation.from_euler("zyx", [0.4, 0.7, 1.1]).as_matrix()  # limbs must not lie along the sampling grid's axes
 CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii
@@ -37,10 +33,6 @@ class KnownShape:
             At a junction the inscribed ball may be larger.
         tips: (K, 3) ends of limbs, on the surface.
         tip_radii: (K,) radius of the limb at its end, while the node's is 0.
-        genus: number of handles.
-        is_tube: whether it consists of limbs only, so that the true curve is complete.
-        is_noisy: whether its vertices were moved at random.
-        is_coarse: whether its limbs have few vertices around, so that radii are exact to a third only.
     """
 
     name: str
@@ -50,13 +42,11 @@ class KnownShape:
     radii: np.ndarray
     tips: np.ndarray
     tip_radii: np.ndarray
-    genus: int
-    is_tube: bool = True
-    is_noisy: bool = False
-    is_coarse: bool = False
 
-    def __repr__(self) -> str:
-        return f"KnownShape({self.name!r}, {len(self.mesh.vertices)} vertices, genus {self.genus})"
+    @property
+    def genus(self) -> int:
+        """Number of handles."""
+        return 1 - int(self.mesh.euler_number) // 2
 
     @property
     def num_leaves(self) -> int:
@@ -64,32 +54,9 @@ class KnownShape:
         return len(self.tips)
 
 
-def names() -> list[str]:
-    """The names that `make` accepts."""
-    return list(_BUILDERS)
-
-
 def make(name: str) -> KnownShape:
-    """The shape of that name, built anew, and identical each time.
-
-    Raises:
-        ConfigError: no shape has that name.
-    """
-    if name not in _BUILDERS:
-        raise ConfigError(f"no shape is called {name!r}: expected one of {', '.join(names())}")
-    return replace(_BUILDERS[name](), name=name)
-
-
-def mesh_named(name: str) -> trimesh.Trimesh:
-    """The mesh of the shape of that name, or of the OFF file of that name in the folder that MSF_JAX_MESHES names.
-
-    Raises:
-        ConfigError: neither exists.
-    """
-    path = Path(os.environ.get("MSF_JAX_MESHES", "."), f"{name}.off")
-    if name in _BUILDERS or not path.exists():
-        return make(name).mesh
-    return trimesh.Trimesh(*reading.read(path), process=False)
+    """The shape of that name in `BUILDERS`, built anew, and identical each time."""
+    return replace(BUILDERS[name](), name=name)
 
 
 def noisy(shape: KnownShape, amount: float, seed: int) -> KnownShape:
@@ -99,7 +66,7 @@ def noisy(shape: KnownShape, amount: float, seed: int) -> KnownShape:
     """
     shift = np.random.default_rng(seed).normal(0, amount * shape.mesh.scale, (len(shape.mesh.vertices), 1))
     mesh = trimesh.Trimesh(shape.mesh.vertices + shift * shape.mesh.vertex_normals, shape.mesh.faces, process=False)
-    return replace(shape, name=f"{shape.name}_noisy", mesh=mesh, is_noisy=True)
+    return replace(shape, name=f"{shape.name}_noisy", mesh=mesh)
 
 
 def swept_tube(
@@ -203,7 +170,7 @@ _LINES = {  # x, y, z; closed lines return to their first point
 }
 
 
-def _swept(line: str, size: ArrayLike, sides: int, ends: Literal["flat", "round", "none"] = "flat") -> KnownShape:
+def swept(line: str, size: ArrayLike, sides: int, ends: Literal["flat", "round", "none"] = "flat") -> KnownShape:
     """A tube along a line; its radius is one number, or one at each point."""
     closed = ends == "none"
     num = len(_T) - closed
@@ -214,7 +181,7 @@ def _swept(line: str, size: ArrayLike, sides: int, ends: Literal["flat", "round"
     if ends == "flat":
         to_end = np.linalg.norm(points[:, None] - points[[0, -1]], axis=2).min(axis=1)
         truth = (points, edges, np.minimum(radii, to_end), points[[0, -1]], radii[[0, -1]])
-    return KnownShape("", mesh, *truth, int(closed), is_coarse=sides < 10)
+    return KnownShape("", mesh, *truth)
 
 
 def _to_surface(curve: CurveArrays, leaves: Sequence[int] | None = None) -> Truth:
@@ -265,13 +232,13 @@ _PATHS: dict[str, Sequence[ArrayLike]] = {
 }
 
 
-def _around(paths: str, spacing: float, genus: int = 0, *, is_coarse: bool = False) -> KnownShape:
+def _around(paths: str, spacing: float) -> KnownShape:
     """A solid with rounded ends around paths."""
     points, edges, radii = _graph(*_PATHS[paths])
     points = points @ _TURN.T
     # Triangles are chords of the true surface: with this addition, inscribed balls have about the true radius.
     mesh = shapes.solid_around(points, edges, radii + 0.2 * spacing**2 / radii, spacing)
-    return KnownShape("", mesh, *_to_surface((points, edges, radii)), genus, is_coarse=is_coarse)
+    return KnownShape("", mesh, *_to_surface((points, edges, radii)))
 
 
 def _octopus_low() -> KnownShape:
@@ -301,7 +268,7 @@ def _octopus_low() -> KnownShape:
         paths.append(np.vstack([[0, 0, 0, 1], [*(1 - radii[0]) * centre, *radii[0]], np.hstack([nodes, radii])]))
     mesh = trimesh.Trimesh(*trimesh.util.append_faces(*zip((body.vertices, faces), *parts, strict=True)), process=False)
     mesh.merge_vertices()
-    return KnownShape("", mesh, *_to_surface(_graph(*paths)), 0, is_coarse=True)
+    return KnownShape("", mesh, *_to_surface(_graph(*paths)))
 
 
 def _pawn_low() -> KnownShape:
@@ -321,8 +288,7 @@ def _pawn_low() -> KnownShape:
     outline = np.concatenate([np.linspace(a, b, 200) for a, b in pairwise(profile)])
     radii = np.linalg.norm(outline - np.stack([0 * heights, heights], axis=1)[:, None], axis=2).min(axis=1)
     mesh = _skin(rings[1:], list(points[[0, -1]]))
-    truth = (points, edges, radii, points[[0, -1]], np.array([0.5, 0.25]))
-    return KnownShape("", mesh, *truth, 0, is_tube=False, is_coarse=True)
+    return KnownShape("", mesh, points, edges, radii, points[[0, -1]], np.array([0.5, 0.25]))
 
 
 def _sheet_and_limb() -> KnownShape:
@@ -336,34 +302,34 @@ def _sheet_and_limb() -> KnownShape:
     t = np.clip(offset @ along / (along @ along), 0, 1)
     field = np.minimum(plate, np.linalg.norm(offset - t[..., None] * along, axis=-1) - radius)
     truth = _to_surface((limb @ _TURN.T, np.array([[0, 1]]), np.full(2, radius)), leaves=[1])
-    return KnownShape("", shapes.level_set(field, grid[0, 0, 0], spacing), *truth, 0, is_tube=False)
+    return KnownShape("", shapes.level_set(field, grid[0, 0, 0], spacing), *truth)
 
 
-_BUILDERS: dict[str, Callable[[], KnownShape]] = {
-    "straight": partial(_swept, "straight", 0.12, 24),
-    "arc": partial(_swept, "arc", 0.12, 24),
-    "helix": partial(_swept, "helix", 0.1, 20),
-    "s_curve": partial(_swept, "s_curve", 0.12, 24),
-    "straight_round": partial(_swept, "straight", 0.12, 24, "round"),
-    "taper": partial(_swept, "straight", 0.21 - 0.14 * _T, 24, "round"),
-    "wavy_radius": partial(_swept, "straight", 0.13 + 0.03 * np.sin(2.5 * _A), 24, "round"),
-    "ring": partial(_swept, "ring", 0.14, 24, "none"),
-    "trefoil": partial(_swept, "trefoil", 0.14, 16, "none"),
+BUILDERS: dict[str, Callable[[], KnownShape]] = {
+    "straight": partial(swept, "straight", 0.12, 24),
+    "arc": partial(swept, "arc", 0.12, 24),
+    "helix": partial(swept, "helix", 0.1, 20),
+    "s_curve": partial(swept, "s_curve", 0.12, 24),
+    "straight_round": partial(swept, "straight", 0.12, 24, "round"),
+    "taper": partial(swept, "straight", 0.21 - 0.14 * _T, 24, "round"),
+    "wavy_radius": partial(swept, "straight", 0.13 + 0.03 * np.sin(2.5 * _A), 24, "round"),
+    "ring": partial(swept, "ring", 0.14, 24, "none"),
+    "trefoil": partial(swept, "trefoil", 0.14, 16, "none"),
     "y": partial(_around, "y", 0.05),
     "tee": partial(_around, "tee", 0.05),
     "tree": partial(_around, "tree", 0.072),
     "star": partial(_around, "star", 0.065),
     "comb": partial(_around, "comb", 0.065),
-    "theta": partial(_around, "theta", 0.078, 2),
+    "theta": partial(_around, "theta", 0.078),
     # The same hand as in the demo. The forearm's end is no leaf, because the handle starts there.
-    "hand": lambda: KnownShape("", shapes.hand(), *_to_surface(shapes.hand_curve()), 1),
-    "cube_frame": partial(_around, "cube_frame", 0.096, 5),
-    "straight_coarse": partial(_swept, "straight", 0.12, 6),
-    "arc_coarse": partial(_swept, "arc", 0.12, 6),
-    "helix_coarse": partial(_swept, "helix", 0.1, 6),
-    "y_coarse": partial(_around, "y", 0.12, is_coarse=True),
-    "tree_coarse": partial(_around, "tree", 0.11, is_coarse=True),
-    "arc_fine": partial(_swept, "arc", 0.12, 72),
+    "hand": lambda: KnownShape("", shapes.hand(), *_to_surface(shapes.hand_curve())),
+    "cube_frame": partial(_around, "cube_frame", 0.096),
+    "straight_coarse": partial(swept, "straight", 0.12, 6),
+    "arc_coarse": partial(swept, "arc", 0.12, 6),
+    "helix_coarse": partial(swept, "helix", 0.1, 6),
+    "y_coarse": partial(_around, "y", 0.12),
+    "tree_coarse": partial(_around, "tree", 0.11),
+    "arc_fine": partial(swept, "arc", 0.12, 72),
     "y_fine": partial(_around, "y", 0.022),
     "straight_noisy": lambda: noisy(make("straight"), 0.005, 1),
     "y_noisy": lambda: noisy(make("y"), 0.0025, 2),  # more noise would fold its many short edges
