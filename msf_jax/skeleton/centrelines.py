@@ -17,7 +17,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.curve import branches
-from msf_jax.skeleton.measures import Profiles, frames_of, profiles_of, volumes_of
+from msf_jax.skeleton.measures import Profiles, profiles_of, tangents_of, volumes_of
 from msf_jax.solid.geometry import arc_length, at, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
@@ -117,13 +117,13 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
 def node_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of nodes. A junction belongs to the first of its branches."""
     num, branch = len(skeleton.vertices), np.full(len(skeleton.vertices), -1)
-    along, curvature, torsion = np.full((3, num), np.nan)
+    along, curvature = np.full((2, num), np.nan)
     tangent = np.full((num, 3), np.nan)
     for number, nodes in reversed(list(enumerate(direct_branches(skeleton).nodes))):
         points = skeleton.vertices[nodes]
         branch[nodes], along[nodes] = number, arc_length(points)
         if len(nodes) > 1 and arc_length(points)[-1] > 0:
-            tangent[nodes], curvature[nodes], torsion[nodes] = frames_of(points, skeleton.radii[nodes])
+            tangent[nodes], curvature[nodes] = tangents_of(points, skeleton.radii[nodes])
     sections = np.full((4, num), np.nan)
     known = np.isfinite(tangent).all(axis=1)
     if skeleton.source is not None and known.any():
@@ -138,7 +138,6 @@ def node_columns(skeleton: "Skeleton") -> Columns:
         "along": along,
         **dict(zip(("tangent_x", "tangent_y", "tangent_z"), tangent.T, strict=True)),
         "curvature": curvature,
-        "torsion": torsion,
         "area": profiles.area,
         "perimeter": profiles.perimeter,
         "largest_diameter": profiles.largest,

@@ -1,8 +1,8 @@
-"""Measures at places of a curve: tangents, curvature and torsion, cross-sections of the solid, volumes of branches.
+"""Measures at places of a curve: tangents and curvature, cross-sections of the solid, volumes of branches.
 
 With s the arc length and x(s) the least-squares cubic over the nodes within a few radii,
 
-    tangent x' / |x'|,   curvature |x' x x''| / |x'|^3,   torsion (x' x x'') . x''' / |x' x x''|^2.
+    tangent x' / |x'|,   curvature |x' x x''| / |x'|^3.
 """
 
 from typing import NamedTuple
@@ -12,53 +12,36 @@ from scipy import spatial
 
 from msf_jax.solid import openings, sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, cross, repeated, unit
+from msf_jax.solid.geometry import arc_length, cross, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
 FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
 FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
-STRAIGHT = 0.02  # curvature times reach: below it, torsion is 0, because a straight line has none
-NEGLIGIBLE = 1e-9  # share of the largest eigenvalue of a fit: smaller ones, of too few nodes, count as 0
-LONGEST_FACE = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
-MOST_PARTS = 64  # parts along a side of a face, at most
-MOST_FACES = 50_000  # faces after splitting, about; bounds time and memory
+LONGEST_FACE = 2.0  # radii: a longer face is split in four before its volume is given to branches
+PARTS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])  # of a face: its corners 0 to 2, middles of sides 3 to 5
+MOST_SPLITS = 6  # times that a face is split
+MOST_FACES = 50_000  # faces, beyond which none is split; bounds time and memory
 
 
-class Frames(NamedTuple):
-    """Values at the nodes of a branch. tangent: (n, 3), unit. curvature, torsion: (n,), in 1/length."""
-
-    tangent: np.ndarray
-    curvature: np.ndarray
-    torsion: np.ndarray
-
-
-def frames_of(points: np.ndarray, radii: np.ndarray) -> Frames:
-    """The frames of a branch through ``points`` (n, 3), n >= 2, in a limb of ``radii`` (n,)."""
+def tangents_of(points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The tangents (n, 3), unit vectors, and the curvature (n,), in 1/length, of a branch through ``points`` (n, 3),
+    n >= 2, of some length, in a limb of ``radii`` (n,)."""
     num, along = len(points), arc_length(points)
-    index = np.arange(num)
-    first, last = np.maximum(index - FEWEST_FITTED, 0), np.minimum(index + FEWEST_FITTED, num - 1)
-    reach = np.maximum(FIT_REACH * radii, np.maximum(along - along[first], along[last] - along))
-    # A little more, so that the nodes at its ends count whatever the rounding; and more than 0, for nodes in one place.
-    reach = np.maximum(1.001 * reach, 1e-12 * max(along[-1], 1e-300))
-    begin = np.searchsorted(along, along - reach)
-    count = np.searchsorted(along, along + reach, side="right") - begin
-    row, k = repeated(count)
-    other = begin[row] + k
-    away = (along[other] - along[row]) / reach[row]
-    weight = np.maximum(1 - away**2, 0.0)[:, None] ** 2
-    power = np.stack([np.ones_like(away), away, away**2, away**3], axis=1)
-    starts = np.cumsum(count) - count
-    left = np.add.reduceat((weight * power)[:, :, None] * power[:, None, :], starts)
-    right = np.add.reduceat((weight * power)[:, :, None] * (points[other] - points[row])[:, None, :], starts)
-    fit = np.linalg.pinv(left, rcond=NEGLIGIBLE, hermitian=True) @ right
-    one, two, three = (factor * fit[:, k] / reach[:, None] ** k for k, factor in ((1, 1), (2, 2), (3, 6)))
-    binormal = cross(one, two)
-    size, speed = np.linalg.norm(binormal, axis=1), np.maximum(np.linalg.norm(one, axis=1), 1e-300)
-    curvature = size / speed**3
-    is_straight = curvature * reach < STRAIGHT
-    torsion = np.einsum("ij,ij->i", binormal, three) / np.where(is_straight, 1.0, size) ** 2
-    return Frames(unit(one), curvature, np.where(is_straight, 0.0, torsion))
+    tangent, curvature = np.empty((num, 3)), np.empty(num)
+    for k in range(num):
+        first, last = max(k - FEWEST_FITTED, 0), min(k + FEWEST_FITTED, num - 1)
+        reach = max(FIT_REACH * radii[k], along[k] - along[first], along[last] - along[k], 1e-12 * along[-1])
+        reach *= 1.001  # so that the nodes at both ends count whatever the rounding
+        is_fitted = np.abs(along - along[k]) <= reach
+        t = (along[is_fitted] - along[k]) / reach
+        weight = 1 - t[:, None] ** 2
+        power = weight * t[:, None] ** np.arange(4)
+        _, one, two, _ = np.linalg.lstsq(power, weight * (points[is_fitted] - points[k]), rcond=1e-5)[0]
+        tangent[k] = unit(one)
+        speed = max(float(np.linalg.norm(one)), 1e-300)
+        curvature[k] = 2 * np.linalg.norm(cross(one, two)) / speed**3
+    return tangent, curvature
 
 
 def axes_across(normals: np.ndarray) -> np.ndarray:
@@ -178,32 +161,16 @@ def volumes_of(
     branch = np.full(len(nodes), -1)
     for number, path in reversed(list(enumerate(branches))):
         branch[path] = number
-    corners, node = shape.triangles, node_of_vertex[shape.faces]
-    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
-    with np.errstate(divide="ignore"):
-        parts = np.minimum(np.ceil(longest / (LONGEST_FACE * radii[node].max(axis=1))), MOST_PARTS)
-    parts = np.maximum(np.floor(parts / max(np.sqrt((parts**2).sum() / MOST_FACES), 1.0)), 1).astype(int)
-    found, tree = np.zeros(len(branches)), spatial.KDTree(nodes)
-    for num in np.unique(parts).tolist():
-        own, feet = corners[parts == num], node[parts == num]
-        if num > 1:
-            weights, corner = _split(num)
-            points = np.einsum("sk,fkx->fsx", weights, own)
-            own, feet = (
-                each[:, corner].reshape(-1, 3, *each.shape[2:]) for each in (points, np.asarray(tree.query(points)[1]))
-            )
-        found += swept_volumes(own, nodes[feet], branch[feet[:, 0]], len(branches))
-    return found
-
-
-def _split(num: int) -> tuple[np.ndarray, np.ndarray]:
-    """Barycentric coordinates (s, 3) of a grid of points in a triangle, ``num`` steps along each side, and the points
-    (num^2, 3) at the corners of the parts between them."""
-    i, j = (each.ravel() for each in np.indices((num + 1, num + 1)))
-    number = np.cumsum(i + j <= num) - 1
-    parts = []
-    for steps, most in ((((0, 0), (1, 0), (0, 1)), num - 1), (((1, 1), (0, 1), (1, 0)), num - 2)):
-        first = np.flatnonzero(i + j <= most)
-        parts.append(np.stack([number[first + (num + 1) * a + b] for a, b in steps], axis=1))
-    i, j = i[i + j <= num], j[i + j <= num]
-    return np.stack([num - i - j, i, j], axis=1) / num, np.concatenate(parts)
+    corners, node, tree = shape.triangles, node_of_vertex[shape.faces], spatial.KDTree(nodes)
+    volume = np.zeros(len(branches))
+    for _ in range(MOST_SPLITS):
+        longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+        is_long = longest > LONGEST_FACE * radii[node].max(axis=1)
+        if not is_long.any() or len(corners) > MOST_FACES:
+            break
+        volume += swept_volumes(corners[~is_long], nodes[node[~is_long]], branch[node[~is_long, 0]], len(branches))
+        corners, node = corners[is_long], node[is_long]
+        middle = (corners + np.roll(corners, -1, axis=1)) / 2  # of the sides, from each corner to the next one
+        corners = np.concatenate([corners, middle], axis=1)[:, PARTS].reshape(-1, 3, 3)
+        node = np.concatenate([node, np.asarray(tree.query(middle)[1])], axis=1)[:, PARTS].reshape(-1, 3)
+    return volume + swept_volumes(corners, nodes[node], branch[node[:, 0]], len(branches))

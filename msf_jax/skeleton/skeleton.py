@@ -237,7 +237,7 @@ class Skeleton:
           (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
           of the limb or belong to a junction; volume of its part of the solid; angle to its parent, 0 if straight;
           slenderness and surface, as in `Branch`.
-        - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
+        - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
         - "axes": of a plant: an axis goes on through forks with the thickest and straightest branch. parent axis, or
           -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent; internode, the

@@ -12,7 +12,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError, shapes
-from msf_jax.skeleton.framing import Frame, meet_axes, torsion_of, trace_wires
+from msf_jax.skeleton.framing import Frame, trace_wires
 from msf_jax.skeleton.measures import section_of
 from msf_jax.skeleton.skeleton import Skeleton
 
@@ -42,41 +42,12 @@ def test_the_section_of_an_ellipse(a, b):
     np.testing.assert_allclose(found.centroid, [5.0, -3.0], atol=1e-9)
     moments = np.pi * a * b / 4 * np.array([[a**2, 0], [0, b**2]])
     np.testing.assert_allclose(found.moments, moments, rtol=2e-3, atol=1e-12 * a * b)
-    assert torsion_of(corners) == pytest.approx(np.pi * a**3 * b**3 / (a**2 + b**2), rel=0.01)
 
 
 @pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (2.0, 1.0), (5.0, 1.0)])
 def test_the_section_of_a_rectangle(a, b):
     found = section_of(rectangle(a, b))
     np.testing.assert_allclose(found.moments, np.diag([b * a**3, a * b**3]) / 12, rtol=1e-12, atol=1e-15)
-    assert torsion_of(rectangle(a, b)) == pytest.approx(series(a, b), rel=0.01)
-    assert torsion_of(rectangle(a, b) @ [[0.0, 1], [-1, 0]]) == pytest.approx(series(a, b), rel=0.01)
-
-
-def test_the_error_of_the_torsion_constant_is_what_240_pieces_have():
-    """It falls with their square: with twice as many, whose equation takes 4 to 8 times as long, it were 0.06 %."""
-    assert 0.001 < 1 - torsion_of(rectangle(5.0, 1.0)) / series(5.0, 1.0) < 0.005
-
-
-def test_axes_that_are_parallel_meet_at_the_place_on_the_curve_and_others_at_their_crossing():
-    """The least squares of the equation by hand, its weight 1e-3: for axes x and y the place counts 1 / 1001."""
-    place = np.array([[2.0, 3.0, 4.0], [0, 0, 0], [0, 0, 0]])
-    pair, middle = np.array([[1, 0], [0, 2]]), np.array([[-1.0, 0, 0], [1.0, 0, 0]])
-    straight = meet_axes(place, pair, middle, np.array([[1.0, 0, 0], [1.0, 0, 0]]))[0]
-    np.testing.assert_allclose(straight, [2.0, 3e-3 / 2.001, 4e-3 / 2.001], rtol=1e-9)
-    corner = meet_axes(place, pair, middle * [1, 0, 0], np.array([[1.0, 0, 0], [0, 1.0, 0]]))[0]
-    np.testing.assert_allclose(corner, [1.002 / 1.001, 3e-3 / 1.001, 4e-3 / 2.001], rtol=1e-9)
-
-
-@pytest.mark.slow
-def test_the_variation_of_a_tapered_bar_is_that_of_nine_sections_of_its_middle_half():
-    mesh = trimesh.creation.cylinder(0.5, 6.0, sections=16).subdivide().subdivide()
-    vertices = mesh.vertices * np.where([True, True, False], 1 - mesh.vertices[:, 2:] / 12, 1.0)  # 0.625 to 0.375
-    skeleton = msf_jax.skeletonize((vertices, mesh.faces))
-    low, high = np.sort(skeleton.vertices[:, 2])[[0, -1]]
-    stations = (low + high) / 2 + (high - low) / 2 * np.linspace(-0.5, 0.5, 9)
-    area = (1 - stations / 12) ** 2
-    assert skeleton.frame().variation == pytest.approx([area.std() / area.mean()], rel=0.02)
 
 
 def test_short_bars_at_an_acute_joint():
@@ -88,14 +59,6 @@ def test_short_bars_at_an_acute_joint():
     rounded = points + [[0, 0, -0.25], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0.25, 0, 0]]
     check(frame, rounded, members, share=0.01, away=0.05)
     np.testing.assert_allclose(frame.moments, np.pi * 0.25**4 / 4, rtol=0.05)
-
-
-def test_the_torsion_of_a_triangle_and_of_an_angle():
-    """sqrt(3) a^4 / 80 of an equilateral triangle with sides a; about the sum of l t^3 / 3 of thin legs."""
-    assert torsion_of(polygon(3, 1.0, 1.0)) == pytest.approx(9 * np.sqrt(3) / 80, rel=0.01)
-    t = 0.2
-    angle = np.array([[0, 0], [1, 0], [1, t], [t, t], [t, 1], [0, 1.0]])
-    assert torsion_of(angle) == pytest.approx((2 - t) * t**3 / 3, rel=0.1)
 
 
 def bars(points: np.ndarray, members: np.ndarray, radius: float) -> trimesh.Trimesh:
@@ -186,7 +149,7 @@ def test_a_cantilever_bends_as_theory_says(cantilever):
         moved = solved(frame, fixed, np.array(force, dtype=float), modulus, shear)
         assert moved[:3] @ force[:3] == pytest.approx(6.0**3 / (3 * modulus * moment), rel=0.05)
     turned = solved(frame, fixed, np.array([0, 0, 0, 1.0, 0, 0]), modulus, shear)
-    assert turned[3] == pytest.approx(6.0 / (shear * series(0.6, 0.4)), rel=0.05)
+    assert turned[3] == pytest.approx(6.0 / (shear * series(0.6, 0.4)), rel=0.08)  # of Saint-Venant's estimate
 
 
 def solved(frame: Frame, fixed: int, load: np.ndarray, modulus: float, shear: float) -> np.ndarray:
@@ -262,8 +225,8 @@ def test_a_bend_near_an_end_is_a_joint_and_a_rounded_one_is_one():
         stops = np.linspace(0, along[-1], 75)
         points = np.stack([np.interp(stops, along, path[:, axis]) for axis in range(3)], axis=1)
         edges = np.stack([np.arange(74), np.arange(1, 75)], axis=1)
-        found = trace_wires(points, edges, np.full(75, 0.3), 0.3)
-        assert len(found.nodes) == 3 and (np.bincount(found.members.ravel()) == 1).sum() == 2
+        _, members, nodes = trace_wires(points, edges, np.full(75, 0.3), 0.3)
+        assert len(nodes) == 3 and (np.bincount(members.ravel()) == 1).sum() == 2
 
 
 def test_joints_nearer_than_the_tolerance_are_one_and_others_are_not(cantilever):
