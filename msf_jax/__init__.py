@@ -29,7 +29,6 @@ _NAMES = {
     "gradients.batch": "Batch stack",
     "gradients.follow": "Followed follow",
     "gradients.replay": "replay replay_meso replay_radii",
-    "gradients.sensitivity": "sensitivity",
     "gradients.tape": "Tape",
     "gradients.track": "Track track",
     "inside.preprocessing": "reconstruct voronoi_poles",

@@ -142,16 +142,6 @@ class Flow:
     def tape(self) -> Tape:
         return record(self.recording, self.weights, self.config, self.curve, self.source)
 
-    def tape_like(self, tape: Tape) -> Tape:
-        """The tape of this run, padded to the buffer sizes of ``tape`` where this run fits into them.
-
-        ``tape`` is of a run on the same mesh, moved a little, or with other weights. A function that was jitted for
-        ``tape.padded()`` then serves both, although this run took more iterations or splits. If this run does not fit,
-        its buffers are larger, and the function is compiled again.
-        """
-        found = record(self.recording, self.weights, self.config, self.curve, self.source, tape)
-        return found.padded(tape)
-
     def surface(self, iteration: int) -> Stage:
         """The surface after that many iterations, with its ``vertices`` (n, 3), ``faces`` (m, 3) and ``is_fixed`` (n,),
         all components together; 0 is the surface at the start.

@@ -1,8 +1,7 @@
 """`replay`: the curve of a recorded run as a function of its weights and of the mesh's vertices, in pure JAX.
 
 Its gradient is that of the run's geometry with all recorded decisions held fixed. It does not see that other weights
-may collapse, split or fix other vertices, or take more iterations. `Tape.compare` counts the decisions that a fresh run
-made differently.
+may collapse, split or fix other vertices, or take more iterations.
 """
 
 from dataclasses import replace as changed
@@ -31,9 +30,7 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
     Positions, Laplacians, poles and split points are computed anew. Collapses, splits and fixed vertices are those of
     the tape. At the recorded weights and vertices the result is ``flow.curve.vertices``. Works under `jax.jit`, `grad`,
     `vmap`, `jacfwd` and `jacrev`; reverse mode stores three states of the surface for each iteration. Under `jax.jit`,
-    pass the tape as an argument, because a tape that is closed over is compiled in. A program that was compiled for one
-    tape serves all tapes of the same capacities and number of nodes. For a tape from `Tape.padded` the number of nodes
-    may differ.
+    pass the tape as an argument, because a tape that is closed over is compiled in.
 
     Args:
         tape: of a run, ``flow.tape``.

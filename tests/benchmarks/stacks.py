@@ -1,4 +1,4 @@
-"""Value and gradient of `follow` for many meshes: compilations, seconds, bits, slopes; a second tape; files.
+"""Value and gradient of `follow` for many meshes: compilations, seconds, bits, slopes; files.
 
 usage: python -m tests.benchmarks.stacks [--meshes 64] [--closed 4] [--keep FOLDER]
 
@@ -155,30 +155,6 @@ def show_slopes(skeletons: list) -> None:
     print(f"Second derivatives off differences of slopes: {float(jnp.median(off)):.1e}, at most {float(off.max()):.1e}")
 
 
-def show_tape(compilations: list) -> None:
-    """The replay of a second run, of the same mesh moved a little, that took another number of iterations."""
-    mesh = shapes.hand(0.12)
-    first = msf_jax.contract(mesh)
-    tape = first.tape.padded()
-    run = jax.jit(jax.value_and_grad(lambda tape, weights: (msf_jax.replay(tape, weights) ** 2).sum(), argnums=1))
-    start = clocks()
-    jax.block_until_ready(run(tape, tape.weights))
-    taken = clocks() - start
-    print("| tape | iterations | nodes | compilations | seconds, of CPU |\n| --- | --- | --- | --- | --- |")
-    print(f"| first | {len(first.history)} | {first.tape.num_nodes} | | {taken[0]:.2f}, {taken[1]:.2f} |")
-    for amount in (0.003, 0.01, 0.02):
-        moved = mesh.vertices * (1 + amount * np.sin(40 * mesh.vertices[:, :1]))
-        flow = msf_jax.contract((moved, mesh.faces))
-        other = flow.tape_like(tape)
-        jax.block_until_ready(run(tape, tape.weights))
-        compilations.clear()
-        start = clocks()
-        jax.block_until_ready(run(other, other.weights))
-        taken = clocks() - start
-        print(f"| moved by {amount} | {len(flow.history)} | {flow.tape.num_nodes} | {len(compilations)} | "
-              f"{taken[0]:.2f}, {taken[1]:.2f} |", flush=True)  # fmt: skip
-
-
 def show_files(skeleton: msf_jax.Skeleton) -> None:
     """A skeleton, its binding and a batch, through what JAX's users pass trees through."""
 
@@ -238,7 +214,6 @@ def main() -> None:
     show_variants(skeletons, options.closed, compilations)
     show_bits(skeletons[:: max(1, len(skeletons) // 16)])
     show_slopes(skeletons[:: max(1, len(skeletons) // 8)])
-    show_tape(compilations)
     show_files(skeletons[0])
 
 

@@ -53,7 +53,7 @@ def test_every_block_runs(tmp_path, number, block, monkeypatch):
     Those that take derivatives have a short tube instead, which is compiled in a fifth of the time, and few rows. The
     table of a batch is there for whoever only reads it.
     """
-    has_slopes = any(call in block for call in ("jax.grad(", "_grad(", "sensitivity(", "tune("))
+    has_slopes = any(call in block for call in ("jax.grad(", "_grad(", "jacfwd(", "tune("))
     if has_slopes:
         monkeypatch.setattr(layout, "SMALLEST_CAPACITY", 256)
     mesh = ground_truth.make("straight_coarse" if has_slopes else "y_coarse").mesh

@@ -10,7 +10,6 @@ from run_cases import flow_of
 import msf_jax
 from msf_jax import Weights
 from msf_jax.app.batch import BatchResult
-from msf_jax.gradients.sensitivity import Sensitivity
 from msf_jax.tuning.tuner import Tuned, TuningStep
 from tests.benchmarks import ground_truth
 
@@ -32,7 +31,6 @@ def results():
         (skeleton.branches[0], f"Branch({nodes} from "),
         (flow, f"Flow({len(flow.history)} iterations, Skeleton("),
         (flow.tape, "Tape("),
-        (Sensitivity(flow.tape, flow.weights, flow.weights), "Sensitivity(Tape("),
         (msf_jax.follow(skeleton, shape.mesh.vertices), f"Followed(nodes float64[{len(skeleton.vertices)}, 3], radii "),
         (track, "Track(1 frames, 0 of them need a fresh run, Skeleton("),
         (track.frames[0], "TrackedFrame(frame 0: 100.00 % inside)"),

@@ -46,15 +46,11 @@ def load(kind, path):
 
 
 FORGED = [
-    ("tape", "parts/0/stretches/0/enter", lambda a: a + 10**6),
-    ("tape", "parts/0/stretches/0/cut", lambda a: a.astype(float)),
     ("tape", "parts/0/stretches/0/left", lambda a: np.full_like(a, np.nan)),
     ("tape", "parts/0/tetrahedron", lambda a: -1 - a),
-    ("tape", "parts/0/gather/column", lambda a: a[:-1]),
-    ("tape", "parts/0/diagonal", lambda a: -a),
     ("tape", "node_row", lambda a: a + 10**6),
     ("tape", "edges", lambda a: a.astype(float)),
-    ("tape", "is_inside", lambda a: a.astype(int)),
+    ("tape", "is_inside", lambda a: a[:-1]),
     ("tape", "triangles", lambda a: a - 10**6),
     ("skeleton", "edges", lambda a: a.astype(float)),
     ("skeleton", "mesh_map", lambda a: a.astype(float)),

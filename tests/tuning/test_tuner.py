@@ -1,14 +1,11 @@
-"""Tuning of numbers by fresh runs, of fields over the vertices on one tape, and sensitivity."""
+"""Tuning of numbers by fresh runs, and of fields over the vertices on one tape."""
 
 from dataclasses import replace
-from functools import partial
 
-import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
-from device_cases import central_difference
 from scipy import spatial
 
 import msf_jax
@@ -168,30 +165,3 @@ def test_wrong_options(options, says):
     arguments = {"meshes": bone(), "objective": OBJECTIVE, "steps": 1} | options
     with pytest.raises(ConfigError, match=says):
         msf_jax.tune(**arguments)
-
-
-@pytest.mark.slow  # its derivatives are those that the replay's own tests compare
-def test_sensitivity():
-    """To a weight and a vertex by central differences; by columns and by rows it is the same."""
-    mesh = trimesh.creation.icosphere(2)
-    mesh.apply_scale([1.0, 0.4, 0.4])
-    flow = msf_jax.contract(mesh, config=Config(max_iterations=4))
-    with pytest.warns(UserWarning, match=r"the tape is of a run with loose solves.*expected that of contract"):
-        found = msf_jax.sensitivity(flow.tape, tolerance=1e-14)
-    assert found.weights == flow.weights
-    towards = np.random.default_rng(0).normal(size=flow.curve.vertices.shape)
-    replayed = jax.jit(partial(msf_jax.replay, tolerance=1e-15))
-
-    def along(w_M):
-        return (towards * replayed(flow.tape, Weights(w_M=w_M))).sum()
-
-    assert (towards * found.by_weight.w_M).sum() == pytest.approx(central_difference(along, 0.4, 1.0, 1e-6), rel=1e-5)
-    column, row = found.of_vertex(7), found.of_node(2)
-    np.testing.assert_allclose(column[2], row[7], atol=1e-9)
-    assert column.shape == (len(towards), 3, 3) and row.shape == (162, 3, 3)
-    np.testing.assert_allclose(row.sum(axis=0), np.eye(3), atol=1e-7)  # a mesh that moves as a whole moves its nodes
-    with pytest.raises(ConfigError, match="expected a number from 0 to"):
-        found.of_vertex(162)
-    tight = replace(flow.tape, config=flow.tape.config.tight())  # it warns of nothing
-    with pytest.raises(ConfigError, match=r"w_L has shape \(2,\): expected a number"):
-        msf_jax.sensitivity(tight, Weights(w_L=np.ones(2)))
