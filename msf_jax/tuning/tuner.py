@@ -16,10 +16,10 @@ import cma
 import jax
 import jax.numpy as jnp
 import numpy as np
+from tqdm import tqdm
 
 from msf_jax.base.errors import ConfigError, FlowError
 from msf_jax.base.options import Config, Weights, save_weights
-from msf_jax.base.progress import showing
 from msf_jax.flow import loop
 from msf_jax.flow.loop import checked_options
 from msf_jax.flow.state import Flow
@@ -121,7 +121,7 @@ def tune(
         of: "skeleton" for the objective of the finished curve, or "surface" for that of the contracted surface, whose
             vertices count as nodes, see `objectives.of_surface`.
         steps: the number of fresh runs on each mesh, after the first. For of="surface" that of steps of Adam.
-        progress: show a progress bar on standard error, or plain lines if that is no terminal.
+        progress: show a progress bar on standard error, if that is a terminal.
 
     CMA-ES proposes numbers, after the start and the default weights; the same arguments give the same proposals. Only
     the ratios of w_L, w_H and w_M matter, so w_L is held constant if all three may change. Weights whose runs converge
@@ -154,7 +154,9 @@ def tune(
     trials, steps = _Trials(listed, objective, config.tight() if is_surface else config, is_surface), int(steps)
     space = _Space(weights, config.default_weights(), low, high, FIELDS if is_surface else tuple(vars(weights)))
     total = min(steps, MOST_PAIRS) + steps if is_surface else steps + 1
-    with showing(total, "tune", "steps" if is_surface else "runs", progress) as bar:
+    with tqdm(
+        total=total, desc="tune", unit="step" if is_surface else "run", disable=None if progress else True
+    ) as bar:
         reason, values = (_tune_fields if is_surface else _tune_numbers)(trials, space, steps, bar)
     best, num = trials.best, len(space.given)  # the default weights are the last given point
     of_defaults = values[num - 1] if len(values) >= num else np.nan
@@ -242,7 +244,8 @@ def _tune_numbers(trials: _Trials, space: _Space, steps: int, bar: Any) -> tuple
 
     def value_at(point: np.ndarray) -> float:
         value = trials.run(space.weights_at(point))
-        bar.update(1, f"objective {trials.best.found:.4g}")
+        bar.update()
+        bar.set_postfix_str(f"objective {trials.best.found:.4g}")
         return value
 
     reason = "all steps made" if space.free else "no weight is free to change"
@@ -297,7 +300,8 @@ def _tune_fields(trials: _Trials, space: _Space, steps: int, bar: Any) -> tuple[
         value, slope = _value_and_slope(trials.objective, fields, space.start, tape)
         points.append(point)
         values.append(float(value) if np.isfinite(value) else np.inf)
-        bar.update(1, f"objective {min(values):.4g}")
+        bar.update()
+        bar.set_postfix_str(f"objective {min(values):.4g}")
         return values[-1], np.stack([np.asarray(slope[name]) for name in space.free])
 
     reason = "all steps made"

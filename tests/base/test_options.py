@@ -1,8 +1,6 @@
 """Options say what is wrong with them; weights are a pytree."""
 
-import argparse
 import dataclasses
-from collections import defaultdict
 
 import jax
 import jax.numpy as jnp
@@ -12,7 +10,7 @@ import trimesh
 
 import msf_jax
 from msf_jax import Config, ConfigError, CurveOptions, FlowOptions, PreprocessingOptions, SolverOptions, Weights
-from msf_jax.app.parser import parser_of
+from msf_jax.app.parser import whole_parser
 from msf_jax.base.options import StepSettings
 
 
@@ -167,23 +165,7 @@ def test_a_skeleton_is_the_same_after_a_map_of_its_leaves():
         assert getattr(mapped, field.name) is getattr(skeleton, field.name)
 
 
-def test_the_options_at_the_top_are_those_of_the_command_line():
-    parser = parser_of(defaultdict(lambda: print))
-    offered = {word for words in _options_of(parser) for word in words}
-    groups = {"preprocessing", "flow", "solver", "curve"}
-    assert {field.name for field in dataclasses.fields(Config)} - groups <= offered
-
-
 def test_the_command_line_has_the_names_of_options_in_messages():
     """An error names `Config.least_slenderness`; ``--prune`` is its short name."""
-    parser = parser_of(defaultdict(lambda: print))
     for option in ("--prune", "--least-slenderness"):
-        assert parser.parse_args(["skeletonize", "hand.off", option, "3"]).least_slenderness == 3
-
-
-def _options_of(parser):
-    """The names of the options of each command."""
-    for action in parser._actions:
-        if isinstance(action, argparse._SubParsersAction):
-            return [{option.dest for option in command._actions} for command in action.choices.values()]
-    return []
+        assert whole_parser().parse_args(["skeletonize", "hand.off", option, "3"]).least_slenderness == 3
