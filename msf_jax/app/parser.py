@@ -12,7 +12,7 @@ from msf_jax.base.version import VERSION
 from msf_jax.skeleton.formats import export
 
 REPAIRS = {None: False, "mend": True, "join": "join"}  # the argument of `skeletonize` for each value of --repair
-MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf and others, or VTK's where pyvista is installed"
+MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf, or VTK's where pyvista is installed"
 CURVES = f"one of {', '.join(export.WRITERS)}"
 
 # The help of each command. Its first line is in the list of commands, and a test parses its examples.

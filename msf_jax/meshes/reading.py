@@ -1,20 +1,16 @@
 """Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-The formats are in `files`: OFF, PLY, STL and 3MF are read there. OBJ and glTF are checked there, and then read by
-trimesh, as others are, except VTK's formats, which pyvista reads. Sizes are checked before memory is allocated. The
-meshes of a scene become one list of triangles, placed as in the scene. STL has no indices, so corners that differ only
-in the last bits of a float32 become one vertex.
+The formats are in `files`: OFF, OBJ, PLY, STL and 3MF are read there. glTF is checked there, and then read by trimesh;
+VTK's polygons are read by pyvista. Sizes are checked before memory is allocated. The meshes of a scene become one list
+of triangles, placed as in the scene. STL has no indices, so corners that differ only in the last bits of a float32
+become one vertex.
 """
 
 import importlib.util
-import inspect
-import io
 import logging
 import os
-import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from itertools import pairwise
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -22,19 +18,20 @@ import numpy as np
 import trimesh
 from numpy.typing import ArrayLike
 from scipy import spatial
-from trimesh.resolvers import FilePathResolver
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import is_traced, traced
 from msf_jax.meshes.decoding import decoded
-from msf_jax.meshes.files import gltf, obj, off, ply, stl, unpacking
+from msf_jax.meshes.files import gltf, ply, stl, text, unpacking
 from msf_jax.topology import graphs
 
 SMALLEST_EXTENT = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
-ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # refused: they can unpack to more than memory
-VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # formats that need pyvista
+SUFFIXES = {"3mf", "glb", "gltf", "obj", "off", "ply", "stl"}
+VTK = {"vtp", "vtk"}  # formats that need pyvista
 SAME_CORNER = 2.0**-22  # ratio to the largest coordinate: corners within a few of float32's last bits are one vertex
 OR_REPAIR = ", or use repair=True (--repair)"  # ends the message of an error that repair can correct
+
+logging.getLogger("trimesh").addHandler(logging.NullHandler())  # without a handler, it prints tracebacks
 
 
 class HasTriangles(Protocol):
@@ -47,13 +44,22 @@ class HasTriangles(Protocol):
     def faces(self) -> Any: ...
 
 
-class HasSurface(Protocol):
-    """A mesh of pyvista."""
+class HasPolygons(Protocol):
+    """A `pyvista.PolyData`."""
 
     def extract_surface(self, *args: Any, **options: Any) -> Any: ...
 
 
-MeshLike = str | os.PathLike[str] | tuple[ArrayLike, ArrayLike] | HasTriangles | HasSurface
+@contextmanager
+def enough_memory(what: str) -> Iterator[None]:
+    """Turn a lack of memory into a `MeshError`."""
+    try:
+        yield
+    except MemoryError as error:
+        raise MeshError(f"{what} needs more memory than there is: it is damaged or too large") from error
+
+
+MeshLike = str | os.PathLike[str] | tuple[ArrayLike, ArrayLike] | HasTriangles | HasPolygons
 """What functions take as a mesh: a path, an object with triangles, or ``(vertices (V, 3), faces (F, 3))``."""
 
 
@@ -61,9 +67,9 @@ def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a mesh, as `skeletonize` reads it.
 
     Args:
-        mesh: a path, to any of the formats that trimesh reads, or VTK's where pyvista is installed; a
-            `trimesh.Trimesh`, a pyvista mesh, or a pair (vertices, faces). Polygons of files and pyvista meshes are
-            cut into triangles. The meshes of a scene become one, placed as in the scene.
+        mesh: a path that ends in .obj, .off, .ply, .stl, .glb, .gltf or .3mf, or in .vtp or .vtk where pyvista is
+            installed; a `trimesh.Trimesh`, a `pyvista.PolyData`, or a pair (vertices, faces). Polygons are cut into
+            triangles. The meshes of a scene become one, placed as in the scene.
 
     Returns:
         Copies. Ids of vertices, as in ``mesh_map`` and ``pins``, are rows of these vertices.
@@ -74,6 +80,7 @@ def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
     return read(mesh, finite=False)
 
 
+@enough_memory("the mesh")
 def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
 
@@ -82,28 +89,28 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         MeshError: there is no such file, it has no triangle mesh, or the arrays have the wrong shape or values.
     """
-    with enough_memory("the mesh"):
-        if isinstance(mesh, str | os.PathLike):
-            found = _load(mesh)
-            mesh = found[0] if len(found) == 1 else trimesh.util.concatenate(found)
-        if hasattr(mesh, "extract_surface"):
-            mesh = _of_pyvista(mesh, type(mesh).__name__)
-        if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-            vertices, faces = mesh.vertices, mesh.faces
-        elif isinstance(mesh, tuple | list) and len(mesh) == 2:
-            vertices, faces = mesh
-        else:
-            raise MeshError(
-                f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
-                "(a trimesh.Trimesh), a pyvista mesh, or a pair (vertices, faces)"
-            )
-        return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
+    if isinstance(mesh, str | os.PathLike):
+        found = parts(mesh)
+        first = np.cumsum([0, *(len(part.vertices) for part in found)])
+        vertices = np.concatenate([part.vertices for part in found])
+        faces = np.concatenate([part.faces + start for part, start in zip(found, first[:-1], strict=True)])
+    elif hasattr(mesh, "extract_surface"):
+        vertices, faces = _of_pyvista(mesh)
+    elif hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        vertices, faces = mesh.vertices, mesh.faces
+    elif isinstance(mesh, tuple | list) and len(mesh) == 2:
+        vertices, faces = mesh
+    else:
+        raise MeshError(
+            f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
+            "(a trimesh.Trimesh), a pyvista.PolyData, or a pair (vertices, faces)"
+        )
+    return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
 
 
 def readable_suffixes() -> list[str]:
     """The suffixes of mesh files that can be read, without the dot."""
-    known = set(trimesh.available_formats()) - ARCHIVES - VTK  # VTK's are read by pyvista alone, also beside meshio
-    return sorted((known | VTK) if importlib.util.find_spec("pyvista") else known)
+    return sorted(SUFFIXES | VTK if importlib.util.find_spec("pyvista") else SUFFIXES)
 
 
 def meshes_in(folder: str, output: str, *, is_deep: bool = False) -> list[Path]:
@@ -126,75 +133,82 @@ def meshes_in(folder: str, output: str, *, is_deep: bool = False) -> list[Path]:
     return paths
 
 
-def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:
-    """The surface of a pyvista mesh; for a grid, its boundary."""
-    surface = mesh
-    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:
-        # Newer versions warn if no algorithm is given.
-        has_choice = "algorithm" in inspect.signature(mesh.extract_surface).parameters
-        surface = mesh.extract_surface(**({"algorithm": None} if has_choice else {}))
-    surface = surface.triangulate() if surface.n_cells else surface
-    if not (surface.n_points and surface.n_cells):
-        raise MeshError(f"{name} has no surface: expected triangles or polygons, or a grid with a boundary")
-    faces = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
-    return trimesh.Trimesh(np.asarray(surface.points, dtype=np.float64), faces, process=False)
+def _of_pyvista(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Points, and polygons cut into triangles."""
+    if not hasattr(mesh, "is_all_triangles"):
+        raise MeshError(f"{type(mesh).__name__} is a grid: expected pyvista.PolyData; take its extract_surface()")
+    surface = mesh.triangulate() if mesh.n_cells else mesh
+    return np.asarray(surface.points, dtype=np.float64), np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
 
 
-def _without_doubles(triangles: np.ndarray) -> trimesh.Trimesh:
-    """The mesh of ``triangles`` (T, 3, 3) with coincident corners merged to one vertex, in the order of the file."""
+def _without_doubles(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces of ``triangles`` (T, 3, 3), coincident corners merged to one, in the order of the file."""
     corners, faces = triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)
     largest = float(np.abs(corners).max())
     if not largest <= 1 / SMALLEST_EXTENT:  # or not finite
-        return trimesh.Trimesh(corners, faces, process=False)
+        return corners, faces
     places, first, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
     pairs = spatial.KDTree(places).query_pairs(SAME_CORNER * largest, output_type="ndarray")
     label = graphs.labels(len(places), *pairs.T)
     earliest = np.full(label.max() + 1, len(corners))
     np.minimum.at(earliest, label, first)
     order = np.argsort(earliest)
-    rank = np.argsort(order)
-    faces = rank[label[inverse.ravel()]][faces]
-    return trimesh.Trimesh(corners[earliest[order]], faces, process=False)
+    return corners[earliest[order]], np.argsort(order)[label[inverse.ravel()]][faces]
 
 
 def parts(mesh: Any) -> list[trimesh.Trimesh]:
-    """The meshes that ``mesh`` consists of, each where the scene places it, with all attributes of its file. Their
-    concatenated vertices and faces are those of `read`. The caller's object is not changed."""
-    if isinstance(mesh, str | os.PathLike):
-        return _load(mesh, with_attributes=True)
+    """The meshes that ``mesh`` consists of, at least one, each where the scene places it. Those of glTF have all
+    attributes of the file. Their concatenated vertices and faces are those of `read`. The caller's object is not
+    changed."""
     if isinstance(mesh, trimesh.Trimesh):
         return [mesh.copy(include_cache=True)]
-    return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
+    if not isinstance(mesh, str | os.PathLike):
+        return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
+    path = Path(mesh)
+    if not path.is_file():  # opening a pipe would block, and a device may have no end
+        raise MeshError(f"{str(path)!r} is no file: check the path")
+    suffix, known = path.suffix.lower()[1:], readable_suffixes()
+    if suffix in VTK and suffix not in known:
+        raise MeshError(f"cannot read {path.name!r}: VTK's formats need pyvista: pip install pyvista")
+    if suffix not in known:
+        raise MeshError(
+            f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}; "
+            "export it to one of these"
+        )
+    try:
+        with enough_memory(repr(path.name)):
+            found = [part for part in _meshes_of(path, suffix) if len(part.faces)]
+    except MeshError:
+        raise
+    except Exception as error:  # for a damaged file the readers raise exceptions of many types
+        reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
+        raise MeshError(
+            f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
+        ) from error
+    if not found:
+        raise MeshError(f"{path.name!r} has no triangles: expected a triangle mesh")
+    return found
 
 
-def parts_with_seams(mesh: Any) -> tuple[list[trimesh.Trimesh], list[np.ndarray], int]:
-    """The `parts` of ``mesh`` with corners as its file has them, for each part the row in `read` of each vertex, and
-    the number of those rows.
-
-    An OBJ file has indices of its own for texture coordinates and normals. A vertex with several, at a seam, is here
-    several vertices in one row.
-    """
-    found = parts(mesh)
-    first = np.cumsum([0, *(len(part.vertices) for part in found)])
-    rows = [np.arange(start, end) for start, end in pairwise(first.tolist())]
-    if not (isinstance(mesh, str | os.PathLike) and Path(mesh).suffix.lower() == ".obj"):
-        return found, rows, int(first[-1])
-    # trimesh splits vertices at seams, and does not say which; so it reads their indices in place of their positions.
-    with enough_memory(repr(Path(mesh).name)), _quiet_loader():
-        text = obj.numbered(obj.plain(decoded(Path(mesh).read_bytes())))
-        split = _by_trimesh(io.BytesIO(text.encode()), "obj", Path(mesh), keeps_vertices=False)
-    for number, (part, seamed) in enumerate(zip(found, split, strict=True)):
-        index = seamed.vertices[:, 0].astype(np.int64)
-        normals = seamed.vertex_normals if has_normals(seamed) else None
-        seamed.vertices = part.vertices[index]
-        seamed.vertex_normals = normals  # new vertices have none
-        rows[number] = first[number] + index
-    return split, rows, int(first[-1])
-
-
-def has_normals(mesh: trimesh.Trimesh) -> bool:
-    """Whether the file or the caller has given normals of vertices, or trimesh has computed them."""
-    return "vertex_normals" in mesh._cache.cache
+def _meshes_of(path: Path, suffix: str) -> list[trimesh.Trimesh]:
+    """The meshes in a file of a known format."""
+    match suffix:
+        case "glb" | "gltf":
+            gltf.check(path)
+            return _placed(trimesh.load_scene(path, process=False))
+        case "3mf":
+            found = unpacking.meshes_of_3mf(path)
+        case "stl":
+            found = [_without_doubles(corners) for corners in stl.solids(path.read_bytes())]
+        case "ply":
+            found = [ply.mesh(path.read_bytes())]
+        case "off":
+            found = [text.of_off(decoded(path.read_bytes()))]
+        case "obj":
+            found = [text.of_obj(decoded(path.read_bytes()))]
+        case _:
+            found = [_of_pyvista(importlib.import_module("pyvista").read(path))]
+    return [trimesh.Trimesh(*mesh, process=False) for mesh in found]
 
 
 def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
@@ -206,84 +220,9 @@ def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     return [part.apply_transform(transform) for part, transform in copies]
 
 
-def _load(given: str | os.PathLike[str], *, with_attributes: bool = False) -> list[trimesh.Trimesh]:
-    """The meshes in a file, as in `parts`; at least one. Without attributes, some formats have no colours."""
-    path = Path(given)
-    try:
-        is_there = path.exists()
-    except UnicodeEncodeError:  # half of a surrogate pair is no character of any system's names
-        is_there = False
-    if not is_there:
-        raise MeshError(f"no file {str(path)!r}: check the path")
-    if path.is_dir():
-        raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
-    if not path.is_file():  # opening a pipe would block, and a device may have no end
-        raise MeshError(f"{str(path)!r} is a pipe or a device: expected a mesh file")
-    if path.stat().st_size == 0:
-        raise MeshError(f"{path.name!r} is empty: expected a mesh file")
-    known = readable_suffixes()
-    suffix = path.suffix.lower().lstrip(".")
-    if suffix in VTK and suffix not in known:
-        raise MeshError(f"cannot read {path.name!r}: VTK's formats need pyvista: pip install pyvista")
-    if suffix not in known:
-        raise MeshError(
-            f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}; "
-            "export it to one of these"
-        )
-    try:
-        with enough_memory(repr(path.name)), _quiet_loader():
-            found = _meshes_of(path, suffix, with_attributes)
-    except MeshError:
-        raise
-    except Exception as error:  # for a damaged file the readers raise exceptions of many types
-        reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
-        raise MeshError(
-            f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
-        ) from error
-    meshes = [part for part in found if isinstance(part, trimesh.Trimesh)]
-    if len(meshes) < len(found):
-        kind = next(type(part).__name__ for part in found if not isinstance(part, trimesh.Trimesh))
-        raise MeshError(f"{path.name!r} has a {kind} without triangles: expected a triangle mesh")
-    if not meshes:
-        raise MeshError(f"{path.name!r} has no triangles: expected a triangle mesh")
-    return meshes
-
-
-def _meshes_of(path: Path, suffix: str, with_attributes: bool) -> list[Any]:
-    """What a file of a known format has."""
-    if suffix in VTK:
-        return [_of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))]
-    if suffix == "3mf":
-        return [trimesh.Trimesh(*mesh, process=False) for mesh in unpacking.meshes_of_3mf(path)]
-    if suffix == "off":
-        return [trimesh.Trimesh(*off.parsed(decoded(path.read_bytes())), process=False)]
-    if suffix in ("stl", "stl_ascii"):
-        return [_without_doubles(corners) for corners in stl.solids(path.read_bytes())]
-    if suffix == "ply":
-        content = path.read_bytes()
-        vertices, faces = ply.mesh(content)
-        if with_attributes and len(loaded := _by_trimesh(io.BytesIO(content), suffix, path)) == 1:
-            corners = loaded[0].vertices[loaded[0].faces]
-            if np.array_equal(corners, vertices[faces], equal_nan=True):
-                return loaded
-        return [trimesh.Trimesh(vertices, faces, process=False) if len(faces) else trimesh.PointCloud(vertices)]
-    if suffix == "obj":
-        return _by_trimesh(io.BytesIO(obj.plain(decoded(path.read_bytes())).encode()), suffix, path)
-    if suffix in ("gltf", "glb"):
-        gltf.check(path)
-    elif suffix == "3dxml":
-        unpacking.check_archive(path)
-    return _by_trimesh(path, suffix, path)
-
-
-def _by_trimesh(source: Any, suffix: str, path: Path, *, keeps_vertices: bool = True) -> list[Any]:
-    """What trimesh reads from ``source``, a path or a stream of the content of the file at ``path``."""
-    given = {} if source is path else {"file_type": suffix, "resolver": FilePathResolver(str(path))}
-    with warnings.catch_warnings():
-        # It takes medians of texture indices: of a vertex that no face of a material has, of none.
-        warnings.filterwarnings("ignore", message="All-NaN slice|invalid value", category=RuntimeWarning)
-        loaded: Any = trimesh.load(source, process=False, maintain_order=keeps_vertices, **given)
-    return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
+def has_normals(mesh: trimesh.Trimesh) -> bool:
+    """Whether the file or the caller has given normals of vertices, or trimesh has computed them."""
+    return "vertex_normals" in mesh._cache.cache
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
@@ -293,26 +232,6 @@ def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
             f"the mesh has {num_vertices} vertices, but the skeleton was made from one of {len(mesh_map)}: expected "
             "the same mesh, with its vertices in the same order"
         )
-
-
-@contextmanager
-def enough_memory(what: str) -> Iterator[None]:
-    """Turn a lack of memory into a `MeshError`."""
-    try:
-        yield
-    except MemoryError as error:
-        raise MeshError(f"{what} needs more memory than there is: it is damaged or too large") from error
-
-
-@contextmanager
-def _quiet_loader() -> Iterator[None]:
-    """Keep trimesh from printing tracebacks of read errors if the caller has not set up logging."""
-    handler = logging.NullHandler()
-    trimesh.util.log.addHandler(handler)
-    try:
-        yield
-    finally:
-        trimesh.util.log.removeHandler(handler)
 
 
 def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:

@@ -116,7 +116,7 @@ BAD = {
     "missing.off": (None, "no file"),
     "other.txt": (b"hello", "unknown suffix"),
     "garbage.off": (b"\x00\x01 not a mesh", "cannot read"),
-    "empty.off": (b"", "is empty: expected a mesh file"),
+    "empty.off": (b"", "expected OFF"),
     "nan.off": (b"OFF\n4 4 0\n0 0 nan\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "not finite"),
     "range.off": (b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 9\n", "range"),
     "tetrahedron.off": (b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "tetrahedron"),

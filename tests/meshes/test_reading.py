@@ -1,15 +1,126 @@
-"""Files as found: scenes with transforms, VTK's formats, damaged ones; each is read, or the reason is true."""
+"""Files as found, however they are written: each is read as it is meant, or the reason for its refusal is true."""
 
+import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
-from file_cases import obj_of, prism, volume, written
+from file_cases import glb, obj_of, prism, volume, written
 
 import msf_jax
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import checking, reading
+from msf_jax.meshes.files import text
+
+
+def assert_prism(vertices: np.ndarray, faces: np.ndarray) -> None:
+    """The polygons became triangles, and no ear lies outside the L."""
+    assert faces.shape == (2 * 4 + 6 * 2, 3) and volume(vertices, faces) == pytest.approx(3 * 0.7)
+    area = np.linalg.norm(np.cross(*np.moveaxis(np.diff(vertices[faces], axis=1), 1, 0)), axis=1).sum() / 2
+    assert area == pytest.approx(2 * 3 + 8 * 0.7)
+    assert [part.genus for part in checking.prepare((vertices, faces)).components] == [0]
+
+
+@pytest.mark.parametrize(
+    ("between", "header", "colour"),
+    [(" ", "OFF", ""), ("\n", "off", ""), (" \n ", "OFF", ""), (" ", "COFF", " 0.5 0.5 0.5")],
+)
+def test_polygons_of_an_off_file_become_triangles(tmp_path: Path, between, header, colour):
+    assert_prism(*reading.read(written(tmp_path / "prism.off", between, header, colour)))
+
+
+@pytest.mark.parametrize("counts", ["4 4 6", "4 4"])
+@pytest.mark.parametrize("row", [None, 0, 4])
+def test_files_of_triangles_are_read_alike_however_much_else_is_in_them(counts, row):
+    """A word more in a row, and no count of edges: as many words as in a file without either."""
+    rows = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"]
+    if row is not None:
+        rows[row] += " 7"
+    vertices, faces = text.of_off("\n".join(["OFF", counts, *rows]) + "\n")
+    np.testing.assert_array_equal(vertices, np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+    np.testing.assert_array_equal(faces, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+
+
+def test_a_quad_that_is_not_convex_is_not_folded():
+    corners = np.array([[0, 0, 0], [4, -1, 0], [1, 0, 0], [4, 1, 0]], dtype=float)  # an arrow: its third corner is in
+    for turn in range(4):
+        order = np.roll(np.arange(4), turn)
+        (a, b) = corners[text.triangulated(corners, [order.tolist()])]
+        normals = np.cross(a[1] - a[0], a[2] - a[0]), np.cross(b[1] - b[0], b[2] - b[0])
+        assert normals[0] @ normals[1] > 0
+
+
+def relative(content: str, num: int) -> str:
+    """With the same corners counted back from where they are, and points after them that move no index."""
+    lines = content.splitlines()
+    for row, line in enumerate(lines):
+        if line[0] == "f":
+            lines[row] = "f " + " ".join(str(int(word) - 1 - num) for word in line.split()[1:])
+    return "\n".join([*lines, *(f"v 9 9 {k}" for k in range(5))]) + "\n"
+
+
+OBJ = obj_of(*prism())
+ODD_OBJ = {
+    "byte-order mark": OBJ.encode("utf-8-sig"),
+    "UTF-16": OBJ.encode("utf-16"),
+    "carriage returns": OBJ.replace("\n", "\r\n").encode(),
+    "tabs": OBJ.replace(" ", "\t").encode(),
+    "indented": OBJ.replace("\n", "\n  ").encode(),
+    "continued": OBJ.replace("f 6 5", "f 6 \\\n5").encode(),
+    "comments": OBJ.replace("\n", " # 0\n").encode(),
+    "counted back": relative(OBJ, 12).encode(),
+    "materials": OBJ.replace("f 6", "usemtl red\nf 6/1/2").replace("f 7", "usemtl blue\nf 7//3").encode(),
+}
+
+
+@pytest.mark.parametrize("name", ODD_OBJ)
+def test_an_obj_is_read_as_it_is_meant(tmp_path: Path, name):
+    """Vertices and faces in the order of the file."""
+    (tmp_path / "a.obj").write_bytes(ODD_OBJ[name])
+    vertices, faces = reading.read(tmp_path / "a.obj")
+    np.testing.assert_array_equal(vertices[:12], prism()[0])
+    assert_prism(vertices[:12], faces)
+
+
+def test_an_obj_of_triangles_is_read_alike_with_and_without_other_lines(tmp_path: Path):
+    ball = trimesh.creation.icosphere(1)
+    plain = obj_of(ball.vertices.tolist(), ball.faces.tolist())
+    for content in (plain, "# a ball\n" + plain, plain + "l 1 2\n"):
+        (tmp_path / "a.obj").write_text(content)
+        vertices, faces = reading.read(tmp_path / "a.obj")
+        np.testing.assert_array_equal(vertices, ball.vertices)
+        np.testing.assert_array_equal(faces, ball.faces)
+
+
+@pytest.mark.parametrize("form", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_polygons_of_a_ply_file_become_triangles(tmp_path: Path, form):
+    vertices, faces = prism()
+    order = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}[form]
+    if order:
+        rows = [struct.pack(f"{order}3d", *vertex) for vertex in vertices]
+        rows += [struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in faces]
+    else:
+        rows = [
+            " ".join(map(str, row)).encode() + b"\n" for row in [*vertices, *([len(face), *face] for face in faces)]
+        ]
+    header = ["ply", f"format {form} 1.0", "element vertex 12", *(f"property double {axis}" for axis in "xyz")]
+    header += ["element face 8", "property list uchar int vertex_index", "end_header\n"]
+    (tmp_path / "a.ply").write_bytes("\n".join(header).encode() + b"".join(rows))
+    assert_prism(*reading.read(tmp_path / "a.ply"))
+
+
+@pytest.mark.parametrize("kind", ["stl", "stl_ascii"])
+def test_an_stl_has_each_vertex_once_and_asks_for_no_repair(tmp_path: Path, kind):
+    """It has no indices; and some programs write the corners of one vertex with other last bits."""
+    torus = trimesh.creation.torus(1.0, 0.3, 24, 12)
+    shaken = torus.triangles.reshape(-1, 3) * (1 + 2.0**-24 * np.random.default_rng(1).integers(-1, 2, (3 * 576, 3)))
+    loose = trimesh.Trimesh(shaken, np.arange(3 * 576).reshape(-1, 3), process=False)
+    loose.export(tmp_path / "torus.stl", file_type=kind)
+    vertices, faces = reading.read(tmp_path / "torus.stl")
+    assert vertices.shape == torus.vertices.shape and faces.shape == torus.faces.shape
+    np.testing.assert_allclose(vertices[faces], torus.triangles, atol=1e-6)
+    assert checking.prepare(tmp_path / "torus.stl").repairs == ()
 
 
 @pytest.mark.parametrize("suffix", ["3mf", "glb"])
@@ -29,15 +140,9 @@ def test_a_scene_is_read_with_its_transforms(tmp_path: Path, suffix):
     assert middles == [(0, 0, 0), (0, 7, 0), (5, 0, 0)]
 
 
-def test_a_format_that_is_not_read_says_what_to_do(tmp_path: Path):
-    (tmp_path / "part.step").write_text("ISO-10303-21;")
-    with pytest.raises(MeshError, match=r"unknown suffix '.step', expected one of .*3mf.*; export it to one of these"):
-        reading.read(tmp_path / "part.step")
-
-
 @pytest.mark.parametrize("suffix", ["vtp", "vtk"])
 def test_vtk_files_and_pyvista_objects_are_meshes(tmp_path: Path, suffix):
-    """Quads become triangles; the points keep their numbers."""
+    """Quads become triangles; the points keep their numbers. A grid's boundary is to be taken by its owner."""
     pyvista = pytest.importorskip("pyvista")
     box = pyvista.Box((0, 1, 0, 2, 0, 3))  # six quads, each with corners of its own
     box.save(tmp_path / f"box.{suffix}")
@@ -45,15 +150,11 @@ def test_vtk_files_and_pyvista_objects_are_meshes(tmp_path: Path, suffix):
         vertices, faces = reading.read(mesh)
         np.testing.assert_allclose(vertices, box.points)
         assert faces.shape == (12, 3) and volume(vertices, faces) == pytest.approx(6.0)
-
-
-def test_a_grid_is_its_boundary(tmp_path: Path):
-    pyvista = pytest.importorskip("pyvista")
     grid = pyvista.ImageData(dimensions=(4, 4, 4)).cast_to_unstructured_grid()
-    grid.save(tmp_path / "grid.vtu")
-    for mesh in (grid, tmp_path / "grid.vtu"):
-        assert volume(*reading.read(mesh)) == pytest.approx(27.0)
-    with pytest.raises(MeshError, match="has no surface"):
+    with pytest.raises(MeshError, match=r"is a grid: .*extract_surface"):
+        reading.read(grid)
+    assert volume(*reading.read(grid.extract_surface(algorithm=None))) == pytest.approx(27.0)
+    with pytest.raises(MeshError, match="the mesh is empty"):
         reading.read(pyvista.PolyData())
 
 
@@ -65,19 +166,6 @@ def test_without_pyvista_a_vtk_file_says_what_it_needs(tmp_path: Path, monkeypat
     assert not set(reading.readable_suffixes()) & reading.VTK
 
 
-@pytest.mark.parametrize(
-    ("name", "text", "says"),
-    [
-        ("a.ply", "", "'a.ply' is empty: expected a mesh file"),
-        ("a.stl", "this is a letter, and no mesh\n", "'a.stl' has no triangles: expected a triangle mesh"),
-    ],
-)
-def test_what_is_no_mesh_is_told_in_plain_words(tmp_path: Path, name, text, says):
-    (tmp_path / name).write_text(text)
-    with pytest.raises(MeshError, match=says):
-        reading.read(tmp_path / name)
-
-
 def test_read_mesh_is_public_and_reads_as_skeletonize_does(tmp_path: Path):
     path = written(tmp_path / "prism.off", " ")
     for mine, ours in zip(msf_jax.read_mesh(path), reading.read(path), strict=True):
@@ -85,30 +173,32 @@ def test_read_mesh_is_public_and_reads_as_skeletonize_does(tmp_path: Path):
 
 
 CUBE = trimesh.creation.box([1.0, 2.0, 3.0])
+TEXT_CUBE = CUBE.export(file_type="ply", encoding="ascii")
 
 
 @pytest.mark.parametrize(
     ("name", "content", "says"),
     [
-        ("a.obj", obj_of(*prism()).replace("f 6", "f 0"), "line 13 has index 0: OBJ counts from 1"),
+        ("a.step", "ISO-10303-21;", r"unknown suffix '.step', expected one of .*3mf.*; export it to one of these"),
+        ("a.stl", "this is a letter, and no mesh\n", "'a.stl' has no triangles: expected a triangle mesh"),
+        ("a.ply", trimesh.PointCloud(CUBE.vertices).export(file_type="ply"), "'a.ply' has no triangles"),
+        ("a.off", "OFF BINARY\n1 2 3", "expected OFF, as text"),
+        ("a.off", "4OFF\n1 1 0\n0 0 0 0\n", "expected OFF, as text, with three coordinates"),
+        ("a.off", "OFF\n", "no counts"),
+        ("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 1 2 3 3\n", "cannot be cut into triangles"),
+        ("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2 4\n", "out of range: expected 0 to 3"),
+        ("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n", "do not fit what follows"),
+        ("a.obj", OBJ.replace("f 6", "f 0"), "line 13 has index 0: OBJ counts from 1"),
         ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "line 4 has index -4, out of range: 3 are before it"),
         ("a.obj", "v 0 0 0\nv 1 0 0\nf -1 -2 3\n", "index 3, out of range: expected 1 to 2"),
         ("a.obj", "v 0 0 0\nv 1 0\n", "line 2 is 'v 1 0': expected at least three after v"),
         ("a.obj", "v 0 0 0\n".encode("utf-16-le"), "UTF-16 without a byte-order mark: save it as UTF-8"),
-        ("a.stl", trimesh.creation.box().export(file_type="stl_ascii")[:900], "cut off: a solid has no endsolid"),
+        ("a.stl", CUBE.export(file_type="stl_ascii")[:900], "cut off: a solid has no endsolid"),
         ("a.stl", 2 * CUBE.export(file_type="stl_ascii")[:-60] + "\n", "cut off: a solid has no endsolid"),
-        (
-            "a.stl",
-            trimesh.creation.box().export(file_type="stl")[:-9],
-            "cut off, or no STL: 12 triangles need 684 bytes",
-        ),
-        ("a.ply", CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n4 1 3 0"), "a list|cut off"),
-        ("a.ply", CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n3 1 3.5 0"), "whole number"),
-        (
-            "a.ply",
-            CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n3 1 3 1e300"),
-            "whole number",
-        ),
+        ("a.stl", CUBE.export(file_type="stl")[:-9], "cut off, or no STL: 12 triangles need 684 bytes"),
+        ("a.ply", TEXT_CUBE.replace(b"\n3 1 3 0", b"\n4 1 3 0"), "a list|cut off"),
+        ("a.ply", TEXT_CUBE.replace(b"\n3 1 3 0", b"\n3 1 3.5 0"), "whole number"),
+        ("a.ply", TEXT_CUBE.replace(b"\n3 1 3 0", b"\n3 1 3 1e300"), "whole number"),
     ],
 )
 def test_a_file_that_would_be_read_as_another_mesh_is_refused(tmp_path: Path, name, content, says):
@@ -118,8 +208,6 @@ def test_a_file_that_would_be_read_as_another_mesh_is_refused(tmp_path: Path, na
 
 
 HUGE = [(1e308, 0, 0), (-1e308, 1e308, 0), (0, 0, 1e308), (0, 0, -1e308), (1e308, 1e308, 0)]
-
-
 PENTAGONS = [[0, 1, 2, 3, 4], [4, 3, 2, 1, 0], [0, 1, 2, 3]]
 
 
@@ -129,13 +217,58 @@ def test_coordinates_whose_squares_overflow_are_refused(tmp_path: Path, suffix):
     rows = [" ".join(map(str, row)) for row in [*HUGE, *([len(face), *face] for face in PENTAGONS)]]
     header = "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty double z\n"
     header += "element face 3\nproperty list uchar int vertex_index\nend_header\n"
-    text = {
+    content = {
         "off": "\n".join(["OFF", "5 3 0", *rows]),
         "obj": obj_of(HUGE, PENTAGONS),
         "ply": header + "\n".join(rows),
         "stl": trimesh.creation.box().export(file_type="stl_ascii").replace("0.5", "1e308"),
     }
-    (tmp_path / f"a.{suffix}").write_text(text[suffix])
+    (tmp_path / f"a.{suffix}").write_text(content[suffix])
     for finite in (True, False):
         with pytest.raises(MeshError, match=r"choose another unit|cannot be cut"):
             reading.read(tmp_path / f"a.{suffix}", finite=finite)
+
+
+def primitive(document):
+    return document["meshes"][0]["primitives"][0]
+
+
+def accessor(document, name="POSITION"):
+    found = primitive(document)
+    return document["accessors"][found["attributes"].get(name, found["indices"])]
+
+
+def instanced(document):
+    node = next(node for node in document["nodes"] if "mesh" in node)
+    node["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}}
+
+
+NOT_READ = {
+    "a sparse accessor": lambda d: accessor(d).update(sparse={"count": 1}),
+    "its indices is a sparse accessor": lambda d: accessor(d, "indices").update(sparse={"count": 1}),
+    "needs EXT_mesh_gpu_instancing, .*export its instances as nodes": instanced,
+    "needs KHR_draco_mesh_compression, .*without Draco": lambda d: d.update(
+        extensionsRequired=["KHR_draco_mesh_compression"]
+    ),
+    "needs EXT_meshopt_compression, .*without meshopt": lambda d: d.update(
+        extensionsRequired=["EXT_meshopt_compression"]
+    ),
+    "needs ACME_bend, which is not supported": lambda d: d.update(extensionsRequired=["ACME_bend"]),
+    "morph targets": lambda d: (primitive(d).update(targets=[{"POSITION": 0}]), d["meshes"][0].update(weights=[0.5])),
+    "triangle fan": lambda d: primitive(d).update(mode=6),
+    "its POSITION has components of type 5123": lambda d: accessor(d).update(componentType=5123),
+    "its indices has components of type 5126": lambda d: accessor(d, "indices").update(componentType=5126),
+    "normalized integers": lambda d: accessor(d).update(normalized=True),
+}
+
+
+@pytest.mark.parametrize("says", NOT_READ)
+def test_what_is_not_supported_in_gltf_is_refused_by_its_name(tmp_path: Path, says):
+    assert len(reading.read(glb(tmp_path / "a.glb"))[1]) == 80
+    with pytest.raises(MeshError, match=says):
+        reading.read(glb(tmp_path / "a.glb", NOT_READ[says]))
+
+
+def test_morph_targets_without_weights_do_not_move_the_mesh(tmp_path: Path):
+    path = glb(tmp_path / "a.glb", lambda d: primitive(d).update(targets=[{"POSITION": 0}]))
+    assert len(reading.read(path)[1]) == 80

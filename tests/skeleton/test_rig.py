@@ -397,60 +397,6 @@ def test_materials_uvs_and_normals_of_all_parts_are_kept(tmp_path):
     np.testing.assert_allclose(skinned(tmp_path / "out.glb", {}), vertices, atol=1e-6)
 
 
-def seamed_obj(path, mesh: trimesh.Trimesh, has_normals: bool) -> np.ndarray:
-    """Write ``mesh`` with two materials, and texture coordinates of which each corner's are its face's alone where the
-    face is above z = 0.3, at seams. Returns those of the corners (F, 3, 2), in the order of the file."""
-    order = np.argsort(mesh.triangles_center[:, 2] > 0.3, kind="stable")
-    faces, is_apart = mesh.faces[order], mesh.triangles_center[order, 2] > 0.3
-    corner = np.arange(faces.size).reshape(-1, 3)
-    random = np.random.default_rng(7).uniform(0, 1, (len(mesh.vertices) + faces.size, 2)).round(6)
-    index = np.where(is_apart[:, None], len(mesh.vertices) + corner, faces)
-    path.with_suffix(".mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
-    lines = [f"mtllib {path.stem}.mtl", *(f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist())]
-    lines += [f"vt {u} {v}" for u, v in random.tolist()]
-    lines += [f"vn {x!r} {y!r} {z!r}" for x, y, z in mesh.face_normals[order].tolist()] if has_normals else []
-    for number, (face, of_texture) in enumerate(zip((faces + 1).tolist(), (index + 1).tolist(), strict=True)):
-        lines += ["usemtl red"] if number == 0 else ["usemtl blue"] if number == (~is_apart).sum() else []
-        normal = f"/{number + 1}" if has_normals else ""
-        lines.append("f " + " ".join(f"{v}/{vt}{normal}" for v, vt in zip(face, of_texture, strict=True)))
-    path.write_text("\n".join(lines) + "\n")
-    return random[index]
-
-
-@pytest.mark.parametrize("has_normals", [pytest.param(False, marks=pytest.mark.slow), True])
-def test_corners_of_a_textured_obj_are_those_of_the_file(tmp_path, has_normals):
-    """Texture coordinates, materials, positions and normals of every corner, as trimesh reads them from the rig."""
-    skeleton, mesh = known("s_curve")
-    expected = seamed_obj(tmp_path / "a.obj", mesh, has_normals)
-    order = np.argsort(mesh.triangles_center[:, 2] > 0.3, kind="stable")
-    num = int((mesh.triangles_center[:, 2] <= 0.3).sum())
-    assert 0 < num < len(order)
-    vertices, _ = reading.read(tmp_path / "a.obj")  # those of both materials
-    nearest = spatial.KDTree(skeleton.vertices).query(vertices)[1]
-    whole = Skeleton(skeleton.vertices, skeleton.edges, skeleton.radii, nearest, skeleton.report)
-    whole.save(tmp_path / "a.glb", tmp_path / "a.obj")
-    found = {
-        tuple(part.visual.material.baseColorFactor[:3]): part
-        for part in trimesh.load(tmp_path / "a.glb", process=False).geometry.values()
-    }
-    spans = {(255, 0, 0): slice(0, num), (0, 0, 255): slice(num, None)}
-    assert set(found) == set(spans)
-    for colour, span in spans.items():
-        part = found[colour]
-        np.testing.assert_allclose(part.visual.uv[part.faces], expected[span], atol=1e-6)
-        np.testing.assert_allclose(part.vertices[part.faces], mesh.vertices[mesh.faces[order[span]]], atol=1e-6)
-        if has_normals:
-            normals = np.repeat(mesh.face_normals[order[span]][:, None], 3, axis=1)
-            np.testing.assert_allclose(part.vertex_normals[part.faces], normals, atol=1e-5)
-    document, _ = document_of(tmp_path / "a.glb")
-    assert all("NORMAL" in one["primitives"][0]["attributes"] for one in document["meshes"])
-    made = whole.rig(mesh=tmp_path / "a.obj")
-    place = spatial.KDTree(vertices).query(at_rest := skinned(tmp_path / "a.glb", {}))[1]
-    np.testing.assert_allclose(at_rest, vertices[place], atol=1e-6)
-    turns = {made.names[1]: turned(0.7, 0)}
-    np.testing.assert_allclose(skinned(tmp_path / "a.glb", turns), made.posed(vertices, turns)[place], atol=1e-5)
-
-
 def test_vertices_in_one_place_stay_together():
     """A seam: the mesh cut along an edge loop into two lists of vertices, as a file with UVs has it."""
     skeleton, mesh = known("y")

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from msf_jax.meshes.decoding import decoded
-from msf_jax.meshes.files.unpacking import MOST_INSTANCES, SMALL_ARCHIVE, check_shown
+from msf_jax.meshes.files.unpacking import SMALL_ARCHIVE, check_shown
 
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks
 MOST_OBJECTS = 1_000_000  # objects and lists of the JSON, each of which takes some hundred bytes
@@ -43,13 +43,11 @@ def check(path: Path) -> None:
         raise ValueError(f"its JSON has over {MOST_OBJECTS} objects")
     document = json.loads(decoded(content))
     _check_extensions(document)
-    primitives = [one for mesh in document.get("meshes", []) for one in mesh["primitives"]]
-    if len(primitives) > MOST_INSTANCES:
-        raise ValueError(f"its meshes have {len(primitives)} primitives: expected at most {MOST_INSTANCES}")
     _check_bytes(document, path.parent, binary)
-    for one in primitives:
-        _check_primitive(document, one)
     _check_shown(document)
+    for mesh in document.get("meshes", []):
+        for primitive in mesh["primitives"]:
+            _check_primitive(document, primitive)
 
 
 def _chunks(content: bytes) -> tuple[bytes, int]:

@@ -1,4 +1,4 @@
-"""Reading of PLY files, as bytes or as text: the columns of all elements, and the triangles of a mesh.
+"""Reading of PLY files, as bytes or as text: the triangles of a mesh.
 
 Sizes are compared with the file's before memory is allocated. Lists may have any lengths, which trimesh cannot read in
 bytes and does not check in text.
@@ -11,14 +11,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from msf_jax.meshes.decoding import decoded, has_mark, lines_of
-from msf_jax.meshes.files.off import triangulated
+from msf_jax.meshes.files.text import triangulated
 
-PLY_HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
+HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
 KINDS = "char uchar short ushort int uint float double int8 uint8 int16 uint16 int32 uint32 float32 float64"
 TYPES: dict[str, str] = dict(zip(KINDS.split(), 2 * ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"], strict=True))
 WIDEST = 256  # numbers in a row that are read by column
 CORNERS = ("vertex_indices", "vertex_index")  # names of the list of a face's corners
-ElementColumns = dict[str, Any]
 
 
 class Property(NamedTuple):
@@ -29,17 +28,17 @@ class Property(NamedTuple):
     length: str
 
 
-def tables(content: bytes, *, only_text: bool = False) -> dict[str, ElementColumns]:
-    """The columns of each element: (n,) an array, or for a property of lists a list of n arrays or an array (n, c).
+def mesh(content: bytes) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices (V, 3) and triangles (F, 3) of a file; none for a file of points or lines.
 
     Raises:
         ValueError: it is no PLY, or is damaged; the message says where.
     """
     content = decoded(content).encode() if has_mark(content) else content
-    head = PLY_HEADER.match(content)
-    form, elements = _header(decoded(head[1] if head else content[:10_000]), only_text)
+    head = HEADER.match(content)
     if head is None:
-        raise ValueError("its header has no end_header")
+        raise ValueError("it does not begin with ply, or its header has no end_header")
+    form, elements = _header(decoded(head[1]))
     data = content[head.end() :]
     if form == "ascii":
         with warnings.catch_warnings():
@@ -47,51 +46,33 @@ def tables(content: bytes, *, only_text: bool = False) -> dict[str, ElementColum
             source = _Source(np.fromstring(data.decode("latin-1"), sep=" "), "<")
     else:
         source = _Source(data, "<" if form == "binary_little_endian" else ">")
-    return {name: _columns(source, num, properties) for name, num, properties in elements}
-
-
-def mesh(content: bytes) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices (V, 3) and triangles (F, 3) of a file; none for a file of points or lines.
-
-    Raises:
-        ValueError: as `tables`, or an index is no whole number.
-    """
-    found = tables(content)
-    vertex, face = found.get("vertex", {}), found.get("face", {})
-    vertices = np.stack([np.asarray(vertex[axis], dtype=np.float64) for axis in "xyz"], axis=1)
-    lists = {name: values for name, values in face.items() if not isinstance(values, np.ndarray) or values.ndim == 2}
-    name = next((name for name in CORNERS if name in lists), next(iter(lists), None))
-    if name is None:
-        return vertices, np.empty((0, 3), dtype=np.int64)
-    rows = lists[name]
+    columns = {name: _columns(source, num, properties) for name, num, properties in elements}
+    vertices = np.stack([np.asarray(columns["vertex"][axis], dtype=np.float64) for axis in "xyz"], axis=1)
+    lists = [one.name for name, _, properties in elements if name == "face" for one in properties if one.length]
+    name = next((name for name in (*CORNERS, *lists) if name in lists), None)
+    rows = [] if name is None else columns["face"][name]
     flat = rows.ravel() if isinstance(rows, np.ndarray) else np.concatenate([np.empty(0), *rows])
     if not ((flat == np.floor(flat)) & (np.abs(flat) < 2**53)).all():
         raise ValueError("a corner of a face is no whole number")
-    if isinstance(rows, np.ndarray) and rows.shape[1] == 3:
+    if isinstance(rows, np.ndarray) and rows.shape[1:] == (3,):
         return vertices, rows.astype(np.int64)
     return vertices, triangulated(vertices, [np.asarray(row).astype(np.int64).tolist() for row in rows])
 
 
-def _header(text: str, only_text: bool) -> tuple[str, list[tuple[str, int, list[Property]]]]:
+def _header(text: str) -> tuple[str, list[tuple[str, int, list[Property]]]]:
     """The form of the file, and its elements: name, number, properties."""
     elements: list[tuple[str, int, list[Property]]] = []
-    form, lines = "", lines_of(text)
-    if lines[0].strip() != "ply":
-        raise ValueError("it does not begin with ply")
-    for line in lines[1:]:
-        words = line.split()
-        match words:
+    form = ""
+    for line in lines_of(text)[1:]:
+        match line.split():
             case ["format", "ascii" | "binary_little_endian" | "binary_big_endian" as form, *_]:
-                if only_text and form != "ascii":
-                    raise ValueError(f"it is {form}: expected ascii")
+                pass
             case ["element", name, num] if num.isdigit():
                 elements.append((name, int(num), []))
             case ["property", "list", length, kind, name] if elements and {length, kind} <= set(TYPES):
                 elements[-1][2].append(Property(name, TYPES[kind], TYPES[length]))
             case ["property", kind, name] if elements and kind in TYPES:
                 elements[-1][2].append(Property(name, TYPES[kind], ""))
-            case ["end_header"]:
-                break
             case [] | ["comment" | "obj_info", *_]:
                 pass
             case _:
@@ -134,8 +115,8 @@ class _Source:
         return found
 
 
-def _columns(source: _Source, num: int, properties: list[Property]) -> ElementColumns:
-    """Those of one element; fast if all lists of a property have one length."""
+def _columns(source: _Source, num: int, properties: list[Property]) -> dict[str, Any]:
+    """Of each property of one element, (n,) an array, or for lists a list of n arrays or an array (n, c)."""
     if not num or not properties:
         return {one.name: np.empty(0) for one in properties}
     start = source.at

@@ -45,8 +45,10 @@ def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
     """
     if len(rig.joints) > MOST_JOINTS:
         raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {MOST_JOINTS}")
-    parts, rows, num = reading.parts_with_seams(mesh)
+    parts = reading.parts(mesh)
+    num = sum(len(part.vertices) for part in parts)
     reading.check_map(np.empty(rig.num_vertices), num)
+    rows = np.split(np.arange(num), np.cumsum([len(part.vertices) for part in parts])[:-1])
     points = np.concatenate([part.vertices for part in parts])
     points = points[np.isfinite(points).all(axis=1)]
     low, high = points.min(axis=0), points.max(axis=0)
