@@ -19,8 +19,7 @@ from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import Surface
 from msf_jax.recording.records import ComponentRecord, Recording
 from msf_jax.skeleton.report import Report, assessed, loops_of
-from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import Source, Stage
+from msf_jax.skeleton.skeleton import Skeleton, Source, Stage
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 

@@ -13,7 +13,6 @@ from msf_jax.flow.loop import checked_options
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import known
 
 JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex noise in ``jittered_runs``
 SAMPLE_SPACING = 0.005  # diagonals: spacing of the sample points at which two curves are compared
@@ -79,7 +78,7 @@ def skeletonize(
 
 def _spread(skeleton: Skeleton, weights: Weights, config: Config, num: int) -> dict[str, float]:
     """How far the curves of ``num`` runs on the mesh with noise are from ``skeleton``."""
-    solid, random = known(skeleton.source).solid, np.random.default_rng(0)
+    solid, random = skeleton.known_source.solid, np.random.default_rng(0)
     unit = max(float(np.median(skeleton.radii)), SAMPLE_SPACING * solid.diagonal)
     away, leaves = [], []
     for _ in range(num):

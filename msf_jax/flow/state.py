@@ -15,8 +15,7 @@ from msf_jax.meshes.checking import Component
 from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
 from msf_jax.recording.records import Recording, Start, Step
-from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import Source, Stage
+from msf_jax.skeleton.skeleton import Skeleton, Source, Stage
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import UnitFrame
 

@@ -16,7 +16,6 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients.follow import Followed
 from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import bound
 
 # Floating-point types that `follow` supports.
 REALS = (np.float32, np.float64, np.dtype("float32"), np.dtype("float64"), "float32", "float64")
@@ -105,6 +104,6 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: An
     bindings: Binding = jax.tree.map(together, *(padded(binding, capacity) for binding in bare))
     vertices = np.zeros((len(every), capacity.vertices, 3), dtype=dtype)
     for row, skeleton in zip(vertices, every, strict=True):
-        given = bound(skeleton.source, skeleton.mesh_map).given(len(skeleton.mesh_map))
+        given = skeleton.bound_surface.given(len(skeleton.mesh_map))
         row[: len(given)] = given
     return Batch(bindings, jnp.asarray(vertices), bindings.vertex_mask, bindings.node_mask)

@@ -24,8 +24,7 @@ from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import placed_between_neighbours
 from msf_jax.recording import padded
 from msf_jax.recording.records import Recording
-from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import Source
+from msf_jax.skeleton.skeleton import Skeleton, Source
 
 KIND = "tape"  # of the file, see `archive`
 FORMAT_VERSION = 5  # of the format: files of other versions are refused

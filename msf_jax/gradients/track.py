@@ -24,7 +24,6 @@ from msf_jax.meshes import reading
 from msf_jax.metrics import inside_fraction
 from msf_jax.skeleton.report import loops_of
 from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import bound
 from msf_jax.solid.crossings import apart_pairs
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.solid import Solid
@@ -192,7 +191,7 @@ class Tracker:
 
     def __init__(self, skeleton: Skeleton):
         binding = unpadded(binding_of(skeleton))
-        surface = bound(skeleton.source, skeleton.mesh_map)
+        surface = skeleton.bound_surface
         self.skeleton, self.edges, self.node = skeleton, skeleton.edges, surface.node
         self.binding: Binding = jax.device_put(jax.tree.map(jnp.asarray, binding))
         self.solid, self.vertex = surface.solid, surface.vertex

@@ -28,7 +28,6 @@ from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats.text import number
 from msf_jax.skeleton.formats.vtk import polydata
 from msf_jax.skeleton.measures import axes_across, section_of, sections_through
-from msf_jax.skeleton.source import known
 from msf_jax.solid.geometry import arc_length, at, cross, to_segment, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
@@ -137,7 +136,7 @@ def _vtp(frame: Frame) -> str:
 
 def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:
     """See `Skeleton.frame`."""
-    solid = known(skeleton.source).solid
+    solid = skeleton.known_source.solid
     usual = float(np.median(skeleton.radii)) if tolerance is None else tolerance
     if isinstance(usual, bool) or not isinstance(usual, int | float | np.number) or not 0 < float(usual) < np.inf:
         raise ConfigError(f"tolerance is {tolerance!r}: expected a length above 0, in the mesh's units")

@@ -1,21 +1,33 @@
 """`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`.
 
-What can be made of one are functions in other modules, which its methods import when they are called.
+Its verbs give other curves of the same mesh: pruned, with other nodes, smoothed, with radii of another kind; and trees.
+
+What else can be made of a skeleton are functions in other modules, which its methods import when they are called.
 """
 
+import numbers
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+import jax
 import numpy as np
+from scipy import sparse, spatial
+from scipy.sparse import csgraph
 
+from msf_jax import metrics
+from msf_jax.base.errors import ConfigError
+from msf_jax.curve import branches, finishing, resampling
+from msf_jax.inside import containment
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.one_branch import Branch
-from msf_jax.skeleton import changes, pytree, slopes
-from msf_jax.skeleton.report import Report
-from msf_jax.skeleton.source import Source
+from msf_jax.recording.following import BoundSurface
+from msf_jax.skeleton import centrelines
+from msf_jax.skeleton.report import Report, assessed
+from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -23,7 +35,6 @@ if TYPE_CHECKING:
     from networkx import Graph
     from pandas import DataFrame
     from plotly.graph_objects import Figure as PlotlyFigure
-    from scipy import sparse
     from trimesh import Trimesh
     from trimesh.path import Path3D
 
@@ -31,6 +42,51 @@ if TYPE_CHECKING:
     from msf_jax.meshes.reading import MeshLike
     from msf_jax.skeleton.framing import Frame
     from msf_jax.skeleton.rigging.rig import Rig
+
+NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
+MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
+SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
+STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
+THICK = 4.0  # least ratio of a soma's radius to the median radius
+ARRAYS = ("vertices", "edges", "radii", "mesh_map")  # attributes of a skeleton that are leaves of a pytree
+OTHERS = ("roots", "openings", "radius_of", "units")  # those that are part of its structure
+
+
+class Stage(NamedTuple):
+    """The surface after some iterations of the flow, in the caller's units, for pictures.
+
+    iteration: their number. vertices: (n, 3). faces: (m, 3) int32. is_fixed: (n,).
+    """
+
+    iteration: int
+    vertices: np.ndarray
+    faces: np.ndarray
+    is_fixed: np.ndarray
+
+
+class Source(NamedTuple):
+    """The data that a curve was made from.
+
+    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place;
+    the first of several welded vertices. stages: a few surfaces of the contraction, from first to last.
+    input_of_vertex: (v,) the input vertex of each vertex of the solid; None if repair has added vertices.
+    """
+
+    solid: Solid
+    areas: np.ndarray
+    pins: np.ndarray
+    stages: tuple[Stage, ...] = ()
+    input_of_vertex: np.ndarray | None = None
+
+
+class Soma(NamedTuple):
+    """The thickest place of a curve. node, radius: its node and radius. contrast: its radius over the largest radius
+    farther away. is_sure: whether it stands out enough to be a soma; some meshes have no soma, or only its fibre."""
+
+    node: int
+    radius: float
+    contrast: float
+    is_sure: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +142,28 @@ class Skeleton:
         slenderness = one_branch.by_balls(self.vertices, self.radii) if known is None else known
         return one_branch.measure(self.vertices, self.edges, slenderness, share)
 
+    @property
+    def known_source(self) -> Source:
+        """The ``source``; a `ConfigError` if there is none."""
+        if self.source is None:
+            raise ConfigError(
+                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an "
+                ".npz file; save it as .npz, because other files do not contain the mesh"
+            )
+        return self.source
+
+    @property
+    def bound_surface(self) -> BoundSurface:
+        """The checked mesh, with the input vertex and the node of each of its vertices; a `ConfigError` if it is not
+        known, or if repair has added vertices to it."""
+        source = self.known_source
+        if source.input_of_vertex is None:
+            raise ConfigError(
+                "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
+                'vertices; run skeletonize without repair="join" or extruded rims'
+            )
+        return BoundSurface(source.solid, source.input_of_vertex, self.mesh_map[source.input_of_vertex])
+
     @cached_property
     def _slenderness(self) -> np.ndarray | None:
         """The slenderness of each leaf on the solid's surface; None if branches are measured by their balls."""
@@ -111,7 +189,37 @@ class Skeleton:
             ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
                 limbs are not known.
         """
-        return changes.pruned(self, slenderness, detail)
+        if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
+            raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
+        if not (detail is None or (isinstance(detail, numbers.Real) and 0 <= float(detail) <= 1)):
+            raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
+        x, edges, least, is_pinned = self.vertices, self.edges, float(slenderness), _pinned(self)
+        report, num, grown = self.report, len(self.vertices), 0
+        if self.source is not None and not report.wavefronts and least:
+            solid = self.source.solid
+            caps = Caps(solid.outside) if detail is None else Caps(solid.outside, float(detail))
+            choice = one_branch.choose(caps, solid.shape, solid.enter(x), edges, is_pinned, least)
+            if detail is not None and (grown := choice.leaf.count(-1)):
+                new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
+                new, edges = containment.contain(solid.shape, new, edges, np.pad(is_pinned, (0, len(new) - num)))
+                x = np.concatenate([x, solid.leave(new[num:])])
+            added = 0, len(x) - num
+            worth = np.pad(choice.worth, added, constant_values=np.inf)
+            stays, target = one_branch.kept(x, edges, worth, np.pad(is_pinned, added))
+            note = "the search for limbs ended early; branches that it did not try are kept"
+            report = replace(report, notes=report.notes + (note,) * choice.was_hit)
+        elif detail is None:
+            stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, self.radii), least, is_pinned)
+        else:
+            raise ConfigError(
+                f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "
+                "wavefronts, and a slenderness above 0; leave detail out"
+            )
+        rank = np.cumsum(stays) - 1
+        result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target][:num])
+        gone = self.num_leaves + grown - result.num_leaves
+        counts = {"pruned": report.pruned + gone, "grown": report.grown + grown, "notes": report.notes}
+        return replace(result, report=replace(result.report, **counts))
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends and pins stay.
@@ -121,7 +229,14 @@ class Skeleton:
         Raises:
             ConfigError: ``spacing`` is not above 0, or would give more than ten million nodes.
         """
-        return changes.resampled(self, spacing)
+        _check_length("spacing", spacing)
+        if self.length > MOST_NODES * float(spacing):
+            raise ConfigError(
+                f"spacing is {spacing!r}, and the curve {self.length:.3g} long: expected a spacing that gives at most "
+                f"{MOST_NODES} nodes; is it in the mesh's units?"
+            )
+        solid = None if self.source is None else self.source.solid
+        return changed(self, *resampling.resample(self.vertices, self.edges, spacing, _pinned(self), solid))
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton, smoothed: in each round nodes move half of the way to the midpoint of their two neighbours.
@@ -131,17 +246,39 @@ class Skeleton:
         Raises:
             ConfigError: ``rounds`` is negative.
         """
-        return changes.smoothed(self, rounds)
+        if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
+            raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
+        solid = None if self.source is None else self.source.solid
+        x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), _pinned(self), solid)
+        return changed(self, x, edges, np.arange(len(x)))
 
     def simplify(self, tolerance: float) -> "Skeleton":
-        """A new skeleton with the fewest nodes within ``tolerance`` of this one, a length. Ends and pins stay.
+        """A new skeleton with few nodes, within ``tolerance`` of this one, a length. Ends and pins stay.
 
-        Unlike `resample`, it keeps nodes where a branch bends. Edges may leave the solid by up to ``tolerance``.
+        Unlike `resample`, it keeps nodes where a branch bends (Douglas and Peucker 1973). Edges may leave the solid by
+        up to ``tolerance``.
 
         Raises:
             ConfigError: ``tolerance`` is not above 0.
         """
-        return changes.simplified(self, tolerance)
+        _check_length("tolerance", tolerance)
+        num = len(self.vertices)
+        stays = _pinned(self) | (np.bincount(self.edges.ravel(), minlength=num) != 2)
+        stays[list(self.roots) + list(self.openings)] = True
+        chains, node_of_old = [np.empty((0, 2), dtype=np.int64)], np.arange(num)
+        for path in graphs.trace(num, self.edges):
+            nodes = np.array(path)
+            is_needed = stays[nodes]
+            is_needed[[0, -1]] = True
+            if nodes[0] == nodes[-1] and is_needed[1:-1].sum() < 2:  # a loop needs three nodes
+                is_needed[[len(nodes) // 3, 2 * len(nodes) // 3]] = True
+            _mark_far(self.vertices[nodes], is_needed, float(tolerance))
+            places = np.flatnonzero(is_needed)
+            stays[nodes[places]] = True
+            chains.append(np.stack([nodes[places[:-1]], nodes[places[1:]]], axis=1))
+            node_of_old[nodes[1:-1]] = nodes[places[resampling.nearest_of(places, np.arange(1, len(nodes) - 1))]]
+        rank = np.cumsum(stays) - 1
+        return changed(self, self.vertices[stays], rank[np.concatenate(chains)], rank[node_of_old])
 
     def to_tree(self, root: Any = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
@@ -157,11 +294,48 @@ class Skeleton:
         Raises:
             ConfigError: the curve has no such node.
         """
-        return changes.tree_of(self, root)
+        num, why = len(self.vertices), ""
+        if isinstance(root, str) and root == "soma":
+            soma = self.soma()
+            root = soma.node
+            stands = f"{soma.contrast:.3g} times as thick as the thickest elsewhere"
+            why = f" (the soma: {stands})" if soma.is_sure else f" (the thickest; NOT SURE to be the soma: {stands})"
+        if np.shape(root) == (3,) and np.asarray(root).dtype.kind in "fiu" and np.isfinite(root).all():
+            root = int(np.linalg.norm(self.vertices - np.asarray(root), axis=1).argmin())
+        is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
+        if root is not None and not is_node:
+            raise ConfigError(
+                f'root is {root!r}: expected a node from 0 to {num - 1}, "soma", or None for the thickest node, or '
+                "a point (x, y, z)"
+            )
+        stays = branches.cut_loops(num, self.edges, self.radii)
+        edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
+        roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
+        where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
+        loops = f"{len(gone)} {'loop' if len(gone) == 1 else 'loops'}"
+        place = f"root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}{why}"
+        report = replace(
+            self.report,
+            cycles=0,
+            loops=None if self.report.loops is None else 0,
+            cut=self.report.cut + len(gone),
+            is_tree=True,
+            inside=_share_inside(self, self.vertices, edges, self.radii),
+            notes=(*self.report.notes, f"a tree: {loops} cut where thinnest{where}; {place}"),
+            figures={},
+        )
+        return replace(self, edges=edges, report=report, roots=roots)
 
-    def soma(self) -> changes.Soma:
+    def soma(self) -> Soma:
         """The thickest place, where the soma of a neuron may be, and whether it stands out enough to be sure."""
-        return changes.soma_of(self)
+        is_known = self.radius_of == "ball" or self.source is None
+        balls = (self if is_known else self.with_radii("ball")).radii
+        node = int(balls.argmax())
+        is_elsewhere = np.linalg.norm(self.vertices - self.vertices[node], axis=1) > SOMA_REACH * balls[node]
+        radius, elsewhere = float(balls[node]), float(balls[is_elsewhere].max(initial=0.0))
+        contrast = radius / elsewhere if elsewhere > 0 else np.inf
+        is_sure = bool(elsewhere > 0 and contrast >= STANDS_OUT and radius >= THICK * np.median(balls))
+        return Soma(node, radius, contrast, is_sure)
 
     def heal(self, reach: float = np.inf) -> "Skeleton":
         """A new skeleton with fewer pieces: edges between nearest nodes join pieces over gaps of up to ``reach``.
@@ -171,7 +345,25 @@ class Skeleton:
         Raises:
             ConfigError: ``reach`` is not above 0.
         """
-        return changes.healed(self, reach)
+        if reach != np.inf:
+            _check_length("reach", reach)
+        links = _links(self.vertices, self.edges, float(reach))
+        if not len(links):
+            return self
+        edges = finishing.in_order(np.concatenate([self.edges, links]))
+        gap = graphs.lengths(self.vertices, links).max()
+        components, cycles = graphs.cycle_count(len(self.vertices), edges)
+        count = f"{len(links)} {'piece was' if len(links) == 1 else 'pieces were'} joined to the rest"
+        report = replace(
+            self.report,
+            components=components,
+            mesh_components=max(self.report.mesh_components - len(links), 1),
+            cycles=cycles,
+            inside=_share_inside(self, self.vertices, edges, self.radii),
+            notes=(*self.report.notes, f"healed: {count}, over gaps of up to {gap:.3g}, outside the mesh"),
+            figures={},
+        )
+        return replace(self, edges=edges, report=report, roots=self.roots[:1])
 
     def with_radii(self, of: str) -> "Skeleton":
         """The same curve with another kind of radii, which saved files then have, too.
@@ -184,7 +376,10 @@ class Skeleton:
         Raises:
             ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
         """
-        return changes.with_radii(self, of)
+        if of not in ("ball", "section"):
+            raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
+        with_balls = replace(self, radii=self.known_source.solid.radii(self.vertices), radius_of="ball")
+        return with_balls if of == "ball" else _with_sections(with_balls)
 
     @cached_property
     def binding(self) -> "Binding":
@@ -196,6 +391,8 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
+        from msf_jax.skeleton import slopes
+
         return slopes.binding_of(self)
 
     def jacobian(self) -> "sparse.csr_matrix":
@@ -208,6 +405,8 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
+        from msf_jax.skeleton import slopes
+
         return slopes.jacobian(self)
 
     def covariance(self, sigma: Any) -> np.ndarray:
@@ -223,6 +422,8 @@ class Skeleton:
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
         """
+        from msf_jax.skeleton import slopes
+
         return slopes.covariance(self, sigma)
 
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
@@ -342,17 +543,15 @@ class Skeleton:
             ConfigError: ``path`` has another suffix.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
-        from msf_jax.skeleton.pictures import page
+        from msf_jax.skeleton import page
 
         return page.view(self, mesh, path)
 
-    def plot(
-        self, mesh: "MeshLike | None" = None, *, elevation: float | None = None, azimuth: float | None = None
-    ) -> "Figure":
-        """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `panels.figure`."""
-        from msf_jax.skeleton.pictures import panels
+    def plot(self, mesh: "MeshLike | None" = None) -> "Figure":
+        """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `view.panels`."""
+        from msf_jax.skeleton import pictures
 
-        return panels.figure(self, mesh, elevation=elevation, azimuth=azimuth)
+        return pictures.figure(self, mesh)
 
     def segments(self, mesh: "MeshLike") -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
@@ -364,9 +563,9 @@ class Skeleton:
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
-        from msf_jax.skeleton.pictures import segmentation
+        from msf_jax.skeleton import segments
 
-        return segmentation.segments(self, mesh)
+        return segments.segments(self, mesh)
 
     def to_networkx(self) -> "Graph":
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
@@ -401,4 +600,121 @@ def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skel
     return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)
 
 
-pytree.register(Skeleton)
+def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> Skeleton:
+    """A skeleton of the same mesh with another curve, and an updated report.
+
+    ``node_of_old`` (N,) is the new node for each node of ``skeleton``.
+    """
+    edges, mesh_map, source = finishing.in_order(edges), node_of_old[skeleton.mesh_map], skeleton.source
+    components, cycles = graphs.cycle_count(len(vertices), edges)
+    report = replace(skeleton.report, components=components, cycles=cycles, loops=None, figures={})
+    if source is not None:
+        solid, vertex = source.solid, source.input_of_vertex
+        radii = solid.radii(vertices)
+        followed = None if vertex is None else mesh_map[vertex]
+        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed, report.wavefronts > 0))
+        report = replace(report, inside=_share_inside(skeleton, vertices, edges, radii))
+    else:  # radius of the largest ball inside one of the old balls
+        nearest = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))
+        away, near = (np.reshape(each, (len(vertices), -1)) for each in nearest)
+        radii = np.maximum((skeleton.radii[near] - away).max(axis=1), 0.0)
+    roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (skeleton.roots, skeleton.openings))
+    curve = {"vertices": vertices, "edges": edges, "radii": radii, "mesh_map": mesh_map, "report": report}
+    result = replace(skeleton, **curve, roots=roots, openings=openings, radius_of="ball")
+    return result if source is None or skeleton.radius_of == "ball" else _with_sections(result)
+
+
+def _with_sections(skeleton: Skeleton) -> Skeleton:
+    """The same curve with radii of discs in place of those of balls; see `Skeleton.with_radii`."""
+    area = centrelines.node_columns(skeleton)["area"]
+    radii = np.where(np.isfinite(area), np.sqrt(np.maximum(area, 0.0) / np.pi), skeleton.radii)
+    return replace(skeleton, radii=radii, radius_of="section")
+
+
+def _share_inside(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
+    """The fraction of a curve's length inside the skeleton's mesh; the report's if the mesh is not known."""
+    if skeleton.source is None:
+        return skeleton.report.inside
+    solid = skeleton.source.solid
+    return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
+
+
+def _pinned(skeleton: Skeleton) -> np.ndarray:
+    """(N,) True for the node of a pinned vertex of the mesh."""
+    is_pinned = np.zeros(len(skeleton.vertices), dtype=bool)
+    if skeleton.source is not None:
+        is_pinned[skeleton.mesh_map[skeleton.source.pins]] = True
+    return is_pinned
+
+
+def _check_length(name: str, value: Any) -> None:
+    if isinstance(value, bool) or not (isinstance(value, numbers.Real) and 0 < float(value) < np.inf):
+        raise ConfigError(f"{name} is {value!r}: expected a length above 0")
+
+
+def _mark_far(points: np.ndarray, is_needed: np.ndarray, tolerance: float) -> None:
+    """Set ``is_needed`` (n,) for the one of ``points`` (n, 3) that is farthest from the line between two needed ones,
+    until none is farther than ``tolerance``."""
+    needed = np.flatnonzero(is_needed).tolist()
+    stack = list(pairwise(needed))
+    while stack:
+        first, last = stack.pop()
+        along, offset = points[last] - points[first], points[first : last + 1] - points[first]
+        part = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
+        away = np.linalg.norm(offset - part[:, None] * along, axis=1)
+        if away.max() > tolerance:
+            middle = first + int(away.argmax())
+            is_needed[middle] = True
+            stack += [(first, middle), (middle, last)]
+
+
+def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
+    """(K, 2) shortest edges that join pieces within ``reach`` of each other: a spanning tree of least length."""
+    piece = np.unique(graphs.labels(len(vertices), *edges.T), return_inverse=True)[1]
+    num = piece.max() + 1
+    order = np.argsort(piece, kind="stable")
+    members = np.split(order, np.flatnonzero(np.diff(piece[order])) + 1)
+    gaps, pairs = np.full((num, num), np.inf), np.zeros((num, num, 2), dtype=np.int64)
+    for number, own in enumerate(members[:-1]):
+        away, nearest = map(np.asarray, spatial.KDTree(vertices[own]).query(vertices))
+        for other in range(number + 1, num):
+            node = members[other][away[members[other]].argmin()]
+            gaps[number, other], pairs[number, other] = away[node], (own[nearest[node]], node)
+    gaps = np.where(gaps <= reach, np.maximum(gaps, 1e-300), 0.0)  # 0 is no edge
+    joined = csgraph.minimum_spanning_tree(sparse.csr_matrix(gaps)).tocoo()
+    return np.sort(pairs[joined.row, joined.col], axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Same:
+    """A part of a pytree's structure that is compared by identity, because comparing its values is slow."""
+
+    value: Any
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and self.value is other.value
+
+    def __hash__(self) -> int:
+        return id(self.value)
+
+
+def _flatten(skeleton: Skeleton) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    """The leaves of a skeleton as a pytree, its arrays and those of its binding if it has one; and its static part. So
+    a jitted function of a skeleton is compiled for each skeleton, and one of its ``binding`` for each capacity."""
+    has_binding = "binding" in vars(skeleton) or (skeleton.source and skeleton.source.input_of_vertex is not None)
+    arrays, others = ([getattr(skeleton, name) for name in names] for names in (ARRAYS, OTHERS))
+    leaves = (*arrays, skeleton.binding if has_binding else None)
+    return leaves, (_Same(skeleton.report), _Same(skeleton.source), *others)
+
+
+def _unflatten(static: tuple[Any, ...], leaves: Any) -> Skeleton:
+    """The inverse of `_flatten`. JAX also passes axes, masks and gradients as leaves."""
+    (report, source, *others), (*arrays, binding) = static, leaves
+    values: dict[str, Any] = dict(zip(ARRAYS + OTHERS, [*arrays, *others], strict=True))
+    skeleton = Skeleton(**values, report=report.value, source=source.value)
+    if binding is not None:
+        vars(skeleton)["binding"] = binding
+    return skeleton
+
+
+jax.tree_util.register_pytree_node(Skeleton, _flatten, _unflatten)

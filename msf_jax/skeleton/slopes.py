@@ -17,7 +17,6 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.recording.following import record
-from msf_jax.skeleton.source import bound
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
 
 def binding_of(skeleton: "Skeleton") -> Binding:
     """See `Skeleton.binding`."""
-    surface = bound(skeleton.source, skeleton.mesh_map)
+    surface = skeleton.bound_surface
     pins = np.asarray(skeleton.source.pins if skeleton.source else [], dtype=np.int64)
     pinned = skeleton.mesh_map[pins]
     pins_of_node = {int(node): pins[pinned == node] for node in np.unique(pinned)}
@@ -35,7 +34,7 @@ def binding_of(skeleton: "Skeleton") -> Binding:
 
 def jacobian(skeleton: "Skeleton") -> sparse.csr_matrix:
     """See `Skeleton.jacobian`."""
-    padded, surface = skeleton.binding, bound(skeleton.source, skeleton.mesh_map)
+    padded, surface = skeleton.binding, skeleton.bound_surface
     binding, vertices = bindings.unpadded(padded), surface.given(len(skeleton.mesh_map))
     num, num_sections, many = len(binding.rest), len(binding.node), len(vertices)
     entered = np.pad((vertices - binding.centre) / binding.unit, ((0, padded.num_vertices - many), (0, 0)))

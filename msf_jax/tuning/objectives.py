@@ -26,7 +26,6 @@ from msf_jax.gradients.replay import replay, replay_radii
 from msf_jax.gradients.tape import Tape
 from msf_jax.meshes import reading
 from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import known
 
 MOST_SAMPLES = 2000  # vertices of a surface that `explained` uses, about
 
@@ -127,7 +126,7 @@ def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
         ConfigError: the skeleton has no source mesh (of files, only `.npz` has one), or ``mesh`` is another mesh.
     """
     surface = reading.read(mesh)[0]
-    source = known(skeleton.source)
+    source = skeleton.known_source
     if len(skeleton.mesh_map) != len(surface):
         raise ConfigError(
             f"mesh has {len(surface)} vertices, the skeleton's has {len(skeleton.mesh_map)}: expected the same mesh"

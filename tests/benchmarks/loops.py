@@ -119,9 +119,9 @@ def mutants(skeleton: Any) -> list[Any]:
             links = np.concatenate([np.stack([number, np.roll(number, -1)], axis=1), [[loop[0], num]]])
             found.append((np.concatenate([x, beside]), np.concatenate([cut, links])))
         break
-    from msf_jax.skeleton import changes
+    from msf_jax.skeleton.skeleton import changed
 
-    return [changes.changed(skeleton, vertices, links, np.arange(num)).report for vertices, links in found]
+    return [changed(skeleton, vertices, links, np.arange(num)).report for vertices, links in found]
 
 
 def run_one(name: str, oracle: Path, limit: float, cache: Path | None) -> dict[str, Any]:

@@ -13,8 +13,7 @@ from scipy import spatial
 import msf_jax
 from msf_jax import ConfigError
 from msf_jax.skeleton.measures import profiles_of, swept_volumes, tangents_of
-from msf_jax.skeleton.skeleton import Skeleton, curve_of
-from msf_jax.skeleton.source import Source
+from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
 from msf_jax.solid.solid import Solid
 from tests.benchmarks import ground_truth
 

@@ -111,28 +111,6 @@ def test_fewer_nodes_keep_the_curve_within_the_tolerance(tolerance):
         curve.simplify(0)
 
 
-def test_a_simple_curve_has_as_many_nodes_as_it_has_corners():
-    """A portal whose bends are rounded: Douglas and Peucker keep two nodes of a bend. A zigzag keeps all of its."""
-    turn = np.linspace(0, np.pi / 2, 12)
-    bend = 0.5 * np.stack([1 - np.cos(turn), 0 * turn, np.sin(turn)], axis=1) + [0, 0, 3.5]
-    side = np.linspace([0.0, 0, 0], [0, 0, 3.4], 30)
-    half = np.concatenate([side, bend, np.linspace([0.6, 0, 4], [2.5, 0, 4], 20)])
-    points = np.concatenate([half, (half * [-1, 1, 1] + [5.0, 0, 0])[-2::-1]])
-    edges = np.stack([np.arange(len(points) - 1), np.arange(1, len(points))], axis=1)
-    found = curve_of(points, edges, np.full(len(points), 0.3)).simplify(0.2)
-    assert len(found.vertices) == 4
-    assert msf_jax.metrics.curve_distance(points, found.vertices, found.edges).max() <= 0.2
-    angle = np.linspace(0, 1.5 * np.pi, 400)
-    arc = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    found = curve_of(arc, np.stack([np.arange(399), np.arange(1, 400)], axis=1), np.full(400, 0.1)).simplify(0.02)
-    fewest = np.ceil(angle[-1] / (2 * np.arccos(1 - 0.02)))  # chords between points of the circle
-    assert fewest == 12 and fewest <= len(found.edges) <= fewest + 1
-    x = np.arange(150.0)
-    zigzag = np.stack([x, x % 2, 0 * x], axis=1)
-    found = curve_of(zigzag, np.stack([np.arange(149), np.arange(1, 150)], axis=1), np.full(150, 0.1)).simplify(0.3)
-    assert len(found.vertices) == 150
-
-
 def test_the_root_of_a_tree_may_be_given_by_a_point():
     curve = neuron(0.1)
     assert curve.to_tree((38.6, 0.3, 0.0)).roots == curve.to_tree(np.array([40, 0, 0])).roots == (39,)

@@ -13,7 +13,7 @@ from loop_cases import cycle
 
 import msf_jax
 from msf_jax import Config, metrics
-from msf_jax.skeleton import changes
+from msf_jax.skeleton import skeleton as skeletons
 from msf_jax.skeleton.report import assessed, loops_of
 from msf_jax.solid.enclosure import Enclosure
 
@@ -122,7 +122,7 @@ def ring_curve():
 
 
 def changed(skeleton, vertices, edges):
-    return changes.changed(skeleton, np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
+    return skeletons.changed(skeleton, np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
 
 
 def test_a_mutated_curve_is_not_sound(ring_curve):
@@ -153,7 +153,7 @@ def test_a_mutated_curve_is_not_sound(ring_curve):
 
 def test_a_tree_of_a_curve_in_doubt_stays_in_doubt(ring_curve):
     x, edges = ring_curve.vertices, ring_curve.edges
-    false = changes.changed(ring_curve, x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
+    false = skeletons.changed(ring_curve, x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
     assert not false.to_tree().report.is_sound and ring_curve.to_tree().report.is_sound
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
 from msf_jax.skeleton.report import SENTENCES, Report
-from msf_jax.skeleton.source import Source
+from msf_jax.skeleton.skeleton import Source
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 

@@ -19,7 +19,6 @@ from msf_jax.skeleton.rigging import binding
 from msf_jax.skeleton.rigging.body import STANDARDS
 from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of
 from msf_jax.skeleton.rigging.cutting import FEWEST_HELD
-from msf_jax.skeleton.source import bound
 from msf_jax.solid.geometry import to_segment
 from msf_jax.topology import graphs
 
@@ -212,7 +211,7 @@ def _choose_bones(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, aske
 
 def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of the mesh that the curve was made from, if they can be known without the mesh."""
-    surface, num = bound(skeleton.source, skeleton.mesh_map), len(skeleton.mesh_map)
+    surface, num = skeleton.bound_surface, len(skeleton.mesh_map)
     if len(np.unique(surface.vertex)) < num:
         raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh=...)")
     return surface.given(num), surface.vertex[surface.solid.shape.faces]

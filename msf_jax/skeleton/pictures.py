@@ -1,4 +1,4 @@
-"""Pictures of surfaces, points and curves, by matplotlib: one, or several side by side."""
+"""Pictures of surfaces, points and curves, by matplotlib, one or several side by side; and the camera's place."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -10,7 +10,6 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
-from msf_jax.skeleton.pictures import camera
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,6 +18,12 @@ if TYPE_CHECKING:
 
 GREY_BLUE = (0.55, 0.62, 0.72)  # colour of surfaces: red, green, blue from 0 to 1
 HALF_WIDTH = 0.47  # half width of the drawing, as a share of the axes
+EVEN = (1.02, 1.0, 1.01)  # factors of the extents on x, y, z, so that of equal ones y is the least, then z
+STANDS = 1.5  # ratio of height to width above which a shape stands; people have 2 to 4, animals less than 1
+ABOVE = 8.0  # degrees: elevation of the camera
+# Of the camera, in degrees, by the upright axis and the axis it looks along: 18 aside, because from the front one half
+# of a shape can hide the other. CAD looks along y if z is up, games look along -z if y is up.
+AZIMUTH = {(2, 1): -72.0, (2, 0): 18.0, (1, 2): 18.0, (1, 0): 108.0}
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +47,20 @@ class Panel:
     face_colours: np.ndarray | None = None
 
 
+def looking(points: np.ndarray) -> tuple[int, float]:
+    """The upright axis of ``points`` (N, 3), 1 for y or 2 for z, and the azimuth around it from which they are seen.
+
+    The camera looks about along the axis of the least extent. If that is z, y is up; if it is y, z. If it is x, the
+    longer of both is up for a slender shape, such as a person, else the shorter, as for a horse.
+    """
+    extent = np.ptp(points, axis=0)
+    along = int((extent * EVEN).argmin())
+    _, y, z = extent
+    stands = max(y, z) > STANDS * min(y, z)
+    upright = (2 if (z > y) == stands else 1, 2, 1)[along]
+    return upright, AZIMUTH[upright, along]
+
+
 def panels(
     shown: Sequence[Panel],
     *,
@@ -56,9 +75,7 @@ def panels(
         shown: one `Panel` for each picture.
         columns: pictures in a row.
         size: of each picture, in inches.
-        elevation, azimuth: of the camera, in degrees, with z upright. If only one is given, elevation is 15 or azimuth
-            is -70. If neither is given, the camera looks nearly along the shortest principal axis, see
-            `camera.looking`.
+        elevation, azimuth: of the camera, in degrees, with z upright. If neither is given, see `looking`.
 
     Raises:
         ConfigError: there is nothing to show.
@@ -67,72 +84,51 @@ def panels(
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
 
-    if not shown or columns < 1:
-        raise ConfigError(f"{len(shown)} panels in {columns} columns: expected at least one of each")
-    columns = min(columns, len(shown))
-    rows = -(-len(shown) // columns)
-    drawing = Figure(figsize=(size * columns, size * rows), layout="constrained")
     surfaces = [None if panel.mesh is None else reading.read(panel.mesh) for panel in shown]
     points = [mesh[0] for mesh in surfaces if mesh is not None]
     points += [panel.points for panel in shown if panel.points is not None]
     points += [curve.vertices for panel in shown for curve in panel.curves.values()]
-    if not points:
-        raise ConfigError("no panel shows anything: expected a mesh, a curve or points")
-    box = np.concatenate(points)
-    roll = 0.0
-    if elevation is None and azimuth is None:
-        elevation, azimuth, roll = camera.looking(*_together(surfaces, box)).angles()
+    if not points or columns < 1:
+        raise ConfigError(f"{len(points)} things in {columns} columns: expected meshes, curves or points, and a column")
+    box, columns = np.concatenate(points), min(columns, len(shown))
+    upright, around = looking(box) if elevation is None and azimuth is None else (2, AZIMUTH[2, 1])
     radii = [curve.radii for panel in shown if len(panel.curves) == 1 for curve in panel.curves.values()]
     colours = ScalarMappable(Normalize(0, max((float(part.max()) for part in radii), default=1.0)), cmap="plasma")
+    rows = -(-len(shown) // columns)
+    drawing = Figure(figsize=(size * columns, size * rows), layout="constrained")
     every = []
-    for k, panel in enumerate(shown):
-        axes: Any = drawing.add_subplot(rows, columns, k + 1, projection="3d", computed_zorder=False)
+    for number, (panel, surface) in enumerate(zip(shown, surfaces, strict=True)):
+        axes: Any = drawing.add_subplot(rows, columns, number + 1, projection="3d", computed_zorder=False)
         every.append(axes)
-        _draw(axes, panel, surfaces[k], colours)
-        axes.view_init(15.0 if elevation is None else elevation, -70.0 if azimuth is None else azimuth, roll)
+        _draw(axes, panel, surface, colours)
+        angles = ABOVE if elevation is None else elevation, around if azimuth is None else azimuth
+        axes.view_init(*angles, vertical_axis="xyz"[upright])
         _frame(axes, box)
     if radii:
         drawing.colorbar(colours, ax=every, shrink=0.5 if rows == 1 else 0.3, label="radius")
     return drawing
 
 
-def _together(surfaces: list[tuple[np.ndarray, np.ndarray] | None], box: np.ndarray) -> tuple[np.ndarray, Any]:
-    """All surfaces as one, or all points if there is no surface."""
-    found = [surface for surface in surfaces if surface is not None]
-    if not found:
-        return box, None
-    first = np.cumsum([0] + [len(vertices) for vertices, _ in found])
-    faces = [part + start for (_, part), start in zip(found, first, strict=False)]
-    return np.concatenate([vertices for vertices, _ in found]), np.concatenate(faces)
-
-
-def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, colours: Any) -> None:
+def _draw(axes: Any, panel: Panel, surface: tuple[np.ndarray, np.ndarray] | None, colours: Any) -> None:
     from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
     axes.set_title(panel.title, fontsize=10)
-    if mesh is not None:
-        triangles = mesh[0][mesh[1]]
-        if panel.is_solid:
-            colour: Any = GREY_BLUE if panel.face_colours is None else panel.face_colours
-            axes.add_collection3d(Poly3DCollection(triangles, facecolors=colour, shade=True, zorder=1))
-        else:
-            axes.add_collection3d(Poly3DCollection(triangles, facecolor=(*GREY_BLUE, 0.10), zorder=1))
+    if surface is not None:
+        opaque: Any = GREY_BLUE if panel.face_colours is None else panel.face_colours
+        style: Any = {"facecolors": opaque, "shade": True} if panel.is_solid else {"facecolors": (*GREY_BLUE, 0.10)}
+        axes.add_collection3d(Poly3DCollection(surface[0][surface[1]], zorder=1, **style))
     if panel.points is not None:
         axes.scatter(*panel.points.T, s=2, color="tab:red", linewidths=0, zorder=2)
-    one = len(panel.curves) == 1
+    is_one = len(panel.curves) == 1
     for number, (name, curve) in enumerate(panel.curves.items()):
+        style = {"zorder": 3, "label": name}
         if len(curve.edges):
-            lines: Any = Line3DCollection(
-                curve.vertices[curve.edges], linewidths=2.5 if one else 1.8, zorder=3, label=name
-            )
-            if one:
-                lines.set_color(colours.to_rgba(curve.radii[curve.edges].mean(axis=1)))
-            else:
-                lines.set_color(f"C{number}")
-            axes.add_collection3d(lines)
+            colour = colours.to_rgba(curve.radii[curve.edges].mean(axis=1)) if is_one else f"C{number}"
+            width = 2.5 if is_one else 1.8
+            segments: Any = curve.vertices[curve.edges]
+            axes.add_collection3d(Line3DCollection(segments, linewidths=width, colors=colour, **style))
         else:
-            colour = colours.to_rgba(curve.radii) if one else f"C{number}"
-            axes.scatter(*curve.vertices.T, color=colour, zorder=3, label=name)
+            axes.scatter(*curve.vertices.T, color=colours.to_rgba(curve.radii) if is_one else f"C{number}", **style)
     if len(panel.curves) > 1:
         axes.legend(fontsize=8, loc="lower left")
 
@@ -154,31 +150,14 @@ def _frame(axes: Any, points: np.ndarray) -> None:
     axes.set_box_aspect(half, zoom=zoom)
 
 
-def figure(
-    skeleton: "Skeleton",
-    mesh: "MeshLike | None" = None,
-    *,
-    elevation: float | None = None,
-    azimuth: float | None = None,
-) -> "Figure":
-    """A matplotlib figure: the mesh translucent, the curve coloured by radius.
-
-    Args:
-        skeleton: the curve.
-        mesh: the mesh that it was made from, as `skeletonize` takes it; if not given, only the curve is drawn.
-        elevation, azimuth: of the camera; see `panels`.
-    """
-    return panels([Panel(mesh=mesh, curves={"": skeleton})], size=8, elevation=elevation, azimuth=azimuth)
+def figure(skeleton: "Skeleton", mesh: "MeshLike | None" = None) -> "Figure":
+    """A matplotlib figure: the mesh translucent, if it is given, as `skeletonize` takes it; the curve coloured by
+    radius. `panels` has a choice of the camera."""
+    return panels([Panel(mesh=mesh, curves={"": skeleton})], size=8)
 
 
-def picture(
-    skeleton: "Skeleton",
-    mesh: "MeshLike | None" = None,
-    *,
-    elevation: float | None = None,
-    azimuth: float | None = None,
-) -> bytes:
+def picture(skeleton: "Skeleton", mesh: "MeshLike | None" = None) -> bytes:
     """`figure` as the bytes of a PNG file."""
     buffer = io.BytesIO()
-    figure(skeleton, mesh, elevation=elevation, azimuth=azimuth).savefig(buffer, format="png", dpi=150)
+    figure(skeleton, mesh).savefig(buffer, format="png", dpi=150)
     return buffer.getvalue()

@@ -4,24 +4,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import trimesh
-from scipy import sparse
-from scipy.sparse import csgraph
 
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 SMALL_PIECE = 0.5  # of the number of faces of its branch's largest piece: a piece with fewer is reassigned
-
-
-def branch_of_node(skeleton: "Skeleton") -> np.ndarray:
-    """(N,) the index in ``skeleton.branches`` of each node's branch; at a junction, the first."""
-    number = np.full(len(skeleton.vertices), -1)
-    for k, branch in reversed(list(enumerate(skeleton.branches))):
-        number[np.asarray(branch.nodes)] = k
-    return number
 
 
 def colours(num: int) -> np.ndarray:
@@ -42,11 +33,10 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
     a, b = np.reshape(trimesh.graph.face_adjacency(place[faces]), (-1, 2)).T
     while True:
         same = of_face[a] == of_face[b]
-        joined = sparse.coo_matrix((np.ones(same.sum()), (a[same], b[same])), shape=(len(faces), len(faces)))
-        num, piece = csgraph.connected_components(joined, directed=False)
-        owner = np.zeros(num, dtype=np.int64)
+        piece = graphs.labels(len(faces), a[same], b[same])
+        size = np.bincount(piece)
+        owner = np.zeros(len(size), dtype=np.int64)
         owner[piece] = of_face
-        size = np.bincount(piece, minlength=num)
         largest = np.zeros(int(branch.max(initial=0)) + 1, dtype=np.int64)
         np.maximum.at(largest, owner, size)
         is_small = size < SMALL_PIECE * largest[owner]
@@ -64,16 +54,16 @@ def segments(skeleton: "Skeleton", mesh: "MeshLike") -> list[trimesh.Trimesh]:
     """See `Skeleton.segments`."""
     vertices, faces = reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
-    branch = branch_of_node(skeleton)[skeleton.mesh_map]
+    branch_of_node = np.full(len(skeleton.vertices), -1)
+    for number, one in reversed(list(enumerate(skeleton.branches))):  # a junction has the first of its branches
+        branch_of_node[np.asarray(one.nodes)] = number
+    branch = branch_of_node[skeleton.mesh_map]
     of_face = _of_faces(vertices, faces, branch)
-    palette = colours(len(skeleton.branches))
     parts = []
-    for number in range(len(palette)):
+    for number, colour in enumerate(colours(len(skeleton.branches))):
         used, local = np.unique(faces[of_face == number], return_inverse=True)
-        node = skeleton.mesh_map[used]
-        local = local.reshape(-1, 3)
-        colour = np.tile(palette[number], (len(local), 1))
-        part = trimesh.Trimesh(vertices[used], local, process=False, face_colors=colour)
+        node, local = skeleton.mesh_map[used], local.reshape(-1, 3)
+        part = trimesh.Trimesh(vertices[used], local, process=False, face_colors=np.tile(colour, (len(local), 1)))
         part.vertex_attributes |= {"radius": skeleton.radii[node], "node": node, "branch": branch[used]}
         parts.append(part)
     return parts

@@ -1,0 +1,143 @@
+"""A self-contained interactive page of surface, curve, iterations and pruning, drawn by plotly."""
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
+from msf_jax.skeleton.pictures import ABOVE, looking
+from msf_jax.skeleton.segments import colours
+
+if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
+    from msf_jax.skeleton.skeleton import Skeleton
+
+PRUNED = (0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
+GREY = "#8c9eb8"  # colour of the surface
+RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
+AWAY = 1.4  # diagonals: at 1.31, a ball with the box's diagonal fills plotly's angle of view of 45 degrees
+LEAST_EXTENT = 0.01  # least ratio of the scene's extents: the box of a line or a point would be empty
+
+
+def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "Figure":
+    """See `Skeleton.view`."""
+    import plotly.graph_objects as go
+
+    if path is not None and Path(path).suffix.lower() != ".html":
+        raise ConfigError(f"a page is written as .html, not as {Path(path).suffix!r}")
+    middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is precise enough around it
+    traces = _surfaces(skeleton, mesh, middle)
+    box = np.concatenate([skeleton.vertices - middle, *(np.stack([one.x, one.y, one.z], axis=1) for one in traces[:1])])
+    stages, num_surfaces = skeleton.source.stages if skeleton.source else (), len(traces)
+    for stage in stages:
+        name = f"after {stage.iteration} iterations"
+        style = {"opacity": 0.9, "color": "#5b8c5a", "visible": False, "hoverinfo": "skip"}
+        traces.append(_mesh(stage.vertices - middle, stage.faces, name, **style))
+    left = {"none": skeleton}  # the curve at each stop of the slider, without stops that change nothing
+    for slenderness in PRUNED:
+        curve = skeleton.prune(slenderness)
+        if len(curve.edges) < len(list(left.values())[-1].edges):
+            left[f"{slenderness:g}"] = curve
+    limits = float(skeleton.radii.min()), float(skeleton.radii.max())
+    traces += [_line(curve, middle, limits, name == "none") for name, curve in left.items()]
+    drawing = go.Figure(traces)
+    first = num_surfaces + len(stages)
+    drawing.update_layout(
+        template="plotly_white",
+        margin={"l": 0, "r": 0, "t": 40, "b": 90},
+        title={"text": f"{skeleton!r}; {skeleton.report.reason}", "font": {"size": 14}},
+        legend={"x": 0, "y": 1},
+        scene=_scene(box[np.isfinite(box).all(axis=1)]),
+        sliders=[
+            _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 0.02, 1),
+            _slider("pruned at slenderness: ", list(left), first, 0.53, 0),
+        ],
+    )
+    if path is not None:
+        write_whole(path, drawing.to_html(include_plotlyjs=True))
+    return drawing
+
+
+def _surfaces(skeleton: "Skeleton", mesh: "MeshLike | None", middle: np.ndarray) -> list[Any]:
+    """The mesh in grey, and coloured by node if the curve has a map of it. The legend shows and hides them."""
+    if mesh is not None:
+        vertices, faces = reading.read(mesh, finite=False)
+        if len(skeleton.mesh_map):
+            reading.check_map(skeleton.mesh_map, len(vertices))
+    elif skeleton.source is not None:
+        solid = skeleton.source.solid
+        vertices, faces = solid.vertices, solid.shape.faces
+    else:
+        return []
+    has_map = mesh is not None and len(skeleton.mesh_map) > 0  # a curve of another program has none
+    node = skeleton.mesh_map if has_map else np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
+    # The pointer meets the surface before the curve, so the surface shows the radius, too.
+    style = {"customdata": skeleton.radii[node].astype(np.float32), "hovertemplate": RADIUS, "showlegend": True}
+    traces = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, **style)]
+    if has_map:
+        rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colours(len(skeleton.vertices))[node]]
+        style |= {"vertexcolor": rgb, "visible": "legendonly"}
+        traces.append(_mesh(vertices - middle, faces, "surface by node", opacity=0.5, **style))
+    return traces
+
+
+def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **style: Any) -> Any:
+    import plotly.graph_objects as go
+
+    corners = dict(zip("ijk", np.asarray(faces, dtype=np.int32).T, strict=True))
+    return go.Mesh3d(**dict(zip("xyz", vertices.astype(np.float32).T, strict=True)), **corners, name=name, **style)
+
+
+def _scene(box: np.ndarray) -> dict[str, Any]:
+    """Axes and camera such that ``box`` (n, 3) is in view, and stays in place when parts are hidden. Plotly's unit of
+    length is the diagonal of the scene's box."""
+    middle, half = (box.max(axis=0) + box.min(axis=0)) / 2, np.ptp(box, axis=0) / 2
+    half = np.maximum(half, LEAST_EXTENT * (float(half.max()) or 1.0))
+    upright, around = looking(box)
+    above, around = np.radians([ABOVE, around])
+    eye = AWAY * np.array([np.cos(above) * np.cos(around), np.cos(above) * np.sin(around), np.sin(above)])
+    of_axes = 2 * half / np.linalg.norm(2 * half), np.roll(eye, upright - 2), np.eye(3)[upright]
+    ratio, eye, up = (dict(zip("xyz", values.tolist(), strict=True)) for values in of_axes)
+    axes = {
+        f"{axis}axis": {"visible": False, "range": [a, b]}
+        for axis, a, b in zip("xyz", (middle - half).tolist(), (middle + half).tolist(), strict=True)
+    }
+    return {"aspectmode": "manual", "aspectratio": ratio, "camera": {"eye": eye, "up": up}, **axes}
+
+
+def _line(curve: "Skeleton", middle: np.ndarray, limits: tuple[float, float], is_shown: bool) -> Any:
+    """Every edge as a line, coloured by radius, with a gap after it; a curve without edges as dots."""
+    import plotly.graph_objects as go
+
+    bar = {"title": "radius", "len": 0.5, "thickness": 14, "x": 1, "xanchor": "right"}
+    colour: dict[str, Any] = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": bar}
+    points, radius = (curve.vertices - middle).astype(np.float32), curve.radii.astype(np.float32)
+    if len(curve.edges):
+        points = np.pad(points[curve.edges], ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(-1, 3)
+        radius = np.repeat(radius[curve.edges], [1, 2], axis=1).ravel()  # the gap has one, too
+        style = {"mode": "lines", "line": {"color": radius, "width": 6, **colour}}
+    else:
+        style = {"mode": "markers", "marker": {"color": radius, "size": 6, **colour}}
+    style |= {"customdata": radius, "hovertemplate": RADIUS, "name": "curve", "showlegend": False}
+    return go.Scatter3d(**dict(zip("xyz", points.T, strict=True)), **style, visible=is_shown)
+
+
+def _slider(prefix: str, labels: list[str], first: int, at: float, skip: int) -> dict[str, Any]:
+    """A slider that shows one trace for each label, from ``first`` on; none for the first ``skip`` labels."""
+    traces = list(range(first, first + len(labels) - skip))
+    steps = [
+        {
+            "method": "restyle",
+            "label": label,
+            "args": [{"visible": [k == n - skip for k in range(len(traces))]}, traces],
+        }
+        for n, label in enumerate(labels)
+    ]
+    return {"active": 0, "currentvalue": {"prefix": prefix}, "x": at, "len": 0.45, "pad": {"t": 10}, "steps": steps}
