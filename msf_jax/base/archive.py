@@ -1,4 +1,4 @@
-"""One ``.npz`` file of arrays and a header, written atomically, and read without trusting it.
+"""One ``.npz`` file of arrays and a header, read without trusting it.
 
 It contains no code: NumPy reads plain numbers only, and the header is JSON. What an array claims to hold must be in the
 file, so that memory is allocated for no more. The readers of an archive also check its values.
@@ -16,25 +16,13 @@ from typing import Any
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.writing import write_whole
 
 HEADER_ENTRY = "header"  # name of the entry with everything that is not an array
 LARGEST = 4_000_000_000  # bytes: of all arrays of a file; a file that claims more is refused
 
 
-def write(
-    path: str | os.PathLike[str], kind: str, version: int, header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]
-) -> None:
-    """Write ``arrays`` and ``header`` as a file of that ``kind`` to ``path``, atomically.
-
-    Raises:
-        OSError: the file cannot be written; what was there before is untouched.
-    """
-    write_whole(path, packed(kind, version, header, arrays))
-
-
 def packed(kind: str, version: int, header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> bytes:
-    """The bytes that `write` writes."""
+    """The bytes of a file of that ``kind`` with ``arrays`` and ``header``."""
     text = json.dumps({"format": f"msf_jax {kind}", "version": version, **header})
     buffer = io.BytesIO()
     named: dict[str, Any] = {HEADER_ENTRY: np.array(text), **arrays}
@@ -44,7 +32,7 @@ def packed(kind: str, version: int, header: Mapping[str, Any], arrays: Mapping[s
 
 @contextmanager
 def reading(path: str | os.PathLike[str], kind: str, version: int, advice: str) -> Iterator[tuple[Any, Any]]:
-    """The header and a dictionary of the arrays of a file that `write` made. Errors in this context count as damage.
+    """The header and a dictionary of the arrays of a file that `packed` made. Errors in this context count as damage.
 
     Raises:
         ConfigError: the file is no ``kind``, is damaged, or was written by another version. It ends with ``advice``.

@@ -21,6 +21,15 @@ FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near 
 # factors of four, independently, because a finer mesh has no more nodes. Each pair of capacities is a compiled program.
 SMALLEST_SIZES = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
 SMALLEST_SIZES |= {"corners": 6144, "turning": 71680}
+ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
+    "nodes": ("rest", "side"),
+    "faces": ("faces", "twin"),
+    "edges": ("edges", "branch"),
+    "corners": ("tail", "head", "part", "onward", "section", "share"),
+    "sections": ("is_loop", "area", "node"),
+    "smoothing": ("a_row", "a_column", "a_value"),
+    "turning": ("b_row", "b_column", "b_value"),
+}
 MESH = ("vertices", "faces")  # fields that grow with the mesh
 BOTH = ("corners", "turning")  # fields that grow with the nodes, and with the square root of the vertices
 CAPACITY_STEP = 64  # rows: all capacities are multiples of it
@@ -91,11 +100,9 @@ class Binding(NamedTuple):
     @property
     def capacity(self) -> Sizes:
         """The capacities of the arrays. That of vertices follows from the capacity of faces."""
-        nodes, faces = np.shape(self.rest)[-2], np.shape(self.faces)[-2]
-        counts = {"nodes": nodes, "faces": faces, "edges": np.shape(self.edges)[-2], "corners": np.shape(self.tail)[-1]}
-        counts |= {"sections": np.shape(self.node)[-1], "smoothing": np.shape(self.a_row)[-1]}
-        vertices = faces * SMALLEST_SIZES["vertices"] // SMALLEST_SIZES["faces"]
-        return Sizes(**counts, turning=np.shape(self.b_row)[-1], vertices=vertices)
+        axis = np.ndim(self.diagonal)
+        counts = {kind: np.shape(getattr(self, names[0]))[axis] for kind, names in ROWS.items()}
+        return Sizes(**counts, vertices=counts["faces"] * SMALLEST_SIZES["vertices"] // SMALLEST_SIZES["faces"])
 
     @property
     def node_mask(self) -> Any:
@@ -144,56 +151,34 @@ def _capacity(name: str, mesh: int, curve: int) -> int:
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:
     """``binding``, of NumPy arrays without padding, padded to ``capacity``; integers become int32."""
-    last_node, last_section, vertex = capacity.nodes - 1, capacity.sections - 1, binding.faces[0, 0]
-
-    def filled(values: Any, count: int, value: Any) -> np.ndarray:
-        values = np.asarray(values)
-        dtype = values.dtype if values.dtype.kind in "fb" else np.dtype(np.int32)
-        full = np.full((count, *values.shape[1:]), value, dtype=dtype)
-        full[: len(values)] = values
-        return full
-
-    own = np.arange(capacity.corners)
-    own[: len(binding.onward)] = binding.onward
-    faces = np.minimum(np.arange(capacity.faces), len(binding.faces) - 1)  # padding repeats the last face
-    return Binding(
-        live=Sizes(*(np.asarray(count, dtype=np.int32) for count in binding.live)),
-        tail=filled(binding.tail, capacity.corners, vertex),
-        head=filled(binding.head, capacity.corners, vertex),
-        part=filled(binding.part, capacity.corners, 0.0),
-        onward=own.astype(np.int32),
-        section=filled(binding.section, capacity.corners, last_section),
-        share=filled(binding.share, capacity.corners, 0.0),
-        is_loop=filled(binding.is_loop, capacity.sections, False),
-        area=filled(binding.area, capacity.sections, 0.0),
-        node=filled(binding.node, capacity.sections, last_node),
-        a_row=filled(binding.a_row, capacity.smoothing, last_node),
-        a_column=filled(binding.a_column, capacity.smoothing, last_section),
-        a_value=filled(binding.a_value, capacity.smoothing, 0.0),
-        b_row=filled(binding.b_row, capacity.turning, last_node),
-        b_column=filled(binding.b_column, capacity.turning, vertex),
-        b_value=filled(binding.b_value, capacity.turning, 0.0),
-        rest=filled(binding.rest, capacity.nodes, 0.0),
-        faces=binding.faces[faces].astype(np.int32),
-        twin=binding.twin[faces].astype(np.int32),
-        side=filled(binding.side, capacity.nodes, 1.0),
-        edges=filled(binding.edges, capacity.edges, last_node),
-        branch=filled(binding.branch, capacity.edges, capacity.edges - 1),
-        centre=np.asarray(binding.centre),
-        diagonal=np.asarray(binding.diagonal),
-        unit=np.asarray(binding.unit),
+    node, section, vertex = capacity.nodes - 1, capacity.sections - 1, binding.faces[0, 0]
+    filling: dict[str, Any] = dict.fromkeys(("tail", "head", "b_column"), vertex)
+    filling |= dict.fromkeys(("section", "a_column"), section) | dict.fromkeys(
+        ("node", "a_row", "b_row", "edges"), node
     )
+    filling |= {"branch": capacity.edges - 1, "onward": np.arange(len(binding.onward), capacity.corners), "side": 1.0}
+    filling |= {"faces": binding.faces[-1], "twin": binding.twin[-1]}  # padding repeats the last face; others are 0
+
+    def filled(name: str, count: int) -> np.ndarray:
+        values = np.asarray(getattr(binding, name))
+        rest = np.broadcast_to(filling.get(name, 0), (count - len(values), *values.shape[1:]))
+        return np.concatenate([values, rest]).astype(values.dtype if values.dtype.kind in "fb" else np.int32)
+
+    rows = {name: filled(name, getattr(capacity, kind)) for kind, names in ROWS.items() for name in names}
+    live = Sizes(*(np.asarray(count, dtype=np.int32) for count in binding.live))
+    return binding._replace(live=live, **rows, **_whole(binding))
 
 
 def unpadded(binding: Binding) -> Binding:
     """``binding`` without padding, as NumPy arrays; it must not be a batch."""
     live = Sizes(*(int(count) for count in binding.live))
-    count = dict.fromkeys(("tail", "head", "part", "onward", "section", "share"), live.corners)
-    count |= dict.fromkeys(("is_loop", "area", "node"), live.sections)
-    count |= dict.fromkeys(("a_row", "a_column", "a_value"), live.smoothing)
-    count |= dict.fromkeys(("b_row", "b_column", "b_value"), live.turning)
-    count |= {"rest": live.nodes, "side": live.nodes, "faces": live.faces, "twin": live.faces}
-    count |= {"edges": live.edges, "branch": live.edges}
-    cut = {name: np.asarray(value)[: count.get(name)] for name, value in binding._asdict().items() if name in count}
-    whole = {name: np.asarray(getattr(binding, name)) for name in ("centre", "diagonal", "unit")}
-    return binding._replace(live=live, **whole, **cut)
+    cut = {
+        name: np.asarray(getattr(binding, name))[: getattr(live, kind)]
+        for kind, names in ROWS.items()
+        for name in names
+    }
+    return binding._replace(live=live, **cut, **_whole(binding))
+
+
+def _whole(binding: Binding) -> dict[str, np.ndarray]:
+    return {name: np.asarray(getattr(binding, name)) for name in ("centre", "diagonal", "unit")}

@@ -20,16 +20,13 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 
-SMOOTH = (
-    1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by up to 2e-3 of an objective
-)
+SMOOTH = 1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by 2e-3 of an objective
 TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.system``
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``FlowOptions.laplacian``
 POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
 FACTORED = "factored"  # the preconditioner that the host factorises
 SOLVED_BY = ("jacobi", FACTORED)  # values of ``SolverOptions.preconditioner``
-FEWEST_EIGENVECTORS = 4  # a constant and three coordinates: with fewer, a rebuilt mesh has no volume
 FORMAT = "msf_jax weights"  # marks a file of weights
 
 
@@ -44,10 +41,7 @@ class Weights:
         smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
 
     All are dimensionless. Only the ratios of w_L, w_H and w_M matter: a larger w_L / w_H contracts more in one
-    iteration. Weights are equal if all their numbers are equal. Weights with arrays have no hash.
-
-    Raises:
-        ConfigError: a value is negative or not finite.
+    iteration. A `ConfigError` is raised if a value is negative or not finite. Weights with arrays have no hash.
     """
 
     w_L: Any = 1.0
@@ -59,9 +53,7 @@ class Weights:
         self.check()
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Weights):
-            return NotImplemented
-        pairs = list(zip(vars(self).values(), vars(other).values(), strict=True))
+        pairs = zip(vars(self).values(), vars(other).values(), strict=True) if isinstance(other, Weights) else [(0, 1)]
         return all(a is b or (not is_traced(a) and not is_traced(b) and np.array_equal(a, b)) for a, b in pairs)
 
     def check(self) -> None:
@@ -81,10 +73,7 @@ class Weights:
 
 def traced(what: str, instead: str) -> str:
     """What a run says of ``what``, which JAX traces."""
-    return (
-        f"the {what} are traced by JAX, and a run makes decisions that it cannot trace: make the run outside of "
-        f"jax.jit, jax.grad and jax.vmap, and use {instead} inside"
-    )
+    return f"JAX traces the {what}, and a run makes decisions: run it outside of jit and grad, and use {instead} inside"
 
 
 def is_traced(value: Any) -> bool:
@@ -94,16 +83,10 @@ def is_traced(value: Any) -> bool:
 
 
 def save_weights(weights: Weights, path: str | os.PathLike[str]) -> None:
-    """Write ``weights`` to a JSON file: numbers, or lists with one for each vertex of the mesh.
-
-    Raises:
-        ConfigError: a weight is not finite.
-        OSError: the file cannot be written; what was there before is untouched.
-    """
+    """Write ``weights`` to a JSON file, atomically: numbers, or lists with one for each vertex of the mesh."""
     values = {name: np.asarray(value, dtype=np.float64) for name, value in vars(weights).items()}
-    for name, value in values.items():
-        if not np.isfinite(value).all():
-            raise ConfigError(f"Weights.{name} is not finite: expected numbers")
+    if not all(np.isfinite(value).all() for value in values.values()):
+        raise ConfigError("a weight is not finite: expected numbers")
     content = {"format": FORMAT, "version": 1, "weights": {name: value.tolist() for name, value in values.items()}}
     write_whole(path, json.dumps(content, indent=1) + "\n")
 
@@ -122,14 +105,12 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
         content = json.loads(Path(path).read_text("utf-8"))
         if content["format"] != FORMAT or content["version"] != 1:
             raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
-        held = {key: np.array(value, dtype=np.float64) for key, value in content["weights"].items()}
-        if set(held) - set(vars(Weights())):
-            raise ValueError(f"there is no weight {min(set(held) - set(vars(Weights())))!r}")
-        if not all(value.ndim <= 1 and np.isfinite(value).all() for value in held.values()):
+        values = {key: np.array(value, dtype=np.float64) for key, value in content["weights"].items()}
+        if max(value.ndim for value in values.values()) > 1:
             raise ValueError("a weight is neither a number nor a list of numbers")
+        return Weights(**{key: value if value.ndim else float(value) for key, value in values.items()})
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise ConfigError(f"{name!r} has no weights ({error}): expected a file that save_weights wrote") from error
-    return Weights(**{key: float(value) if value.ndim == 0 else value for key, value in held.items()})
 
 
 def number(default: float | None, low: float, high: float) -> Any:
@@ -180,9 +161,6 @@ class PreprocessingOptions(Options):
             out, because it would remove most of the solid.
         pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
             surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
-
-    Raises:
-        ConfigError: a value is out of its range.
     """
 
     reconstruct_mesh: int = number(0, 0, math.inf)
@@ -197,14 +175,9 @@ class PreprocessingOptions(Options):
     def __post_init__(self) -> None:
         super().__post_init__()
         if 0 < self.resample < 1e-3:  # millions of vertices
-            raise ConfigError(
-                f"PreprocessingOptions.resample is {self.resample}: expected 0 (off) or at least 0.001 of the diagonal"
-            )
-        if any(0 < kept < FEWEST_EIGENVECTORS for kept in (self.reconstruct_poles, self.reconstruct_mesh)):
-            raise ConfigError(
-                f"fewer than {FEWEST_EIGENVECTORS} eigenvectors rebuild no volume: expected 0 (off) or at least "
-                f"{FEWEST_EIGENVECTORS}"
-            )
+            raise ConfigError(f"PreprocessingOptions.resample is {self.resample}: expected 0 (off) or at least 0.001")
+        if any(0 < kept < 4 for kept in (self.reconstruct_poles, self.reconstruct_mesh)):  # a constant, x, y and z
+            raise ConfigError("fewer than 4 eigenvectors rebuild no volume: expected 0 (off) or at least 4")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -227,9 +200,6 @@ class FlowOptions(Options):
             fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume. With
             a volume_tolerance of 0 a run makes all of its iterations.
         free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
-
-    Raises:
-        ConfigError: a value is out of its range.
     """
 
     laplacian: str = choice("mean_value", LAPLACIANS)
@@ -247,10 +217,7 @@ class FlowOptions(Options):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.threshold_max < self.threshold_min:
-            raise ConfigError(
-                f"FlowOptions.threshold_max is {self.threshold_max}, below threshold_min {self.threshold_min}: "
-                "expected threshold_min <= threshold_max"
-            )
+            raise ConfigError(f"threshold_max is {self.threshold_max}, below threshold_min {self.threshold_min}")
         if self.w_H_follows_area and self.edit_connectivity:
             raise ConfigError("w_H_follows_area needs edit_connectivity=False: a merged vertex has no first area")
 
@@ -272,9 +239,6 @@ class SolverOptions(Options):
         preconditioner: "jacobi", or "factored", a sparse factorisation that the host computes in every iteration, for
             systems too ill-conditioned for "jacobi" (see `numerics.factors`). Such systems are solved in float64,
             whatever JAX is set to.
-
-    Raises:
-        ConfigError: a value is out of its range.
     """
 
     tolerance: float = number(3e-3, 0, 1)
@@ -293,9 +257,6 @@ class CurveOptions(Options):
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
         extend_tips: whether branches end on the axes of their limbs' ends (see `limbs.ends`), and limbs that the
             flow has missed get one.
-
-    Raises:
-        ConfigError: a value is neither True nor False.
     """
 
     surgery: bool = False
@@ -305,11 +266,7 @@ class CurveOptions(Options):
 
 @dataclass(frozen=True)
 class Solver:
-    """Settings of conjugate gradients.
-
-    tolerance: residual relative to the right-hand side, at which the solve ends. max_steps: CG steps after which the
-    solve gives up. preconditioner: one of `SOLVED_BY`.
-    """
+    """The members of `SolverOptions` that conjugate gradients depend on."""
 
     tolerance: float
     max_steps: int
@@ -326,47 +283,38 @@ class StepSettings:
     w_H_follows_area: bool
 
 
-GROUPS: dict[str, type[Options]] = {
-    "preprocessing": PreprocessingOptions,
-    "flow": FlowOptions,
-    "solver": SolverOptions,
-    "curve": CurveOptions,
-}  # of a `Config`
+GROUPS: dict[str, type[Options]] = {"preprocessing": PreprocessingOptions, "flow": FlowOptions}  # of a `Config`
+GROUPS |= {"solver": SolverOptions, "curve": CurveOptions}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Config(Options):
     """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
 
-    ``Config()`` is the article's system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on. Here
-    are the options that the command line has, too; the others are in groups, as ``config.flow.split_angle``. The
-    constructor takes groups: ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and the systems take
-    changes of groups: ``Config.au2008(flow={"w_L_growth": 1.2})``.
+    ``Config()`` is the article's system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on. What
+    is set often is here; the rest is in groups, as ``config.flow.split_angle``. The constructor takes groups:
+    ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and the systems take changes of groups:
+    ``Config.au2008(flow={"w_L_growth": 1.2})``. A `ConfigError` is raised if a value is out of its range.
 
     Attributes:
         detail: which limbs that are shorter than ``least_slenderness`` asks have a branch, because they stand out (see
             `limbs.caps.protrusions`): none at 0, and any that might be a limb from 0.83 on. Nested: a finer detail
             only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
-        least_slenderness: of the solid's limbs (see `limbs.caps`): length over radius, and half of that below
-            0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball
-            become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball
-            on a wall, 0.5, and of the corner of a box, up to 0.6.
+        least_slenderness: of the solid's limbs (see `limbs.caps`): length over radius, and half of that below 0.12 % of
+            the surface. Each limb gets one branch, others are removed, and junctions within one ball become one; 0
+            keeps the flow's branches. A half ball on a wall has 0.5, the corner of a box up to 0.6.
         coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over.
             The cost of a run then depends on the solid's shape, and hardly on the number of its vertices. 0 collapses
             none. If it would change the volume by a twentieth, as of a thin plate, the mesh is not coarsened. On a limb
             of radius r below 0.005, this length and t_c are multiplied by r / 0.005, so that a wire keeps its length.
         max_iterations: the flow gives up after this many iterations.
         max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
-            The checking of the mesh counts; on the command line all since its begin does.
-            How far the curve is then depends on the machine. If no iteration has ended, a `FlowError` is raised.
+            If no iteration has ended, a `FlowError` is raised.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
         check: whether to verify after every round of edits that the surface is a closed manifold of the same genus.
         preprocessing, flow, solver, curve: the groups; each has a page of its own.
         system: "msf", "tagliasacchi2012" or "au2008": the system that this was made from, whose weights
             `default_weights` returns. Only the systems' own constructors set it.
-
-    Raises:
-        ConfigError: a value is out of its range.
     """
 
     detail: float = number(0.5, 0, 1)
@@ -392,11 +340,7 @@ class Config(Options):
             raise ConfigError(f"system only names the default weights: expected Config.named({self.system!r}, ...)")
 
     def replace(self, **changes: Any) -> "Config":
-        """This configuration with ``changes``. Those of a group may be a dictionary: ``flow={"split_angle": 120}``.
-
-        Raises:
-            ConfigError: a value is out of its range.
-        """
+        """This configuration with ``changes``. Those of a group may be a dictionary: ``flow={"split_angle": 120}``."""
         for name, value in changes.items():
             if name in GROUPS and isinstance(value, Mapping):
                 changes[name] = dataclasses.replace(getattr(self, name), **value)
@@ -420,28 +364,8 @@ class Config(Options):
     def au2008(cls, **changes: Any) -> "Config":
         """Au et al. 2008: contraction to a millionth of the volume without poles or edits, then surgery and recentring.
 
-        ``Config.au2008(curve={"surgery": False})`` extracts the curve from that contraction as in the other systems.
-        ``curve={"centre": True, "extend_tips": True}`` finishes the curve as in the other systems. It differs from the
-        paper in these points:
-
-        - In the paper w_L starts at 0.001 times the square root of a face's mean area, in units that are not given.
-          Here it starts at 400 times that root, in diagonals; else the first twenty steps would do nothing.
-        - If the height of a triangle is less than 0.3 of its longest edge, its three cotangents are multiplied by the
-          same factor below 1. Otherwise vertices at a limb's tip diverge along the limb. Negative cotangents are kept,
-          as in the paper: without them limbs become shorter, and the surface crumples.
-        - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, instead of by factorisation.
-          A factor of their square root is the preconditioner (see `numerics.factors`).
-        - Coordinates are rounded to a millionth of the diagonal at the start. One-ring areas are at least 1e-14.
-        - Surgery tests whether a merge would pinch a loop of the solid (see `meso.homology`). The paper tests
-          whether the edges i -> k and k -> j bound a face, and a ring of three edges around a limb would never
-          collapse.
-        - Before surgery, edges shorter than ``threshold_min`` are collapsed to their midpoints, in rounds of
-          independent edges. The surface has thousands of vertices for each node of the curve, and this reduces them.
-        - The cost of a half-edge collapse is updated when it has risen, or its sampling cost has fallen by a tenth.
-        - Recentring weights boundary loops by their length, and moves a leaf like the node before it. Junctions within
-          one ball are merged, as for the other systems.
-        - Spurious branches within a limb and branches into blunt corners are pruned, and edges outside the solid are
-          moved inside. ``least_slenderness=0`` keeps these branches, and all junctions.
+        ``curve={"surgery": False}`` extracts the curve from that contraction as in the other systems, and
+        ``curve={"centre": True, "extend_tips": True}`` finishes it so. The guide says where it departs from the paper.
         """
         base = cls(
             system="au2008",
@@ -466,11 +390,9 @@ class Config(Options):
     def smooth(cls, iterations: int = 6, **changes: Any) -> "Config":
         """The default system without decisions: ``iterations`` steps of the mesh as it is, with tight solves.
 
-        Before the curve is extracted no edge is collapsed or split and no vertex is fixed, and only their number ends
-        the iterations. So the contracted surface is a smooth function of the weights and of the vertices, and the
-        replay of one tape is a fresh run at any weights, in float64. This is what `tune` needs for weights per vertex.
-        A run with this preset takes several times the CG steps. A surface that is not edited also contracts along its
-        limbs, so that a curved limb may leave its axis with the default weights.
+        The contracted surface is then a smooth function of the weights and of the vertices, and the replay of one tape
+        is a fresh run at any weights, in float64: `tune` needs this for weights per vertex. It takes several times the
+        CG steps. A surface that is not edited also contracts along its limbs, so that a curved limb may leave its axis.
         """
         base = cls(
             coarsen=0.0,
@@ -494,10 +416,9 @@ class Config(Options):
     @classmethod
     def named(cls, system: str, **changes: Any) -> "Config":
         """The configuration of the ``system`` of that name: "msf", "tagliasacchi2012" or "au2008"."""
-        makers = {"tagliasacchi2012": cls.tagliasacchi2012, "au2008": cls.au2008}
         if system not in SYSTEMS:
             raise ConfigError(f"unknown system {system!r}: expected one of {', '.join(SYSTEMS)}")
-        return makers[system](**changes) if system in makers else cls().replace(**changes)
+        return cls().replace(**changes) if system == "msf" else getattr(cls, system)(**changes)
 
     @property
     def on_device(self) -> StepSettings:

@@ -12,7 +12,7 @@ def made_folder(path: str | os.PathLike[str]) -> Path:
     """The folder ``path``. It is made, and those above it, where they are missing.
 
     Raises:
-        ConfigError: a file, or a link to nothing, has this name or that of a folder above.
+        ConfigError: a file, or a link to nothing, has this name or that of a folder above it.
         OSError: it cannot be made.
     """
     folder = Path(path)
@@ -20,8 +20,7 @@ def made_folder(path: str | os.PathLike[str]) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError):
         taken = next(each for each in (folder, *folder.parents) if os.path.lexists(each) and not each.is_dir())
-        kind = "a link to nothing" if taken.is_symlink() else "a file"
-        raise ConfigError(f"{str(taken)!r} is {kind}: expected a folder, or a name that is free") from None
+        raise ConfigError(f"{str(taken)!r} is no folder: expected one, or a name that is free") from None
     return folder
 
 

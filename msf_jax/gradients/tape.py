@@ -18,6 +18,7 @@ from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout, Level
 from msf_jax.base.options import GROUPS, Config, Weights, is_traced
+from msf_jax.base.writing import write_whole
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
@@ -123,7 +124,7 @@ class Tape:
             raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
         arrays: dict[str, np.ndarray] = {}
         header = {"tape": archive.encoded(vars(self), arrays, RECORDS)}
-        archive.write(path, KIND, FORMAT_VERSION, header, arrays)
+        write_whole(path, archive.packed(KIND, FORMAT_VERSION, header, arrays))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> "Tape":
