@@ -1,22 +1,19 @@
 """Curve skeletons of closed triangle meshes by Medial Skeletonization Flow, as a differentiable JAX program.
 
-import msf_jax
-
 skeleton = msf_jax.skeletonize("hand.off")
 print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
-import importlib
+from importlib import import_module
 from typing import Any
 
 from msf_jax.base import version
 
-# The public names of each module, which is imported when one of them is used first: a program that needs no JAX does
-# not import it. Editors and type checkers read `__init__.pyi`.
+# The public modules, and the public names of others. A module is imported when it is used first: a program that needs
+# no JAX does not import it. Editors and type checkers read `__init__.pyi`.
+_PATHS = ["app.batch", "guide", "metrics", "shapes", "view", "gradients.losses", "gradients.torch", "tuning.objectives"]
 _NAMES = {
-    "": "guide metrics shapes view",
-    "app": "batch",
     "base.binding": "Binding",
     "base.errors": "ConfigError FlowError Interrupted MeshError",
     "base.options": "Config CurveOptions FlowOptions PreprocessingOptions SolverOptions read_weights save_weights",
@@ -25,7 +22,6 @@ _NAMES = {
     "flow.programs": "cache_compilations",
     "flow.skeletonize": "skeletonize",
     "flow.state": "Flow",
-    "gradients": "losses torch",
     "gradients.batch": "Batch stack",
     "gradients.follow": "Followed follow",
     "gradients.replay": "replay replay_meso replay_radii",
@@ -40,11 +36,10 @@ _NAMES = {
     "skeleton.report": "Report",
     "skeleton.rigging.rig": "Rig",
     "skeleton.skeleton": "Skeleton",
-    "tuning": "objectives",
     "tuning.tuner": "Tuned tune",
 }
-_HOMES = {name: module for module, names in _NAMES.items() for name in names.split()}
-
+_MODULES = {path.rpartition(".")[2]: path for path in _PATHS}
+_HOMES = _MODULES | {name: home for home, names in _NAMES.items() for name in names.split()}
 __version__ = version.VERSION
 __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 
@@ -52,11 +47,8 @@ __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    home = importlib.import_module(f"{__name__}.{_HOMES[name]}".rstrip("."))
-    # A name that its home does not define is a module in it, and so is each name of this package itself.
-    is_module = not _HOMES[name] or not hasattr(home, name)
-    value = importlib.import_module(f"{home.__name__}.{name}") if is_module else getattr(home, name)
-    globals()[name] = value
+    home = import_module(f"{__name__}.{_HOMES[name]}")
+    globals()[name] = value = home if name in _MODULES else getattr(home, name)
     return value
 
 
