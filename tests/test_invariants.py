@@ -7,9 +7,8 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 import msf_jax
-from tests.benchmarks import machined, parts, solids
+from tests.benchmarks import machined, solids
 
-SOLIDS = solids.SOLIDS | parts.PARTS
 QUICK = ["bar", "tee", "bolt", "table", "cylinder-6", "cone", "washer", "bar-hole", "hammer", "l-profile"]
 NAMES = [*QUICK, "beam-6", "slab", "plate", "tee-square", "nail", "i-beam", "cylinder-3", "cylinder-12", "pencil"]
 NAMES += ["frustum-wide", "nut", "torus", "bar-holes-4", "plate-pocket", "cylinder-hole", "bolt-socket", "x-rods"]
@@ -44,7 +43,7 @@ CHANGES = (mirrored, moved, permuted, split)
     "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in NAMES]
 )
 def test_a_curve_is_that_of_its_solid(name):
-    solid = SOLIDS[name](solids.size_of(name, 0))
+    solid = solids.SOLIDS[name](solids.size_of(name, 0))
     random = np.random.default_rng(len(name))
     mesh = solid.mesh("coarse")
     change = CHANGES[NAMES.index(name) % len(CHANGES)]
@@ -55,7 +54,7 @@ def test_a_curve_is_that_of_its_solid(name):
         report = skeleton.report
         assert report.inside == 1.0 and report.components == 1
         assert report.loops == report.cycles == report.genus == solid.cycles
-        figures = machined.scored(solid, back(skeleton.vertices), skeleton.edges)
+        figures = machined.scored(solid, (back(skeleton.vertices), skeleton.edges))
         assert machined.reasons(solid, figures | {"cycles": report.cycles, "inside": report.inside}, has_way=True) == []
         ends.append(back(skeleton.vertices)[np.bincount(skeleton.edges.ravel()) == 1])
     away = np.linalg.norm(ends[0][:, None] - ends[1], axis=2)

@@ -1,24 +1,25 @@
 """Small solids that came out wrong and were called sound, with the right values of the README in their folder.
 
-`tests.benchmarks.machined` runs them: ``python -m tests.benchmarks.machined --cases FOLDER``. Ends are right within
-0.15 radii of their limb (0.3 at openings and at the flat end of an elliptic limb), lengths within 3 %, radii within
-5 %, angles within 3 degrees. A leaf of a closed limb belongs 0.3 radii before its end face, one of an opening
-at its rim.
-Figures, of which another program asks a rig, are shown and not counted.
+    python -m tests.benchmarks.cases FOLDER [--only NAME,..] [--jobs N] [--pictures FOLDER] [--output FILE]
+
+Ends are right within 0.15 radii of their limb (0.3 at openings and at the flat end of an elliptic limb), lengths within
+3 %, radii within 5 %, angles within 3 degrees. A leaf of a closed limb belongs 0.3 radii before its end face, one of an
+opening at its rim.
 """
 
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy import sparse, spatial
+from scipy import sparse
 from scipy.optimize import linear_sum_assignment
 from scipy.sparse import csgraph
 
-COLUMNS = ["case", "vertices", "leaves", "cycles", "length", "least radius", "sound", "seconds", "ok", "what is wrong"]
+from tests.benchmarks import frame
+
+COLUMNS = ["leaves", "cycles", "length", "least radius"]
 LENGTH, RADIUS, ANGLE = 0.03, 0.05, 3.0  # parts, parts, degrees
 OUTER = 3.623, 13.523  # x and z where the fork's daughters end: 14 long, 15 degrees from z
 STEM = [  # where pedicels meet the middle of the stem: the bases of their tubes
@@ -32,8 +33,6 @@ STEM = [  # where pedicels meet the middle of the stem: the bases of their tubes
     (12.86, 63.60, -11.71),
     (12.98, 66.21, -11.86),
 ]
-Shown = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # vertices and faces, vertices and edges of the curve
-Row = tuple[str, list[str], list[str], Shown | None]
 
 
 @dataclass(frozen=True)
@@ -49,7 +48,6 @@ class Case:
         repair: as `skeletonize` takes it.
         more: other faults of a curve, in words.
         is_partial: whether there are more ends than ``ends``.
-        is_asked: whether it counts.
     """
 
     ends: Sequence[tuple[float, float, float]] = ()
@@ -58,9 +56,8 @@ class Case:
     radius: float = 0.0
     cycles: int = 0
     repair: Any = False
-    more: Callable[[Any, Path], list[str]] | None = None
+    more: Callable[[Any], list[str]] | None = None
     is_partial: bool = False
-    is_asked: bool = True
 
 
 def wrong_ends(case: Case, leaves: np.ndarray) -> list[str]:
@@ -81,10 +78,9 @@ def is_off(value: float, right: float, share: float) -> bool:
     return not abs(value - right) <= share * right
 
 
-def faults(case: Case, skeleton: Any, path: Path) -> list[str]:
+def faults(case: Case, skeleton: Any) -> list[str]:
     """What is wrong with a curve, in words."""
-    degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
-    found = wrong_ends(case, skeleton.vertices[degree == 1])
+    found = wrong_ends(case, frame.ends((skeleton.vertices, skeleton.edges)))
     if case.length and is_off(skeleton.length, case.length, LENGTH):
         found.append(f"length {skeleton.length:.4g} for {case.length:g}")
     if skeleton.report.cycles != case.cycles:
@@ -93,17 +89,16 @@ def faults(case: Case, skeleton: Any, path: Path) -> list[str]:
     # A surface that crosses itself has radii to walls inside of the solid: a doubt is right, too.
     if case.radius and is_off(least, case.radius, RADIUS) and skeleton.report.is_sound:
         found.append(f"least radius {least:.3g} for {case.radius:g}")
-    return found + (case.more(skeleton, path) if case.more else [])
+    return found + (case.more(skeleton) if case.more else [])
 
 
 def least_radius(skeleton: Any) -> float:
     return float(np.min(skeleton.columns()["least_radius"]))
 
 
-def fork(skeleton: Any, _: Path) -> list[str]:
+def fork(skeleton: Any) -> list[str]:
     """The daughters' angles, and where the junction is: where the axes meet, within a radius of the trunk."""
-    degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
-    junction = skeleton.vertices[degree > 2]
+    junction = frame.junctions((skeleton.vertices, skeleton.edges))
     found = [] if len(junction) == 1 else [f"{len(junction)} junctions for 1"]
     if len(junction) and (away := np.linalg.norm(junction, axis=1).max()) > 1.0:
         found.append(f"junction {away:.2f} from the meeting of the axes")
@@ -114,19 +109,19 @@ def fork(skeleton: Any, _: Path) -> list[str]:
     return found
 
 
-def torus(skeleton: Any, _: Path) -> list[str]:
+def torus(skeleton: Any) -> list[str]:
     away = float(np.abs(np.linalg.norm(skeleton.vertices[:, :2], axis=1) - 1.0).max())
     return [f"{away:.2f} off the circle of radius 1"] if away > 0.15 else []
 
 
-def stem(skeleton: Any, _: Path) -> list[str]:
+def stem(skeleton: Any) -> list[str]:
     """A junction within 0.15 of each pedicel's base and of no other place; 17.30 from the first base to the eighth."""
     x, edges, places = skeleton.vertices, skeleton.edges, np.array(STEM)
-    junction = x[np.bincount(edges.ravel(), minlength=len(x)) > 2]
+    junction = frame.junctions((x, edges))
     if not len(junction):
         return ["no junctions"]
-    missed = int((spatial.KDTree(junction).query(places)[0] > 0.15).sum())
-    strayed = int((spatial.KDTree(places).query(junction)[0] > 0.15).sum())
+    missed = int((frame.away(places, junction) > 0.15).sum())
+    strayed = int((frame.away(junction, places) > 0.15).sum())
     found = [f"{missed} of {len(places)} pedicels without a junction"] if missed else []
     found += [f"{strayed} of {len(junction)} junctions over 0.15 off"] if strayed else []
     first, last = (int(np.linalg.norm(x - places[k], axis=1).argmin()) for k in (0, 7))
@@ -134,24 +129,6 @@ def stem(skeleton: Any, _: Path) -> list[str]:
     graph = sparse.coo_matrix((step, tuple(edges.T)), (len(x), len(x)))
     length = float(csgraph.dijkstra(graph.tocsr(), directed=False, indices=first)[last])
     return found + ([f"stem {length:.2f} for 17.30"] if is_off(length, 17.3, LENGTH) else [])
-
-
-def figure(skeleton: Any, path: Path) -> list[str]:
-    """The first joint of each arm in the rig; right are +-0.23 and names of one pair."""
-    rig = skeleton.rig(mesh=path)
-    found = []
-    for side in (-1, 1):
-        bone = int((side * rig.tails[:, 0]).argmax())
-        limb = rig.names[bone].split("_")[0]
-        while rig.parents[bone] >= 0 and rig.names[rig.parents[bone]].split("_")[0] == limb:
-            bone = int(rig.parents[bone])
-        found.append(f"{rig.names[bone]} from x {rig.joints[bone, 0]:.2f}")
-    return [" and ".join(found) + " for -0.23 and 0.23, paired"]
-
-
-def hair(skeleton: Any, path: Path) -> list[str]:
-    said = [*skeleton.report.doubts, *skeleton.report.notes, *skeleton.report.repairs]
-    return [f"genus {skeleton.report.genus}; said: {'; '.join(said) or 'nothing'}", *figure(skeleton, path)]
 
 
 _X, _Z = OUTER[0] - 0.24 * np.sin(np.radians(15)), OUTER[1] - 0.24 * np.cos(np.radians(15))
@@ -168,29 +145,30 @@ CASES: dict[str, Case] = {
     "fork-30.off": Case([(0, 0, -9.7), (-_X, 0, _Z), (_X, 0, _Z)], radius=0.8, more=fork),
     "flat-end-elliptic.obj": Case([(0, 0, 0.14)], 0.0065, is_partial=True),
     "plant-stem.obj": Case(repair="join", more=stem, is_partial=True),
-    "figure.obj": Case(repair="join", more=figure, is_partial=True, is_asked=False),
-    "figure-hair.obj": Case(repair="join", more=hair, is_partial=True, is_asked=False),
 }
 
 
-def row_of(name: str, folder: Path) -> Row:
-    """A row: its name, its cells, what is wrong, and what to draw."""
-    import msf_jax
+def job_of(name: str) -> frame.Job:
+    """Of the path of a file."""
     from msf_jax.meshes import reading
 
-    case, path = CASES[name], folder / name
-    start = time.perf_counter()
-    try:
-        skeleton = msf_jax.skeletonize(path, repair=case.repair)
-        took = time.perf_counter() - start - skeleton.report.seconds.get("compile", 0.0)
-        wrong = faults(case, skeleton, path)
-    except Exception as error:  # a row, not the end of the table
-        wrong = [f"{type(error).__name__}: {error}"[:120]]
-        return name, [name, *[""] * (len(COLUMNS) - 3), "NO", wrong[0]], wrong, None
-    vertices, faces = reading.read(path)
-    counts = [f"{len(vertices):,}", str(skeleton.num_leaves), str(skeleton.report.cycles)]
-    cells = [name, *counts, f"{skeleton.length:.4g}", f"{least_radius(skeleton):.3g}"]
-    cells += ["yes" if skeleton.report.is_sound else "no", f"{took:.1f}"]
-    cells.append(("NO" if wrong else "ok") if case.is_asked else "-")
-    shown = (np.asarray(vertices), np.asarray(faces), skeleton.vertices, skeleton.edges)
-    return name, [*cells, "; ".join(wrong)], wrong, shown
+    case = CASES[Path(name).name]
+
+    def judge(skeleton: Any) -> tuple[dict[str, str], list[str]]:
+        cells = [str(skeleton.num_leaves), str(skeleton.report.cycles), f"{skeleton.length:.4g}"]
+        cells.append(f"{least_radius(skeleton):.3g}")
+        return dict(zip(COLUMNS, cells, strict=True)), faults(case, skeleton)
+
+    return frame.Job(name, judge, {"repair": case.repair}, reading.read(Path(name)))
+
+
+def main() -> None:
+    parser = frame.parser_for("cases", __doc__)
+    parser.add_argument("folder", type=Path, help="of the cases")
+    wanted = parser.parse_args()
+    names = [str(wanted.folder / name) for name in CASES]
+    frame.publish(frame.report("Small cases", COLUMNS, names, job_of, wanted), wanted.output)
+
+
+if __name__ == "__main__":
+    main()

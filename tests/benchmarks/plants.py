@@ -9,9 +9,7 @@ angles within 5 degrees, windings (length over chord) under 1.05, and least radi
 should not be called sound.
 """
 
-import argparse
-from collections.abc import Iterator
-from pathlib import Path
+from functools import partial
 from typing import Any, NamedTuple
 
 import manifold3d
@@ -20,11 +18,11 @@ import trimesh
 from scipy import spatial
 from scipy.spatial.transform import Rotation
 
-from tests.benchmarks.curves import configure_jax, line, opening, publish
+from tests.benchmarks import frame
 
 TAPER = 0.55  # of the radius at the base: that at the end
 ANGLE, WINDING, RADIUS = 5.0, 1.05, 0.2  # degrees; length over chord; share
-COLUMNS = ["seed", "axes", "vertices", "ends", "branches", "angle off", "winding", "least radius", "sound", "ok"]
+COLUMNS = ["ends", "branches", "angle off", "winding", "least radius"]
 
 
 class Plant(NamedTuple):
@@ -62,60 +60,39 @@ def plant(seed: int, num: int, sides: int = 16) -> Plant:
     return Plant(mesh, base, tip, TAPER * low, angle)
 
 
-def row_of(seed: int, sides: int, finest: float | None) -> list[str]:
-    import msf_jax
-
-    num = int(np.random.default_rng(seed).integers(10, 41))
-    made = plant(seed, num, sides)
-    mesh = made.mesh
+def job_of(seed: str, sides: int, finest: float | None) -> frame.Job:
+    num = int(np.random.default_rng(int(seed)).integers(10, 41))
+    made = plant(int(seed), num, sides)
+    mesh = (np.array(made.mesh.vertices), np.array(made.mesh.faces))
     if finest is not None:
-        split = trimesh.remesh.subdivide_to_size(mesh.vertices, mesh.faces, finest, max_iter=20)
-        mesh = trimesh.Trimesh(split[0], split[1])
-    skeleton = msf_jax.skeletonize(mesh)
-    angle, winding, radius = measured(skeleton, made)
-    ends = skeleton.num_leaves
-    is_right = ends == num + 2 and bool((angle <= ANGLE).all() and (winding < WINDING).all())
-    is_right &= bool((np.abs(radius - 1) <= RADIUS).all()) and len(angle) == num
-    cells = [str(seed), str(num), f"{len(mesh.vertices):,}", f"{ends}/{num + 2}", f"{len(angle)}/{num}"]
-    cells += [f"{angle.max(initial=0):.1f}", f"{winding.max(initial=1):.3f}", f"{radius.min(initial=1):.2f}"]
-    is_sound = skeleton.report.is_sound
-    return [*cells, "yes" if is_sound else "no", "ok" if is_right else "NO" if is_sound else "doubted"]
+        mesh = trimesh.remesh.subdivide_to_size(*mesh, finest, max_iter=20)[:2]
+    return frame.Job(mesh, partial(judged, made=made), shown=mesh, places=made.tip)
 
 
-def measured(skeleton: Any, made: Plant) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of the axes that have a branch, how many degrees it is off, its length over its chord, and its least radius over
+def judged(skeleton: Any, made: Plant) -> tuple[dict[str, str], list[str]]:
+    """Of the axes that have a branch: how many degrees it is off, its length over its chord, and its least radius over
     that of the axis."""
-    table = skeleton.columns("branches")
-    leaf = skeleton.vertices[table["end"]]
-    away, branch = spatial.KDTree(leaf).query(made.tip)
-    has = away < 4 * made.radius
-    off = np.abs(np.asarray(table["angle"])[branch] - made.angle)
-    least = np.asarray(table["least_radius"])[branch] / made.radius
-    return off[has], np.asarray(table["tortuosity"])[branch][has], least[has]
-
-
-def report(wanted: argparse.Namespace) -> Iterator[str]:
-    configure_jax()
-    yield opening("Plants of cones", [], []) + "\n"
-    yield line(COLUMNS) + line(["---"] * len(COLUMNS))
-    rows = []
-    for seed in wanted.seeds:
-        rows.append(row_of(seed, wanted.sides, wanted.finest))
-        yield line(rows[-1])
-    right = sum(row[-1] == "ok" for row in rows)
-    wrong = sum(row[-1] == "NO" for row in rows)
-    yield f"\n{right} of {len(rows)} are right; of the others {wrong} are called sound.\n"
+    table, num = skeleton.columns("branches"), len(made.tip)
+    away, branch = spatial.KDTree(skeleton.vertices[table["end"]]).query(made.tip)
+    branch, has = branch[away < 4 * made.radius], away < 4 * made.radius
+    off = np.abs(np.asarray(table["angle"])[branch] - made.angle[has])
+    winding = np.asarray(table["tortuosity"])[branch]
+    radius = np.asarray(table["least_radius"])[branch] / made.radius[has]
+    cells = [f"{skeleton.num_leaves}/{num + 2}", f"{has.sum()}/{num}", f"{off.max(initial=0):.1f}"]
+    cells += [f"{winding.max(initial=1):.3f}", f"{radius.min(initial=1):.2f}"]
+    is_right = [skeleton.num_leaves == num + 2, has.all(), (off <= ANGLE).all(), (winding < WINDING).all()]
+    is_right.append((np.abs(radius - 1) <= RADIUS).all())
+    return dict(zip(COLUMNS, cells, strict=True)), [c for c, right in zip(COLUMNS, is_right, strict=True) if not right]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.plants", description="Plants of cones.")
-    numbers = {"type": lambda text: [int(each) for each in text.split(",")], "help": "of plants, with commas between"}
-    parser.add_argument("--seeds", default=list(range(5)), **numbers)
+    parser = frame.parser_for("plants", __doc__, limit=600)
+    parser.add_argument("--seeds", type=frame.words, default=list("01234"), help="of plants, with commas between")
     parser.add_argument("--sides", type=int, default=16, help="of each cone")
     parser.add_argument("--finest", type=float, help="longer edges are split")
-    parser.add_argument("--output", type=Path, help="file for the table")
     wanted = parser.parse_args()
-    publish(report(wanted), wanted.output)
+    make = partial(job_of, sides=wanted.sides, finest=wanted.finest)
+    frame.publish(frame.report("Plants of cones", COLUMNS, wanted.seeds, make, wanted), wanted.output)
 
 
 if __name__ == "__main__":

@@ -28,6 +28,8 @@ Size = Callable[[float], float]
 Limb = tuple[Sequence[Sequence[float]], float, float]  # its line to its end face, its ball's radius there, half width
 X, Y, Z = np.diag([-1.0, 1, 1]), np.diag([1.0, -1, 1]), np.diag([1.0, 1, -1])  # mirrors
 QUARTER = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+SWAP = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])  # y and z
+THIRD = np.array([[-0.5, -np.sqrt(0.75), 0], [np.sqrt(0.75), -0.5, 0], [0, 0, 1]])  # of a turn around z
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,33 +123,25 @@ def straight(
     along: int = 2,
 ) -> Solid:
     """One limb along an axis of coordinates, from ``low`` to ``high``."""
-    way = np.eye(3)[along]
-    ends = np.outer([low, high], way)
-    width = float(np.mean(widths))
-    edge = SPACING * (min(radii) or max(radii) / 2)
-    return Solid(
-        body,
-        ends,
-        np.outer([-1.0, 1.0], way),
-        np.array(radii),
-        np.array([each or width for each in widths]),
-        high - low,
-        width,
-        edge,
-        axis=[ends],
-        symmetries=symmetries,
-    )
+    way, width = np.eye(3)[along], float(np.mean(widths))
+    ends, edge = np.outer([low, high], way), SPACING * (min(radii) or max(radii) / 2)
+    half = np.array([each or width for each in widths])
+    limb = (ends, np.outer([-1.0, 1.0], way), np.array(radii), half)
+    return Solid(body, *limb, high - low, width, edge, axis=[ends], symmetries=symmetries)
+
+
+def _half_width(area: float) -> float:
+    return float(np.sqrt(area / np.pi))
 
 
 def _bar(x: float, y: float, z: float) -> Solid:
     """Along x, which is the longest."""
-    radius, width = min(y, z) / 2, float(np.sqrt(y * z / np.pi))
+    radius, width = min(y, z) / 2, _half_width(y * z)
     return straight(box(x, y, z), -x / 2, x / 2, (radius, radius), (width, width), (X, Y, Z), along=0)
 
 
 def _beam(length: float, side: float) -> Solid:
-    found = _bar(length, side, side)
-    return replace(found, symmetries=(X, Y, Z, np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])))
+    return replace(_bar(length, side, side), symmetries=(X, Y, Z, SWAP))
 
 
 def _cylinder(length: float, radius: float) -> Solid:
@@ -177,15 +171,11 @@ def limbs(
     axis = [np.array(line, dtype=float) for line, _, _ in lines]
     last = np.array([line[-1] - line[-2] for line in axis])
     radii, widths = np.array([sizes for _, *sizes in lines]).T
+    lengths = [float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()) for line in [*axis, *loops]]
     return Solid(
         body,
-        np.array([line[-1] for line in axis]),
-        last / np.linalg.norm(last, axis=1, keepdims=True),
-        radii,
-        widths,
-        sum(float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()) for line in [*axis, *loops]),
-        float(widths.min()),
-        SPACING * float(radii.min()),
+        *(np.array([line[-1] for line in axis]), last / np.linalg.norm(last, axis=1, keepdims=True), radii, widths),
+        *(sum(lengths), float(widths.min()), SPACING * float(radii.min())),
         cycles=len(loops),
         axis=[*axis, *loops],
         symmetries=symmetries,
@@ -205,7 +195,7 @@ def _pipe_tee(arm: float, stem: float, radius: float) -> Solid:
 
 def _square_tee(arm: float, stem: float, side: float) -> Solid:
     body = box(2 * arm, side, side) + at(box(side, side, stem), 0, 0, -stem / 2)
-    return _tee(body, arm, stem, side / 2, side / np.sqrt(np.pi))
+    return _tee(body, arm, stem, side / 2, _half_width(side**2))
 
 
 def _bolt(shank: float, radius: float, head: float, height: float, sides: int = 6) -> Solid:
@@ -229,13 +219,13 @@ def _i_beam(length: float, flange: float, height: float, thick: float, web: floa
     body = box(length, web, height)
     for side in (-1, 1):
         body += at(box(length, flange, thick), 0, 0, side * (height - thick) / 2)
-    width = float(np.sqrt((2 * flange * thick + (height - 2 * thick) * web) / np.pi))
+    width = _half_width(2 * flange * thick + (height - 2 * thick) * web)
     return straight(body, -length / 2, length / 2, (web / 2, web / 2), (width, width), (X, Y, Z), along=0)
 
 
 def _table(x: float, y: float, top: float, leg: float, height: float) -> Solid:
     """Four square legs under a thin top, which the curve may cross as it likes."""
-    body, width = at(box(x, y, top), 0, 0, top / 2), float(leg / np.sqrt(np.pi))
+    body, width = at(box(x, y, top), 0, 0, top / 2), _half_width(leg**2)
     lines: list[Limb] = []
     for u, v in _four((x - leg) / 2, (y - leg) / 2):
         body += at(box(leg, leg, height), u, v, -height / 2)
@@ -247,22 +237,9 @@ def ring(body: Manifold, radius: np.ndarray, thin: float, width: float, symmetri
     """A ring around z whose middle is ``radius`` (N,) from it, at N angles."""
     angle = np.linspace(0, 2 * np.pi, len(radius))
     axis = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle], axis=1)
-    length = float(np.linalg.norm(np.diff(axis, axis=0), axis=1).sum())
-    none = np.zeros((0, 3))
-    edge = SPACING * thin
-    return Solid(
-        body,
-        none,
-        none,
-        none[:, 0],
-        none[:, 0],
-        length,
-        width,
-        edge,
-        cycles=1,
-        axis=[axis],
-        symmetries=symmetries,
-    )
+    length, none = float(np.linalg.norm(np.diff(axis, axis=0), axis=1).sum()), np.zeros((0, 3))
+    no_limb = (none, none, none[:, 0], none[:, 0])
+    return Solid(body, *no_limb, length, width, SPACING * thin, cycles=1, axis=[axis], symmetries=symmetries)
 
 
 def _torus(radius: float, minor: float) -> Solid:
@@ -276,7 +253,7 @@ def _washer(inner: float, outer: float, height: float, sides: int = SIDES) -> So
     half = np.pi / sides  # the outer wall is nearest in the middle of a side
     angle = np.linspace(0, 2 * np.pi, 361) % (2 * half) - half
     wall = outer * np.cos(half) / np.cos(angle) - inner
-    width = float(np.sqrt(wall.mean() * height / np.pi))
+    width = _half_width(float(wall.mean()) * height)
     return ring(body, inner + wall / 2, min(height, wall.min()) / 2, width, (X, Y, Z))
 
 
@@ -299,17 +276,14 @@ def _drilled(
     body = solid.body
     for x, y in holes:
         body -= at(rod(2 * depth, radius, sides=24), x, y, top)
-    return _with_holes(solid, body, symmetries)
+    return replace(solid, body=body, slack=SLACK_WITH_HOLES, symmetries=symmetries)
 
 
 def _pocketed(
     solid: Solid, size: tuple[float, float], depth: float, top: float, symmetries: Sequence[np.ndarray]
 ) -> Solid:
     """A pocket with four walls, down from the plane z = ``top``, in the middle."""
-    return _with_holes(solid, solid.body - at(box(*size, 2 * depth), 0, 0, top), symmetries)
-
-
-def _with_holes(solid: Solid, body: Manifold, symmetries: Sequence[np.ndarray]) -> Solid:
+    body = solid.body - at(box(*size, 2 * depth), 0, 0, top)
     return replace(solid, body=body, slack=SLACK_WITH_HOLES, symmetries=symmetries)
 
 
@@ -324,19 +298,6 @@ def _four(x: float, y: float) -> list[tuple[float, float]]:
     return [(u * x, v * y) for u in (-1, 1) for v in (-1, 1)]
 
 
-def _holed_bar(s: Size) -> Solid:
-    bar = _bar(s(11), s(4), 3.8)
-    return _drilled(bar, [(s(1.5), 0.0)], 0.7, 1.3, 1.9, (Y,))
-
-
-def _four_holed_bar(s: Size) -> Solid:
-    return _drilled(_bar(s(12), s(4.4), 3.8), _four(s(3), 1.0), 0.5, 1.4, 1.9, (X, Y))
-
-
-def _holed_beam(s: Size) -> Solid:
-    return _drilled(_beam(s(7), 1.0), [(s(1), 0.0)], 0.22, 0.4, 0.5, (Y,))
-
-
 def _holed_cylinder(s: Size) -> Solid:
     found = straight(along_x(rod(length := s(8), 1.0)), -length / 2, length / 2, (1.0, 1.0), (1.0, 1.0), along=0)
     return _drilled(found, [(s(1), 0.0)], 0.3, 0.7, 1.0, (Y,))
@@ -345,6 +306,120 @@ def _holed_cylinder(s: Size) -> Solid:
 def _holed_ball(s: Size) -> Solid:
     ball = _no_way(Manifold.sphere(2.0, SIDES), 4.0, 1.0)
     return replace(ball, body=ball.body - at(rod(s(2), s(0.5)), 0, 0, 2.0))
+
+
+def _profile(body: Manifold, length: float, thick: float, area: float, *symmetries: np.ndarray) -> Solid:
+    """Along x, of bent sheet; the middle of its material is at y = z = 0."""
+    radius, width = thick / 2, _half_width(area)
+    found = straight(body, -length / 2, length / 2, (radius, radius), (width, width), along=0)
+    return replace(found, symmetries=(X, *symmetries))
+
+
+def _angle(length: float, side: float, thick: float) -> Solid:
+    """Two equal legs, along y and z; the curve is in the corner."""
+    middle = (side - thick) / 2
+    body = at(box(length, side, thick), 0, middle, 0) + at(box(length, thick, side), 0, 0, middle)
+    return _profile(body, length, thick, (2 * side - thick) * thick, SWAP)
+
+
+def _channel(length: float, web: float, height: float, thick: float) -> Solid:
+    """Two flanges up from the ends of a web, which has the curve."""
+    body = box(length, web, thick)
+    for side in (-1, 1):
+        body += at(box(length, thick, height), 0, side * (web - thick) / 2, (height - thick) / 2)
+    return _profile(body, length, thick, (web + 2 * height - 2 * thick) * thick, Y)
+
+
+def _half_pipe(length: float, radius: float, thick: float) -> Solid:
+    """The curve is along the back."""
+    middle = radius - thick / 2
+    pipe = along_x(rod(length, radius) - rod(2 * length, radius - thick))
+    body = at(pipe ^ at(box(2 * length, 4 * radius, 4 * radius), 0, 0, 2 * radius), 0, 0, -middle)
+    return _profile(body, length, thick, np.pi * middle * thick, Y)
+
+
+def _bored(body: Manifold, low: float, floor: float, radius: float, width: float, bore: float) -> Solid:
+    """A blind hole along the axis from its far end; the curve ends before the hole's floor, as in a bolt's socket."""
+    found = straight(body, low, floor, (radius, radius), (width, width))
+    return replace(found, slack=SLACK_WITH_HOLES, edge=SPACING * (radius - bore), symmetries=(X, Y, QUARTER))
+
+
+def _bored_bar(length: float, depth: float) -> Solid:
+    body = box(3, 3, length) - at(rod(2 * depth, 0.8, sides=24), 0, 0, length / 2)
+    return _bored(body, -length / 2, length / 2 - depth, 1.5, _half_width(9.0), 0.8)
+
+
+def _cup(length: float, depth: float) -> Solid:
+    body = rod(length, 1.5) - at(rod(2 * depth, 0.8), 0, 0, length / 2)
+    return _bored(body, -length / 2, length / 2 - depth, 1.5, 1.5, 0.8)
+
+
+def _around_hole(radius: float, x: float, along: int) -> np.ndarray:
+    """(N, 3) around a hole that goes along y or z through the axis x."""
+    angle = np.linspace(0, 2 * np.pi, 361)
+    line = np.zeros((361, 3))
+    line[:, 0], line[:, 3 - along] = x + radius * np.cos(angle), radius * np.sin(angle)
+    return line
+
+
+def _two_bores(length: float, bore: float, middle: float) -> Solid:
+    """A square bar with two holes through it, one across the other; the curve goes around each."""
+    side, hole = 2.6, rod(9.0, bore)
+    body = box(length, side, side) - at(hole, -middle, 0, 0) - at(hole.rotate((90.0, 0, 0)), middle, 0, 0)
+    around = (side / 2 + bore) / 2
+    loops = [_around_hole(around, -middle, 2), _around_hole(around, middle, 1)]
+    between = np.array([[around - middle, 0, 0], [middle - around, 0, 0]])
+    tips = [((u * (middle + around), 0, 0), (u * length / 2, 0, 0)) for u in (-1, 1)]
+    found = limbs(body, [(line, side / 2, _half_width(side**2)) for line in tips], (Y, Z), [*loops, between])
+    return replace(found, cycles=2, slack=SLACK_WITH_HOLES, edge=SPACING * (side / 2 - bore) / 2)
+
+
+def _hammer(handle: float, head: float, side: float) -> Solid:
+    """A square head along x, in the middle of which a round handle begins that goes down."""
+    body, radius, half = at(rod(handle, 0.5), 0, 0, -handle / 2) + box(head, side, side), 0.5, side / 2
+    lines = [(((0, 0, 0), (u * head / 2, 0, 0)), half, _half_width(side**2)) for u in (-1, 1)]
+    return limbs(body, [*lines, (((0, 0, 0), (0, 0, -handle)), radius, radius)], (X, Y))
+
+
+def _crossed_rods(length: float, degrees: float) -> Solid:
+    """Two rods that cross at an oblique angle."""
+    body, radius, turn = Manifold.sphere(0.75, SIDES), 0.7, np.radians(degrees)
+    for side in (-1, 1):
+        body += along_x(rod(2 * length, radius)).rotate((0, 0, side * degrees))
+    tips = [(u * length * np.cos(turn), v * length * np.sin(turn), 0) for u in (-1, 1) for v in (-1, 1)]
+    return limbs(body, [(((0, 0, 0), tip), radius, radius) for tip in tips], (X, Y, Z))
+
+
+def _triangle(radius: float, thick: float) -> Solid:
+    """Three round rods, and a ball at each corner."""
+    side, body = at(along_x(rod(np.sqrt(3) * radius, thick)), 0, -radius / 2, 0), Manifold()
+    for turn in (90, 210, 330):
+        x, y = radius * np.cos(np.radians(turn)), radius * np.sin(np.radians(turn))
+        body += side.rotate((0, 0, turn - 90)) + at(Manifold.sphere(1.05 * thick, SIDES), x, y, 0)
+    angle = (np.linspace(0, 2 * np.pi, 361) + np.pi / 6) % (2 * np.pi / 3) - np.pi / 3  # from a side's middle
+    return ring(body, radius / 2 / np.cos(angle), thick, thick, (X, Z, THIRD))
+
+
+def _stool(height: float, radius: float, thick: float, seat: float) -> Solid:
+    """Three round legs under a round seat, which the curve may cross as it likes."""
+    body = at(rod(thick, seat), 0, 0, thick / 2)
+    lines: list[Limb] = []
+    for turn in np.arange(3) * 2 * np.pi / 3:
+        u, v = 0.7 * seat * np.cos(turn), 0.7 * seat * np.sin(turn)
+        body += at(rod(height, radius), u, v, -height / 2)
+        lines.append((((0, 0, thick), (u, v, thick), (u, v, -height)), radius, radius))
+    return replace(limbs(body, lines, (Y, THIRD)), axis=[], edge=SPACING * min(radius, thick / 2))
+
+
+def _chair(side: float, leg: float, seat: float, height: float, back: float) -> Solid:
+    """Four square legs under a square seat, which the curve may cross as it likes, and a back of its width."""
+    out, top = (side - leg) / 2, seat + back
+    body = at(box(side, side, seat), 0, 0, seat / 2) + at(box(leg, side, top), -out, 0, top / 2)
+    lines: list[Limb] = [(((0, 0, seat), (-out, 0, seat), (-out, 0, top)), leg / 2, _half_width(side * leg))]
+    for u, v in ((u * out, v * out) for u in (-1, 1) for v in (-1, 1)):
+        body += at(box(leg, leg, height), u, v, -height / 2)
+        lines.append((((0, 0, seat), (u, v, seat), (u, v, -height)), leg / 2, _half_width(leg**2)))
+    return replace(limbs(body, lines, (Y,)), axis=[])
 
 
 SOLIDS: dict[str, Callable[[Size], Solid]] = {
@@ -374,10 +449,10 @@ SOLIDS: dict[str, Callable[[Size], Solid]] = {
     "torus-thin": lambda s: _torus(s(3), s(0.45)),
     "washer": lambda s: _washer(s(2), s(3.8), s(1.8)),
     "washer-flat": lambda s: _washer(s(1.2), s(3.2), s(0.5)),
-    "bar-hole": _holed_bar,
-    "bar-holes-4": _four_holed_bar,
+    "bar-hole": lambda s: _drilled(_bar(s(11), s(4), 3.8), [(s(1.5), 0.0)], 0.7, 1.3, 1.9, (Y,)),
+    "bar-holes-4": lambda s: _drilled(_bar(s(12), s(4.4), 3.8), _four(s(3), 1.0), 0.5, 1.4, 1.9, (X, Y)),
     "bar-pocket": lambda s: _pocketed(_bar(s(11), 4.0, 3.8), (s(4), s(2)), 1.2, 1.9, (X, Y)),
-    "beam-hole": _holed_beam,
+    "beam-hole": lambda s: _drilled(_beam(s(7), 1.0), [(s(1), 0.0)], 0.22, 0.4, 0.5, (Y,)),
     "plate-holes-4": lambda s: _drilled(_bar(s(12), s(4.5), 1.0), _four(s(4), 1.2), 0.4, 0.6, 0.5, (X, Y)),
     "plate-pocket": lambda s: _pocketed(_bar(s(12), s(4.5), 1.0), (s(6), s(2.2)), 0.5, 0.5, (X, Y)),
     "slab-holes-4": lambda s: _drilled(_bar(s(9.3), s(5.4), 1.2), _four(s(3), 1.5), 0.5, 0.7, 0.6, (X, Y)),
@@ -387,6 +462,18 @@ SOLIDS: dict[str, Callable[[Size], Solid]] = {
     "torus-hole": lambda s: _drilled(_torus(3.0, 1.0), [(3.0, 0.0)], s(0.3), s(0.7), 1.0, (Y,)),
     "washer-holes-4": lambda s: _drilled(_washer(2.0, 3.8, 1.8), _four(2.05, 2.05), s(0.3), s(0.6), 0.9, (X, Y)),
     "ball-bore": lambda s: _bored_ball(s(2), s(0.4)),
+    "hammer": lambda s: _hammer(s(8), s(4), 1.4),
+    "hammer-wide": lambda s: _hammer(8.0, s(5), s(2)),
+    "x-rods": lambda s: _crossed_rods(s(6), s(30)),
+    "stool-3": lambda s: _stool(s(5), s(0.4), s(0.6), s(2.4)),
+    "chair": lambda s: _chair(s(4), s(0.6), s(0.6), s(4), s(4)),
+    "l-profile": lambda s: _angle(s(9), s(3), s(0.8)),
+    "u-channel": lambda s: _channel(s(9), s(3), s(2.2), s(0.6)),
+    "half-pipe": lambda s: _half_pipe(s(9), s(2), 0.5),
+    "end-hole-bar": lambda s: _bored_bar(s(9), s(2.5)),
+    "cup": lambda s: _cup(s(7), s(4)),
+    "bar-2-bores": lambda s: _two_bores(s(12), s(0.6), s(3)),
+    "triangle-frame": lambda s: _triangle(s(4), s(0.5)),
 }
 DOUBTFUL: dict[str, Callable[[Size], Solid]] = {
     "ball": lambda s: _no_way(Manifold.sphere(radius := s(2), SIDES), 2 * radius, radius),

@@ -1,7 +1,7 @@
 """How fast and how large: this project beside CGAL, GEL and skeletor, as Markdown tables.
 
     python -m tests.benchmarks.speed [--only NAME,..] [--sizes VERTICES,..] [--methods NAME,..] [--meshes FOLDER]
-        [--repeats N] [--slow SECONDS] [--limit SECONDS] [--float32] [--no-cold] [--output FILE] [--plot FILE]
+        [--repeats N] [--slow SECONDS] [--limit SECONDS] [--float32] [--no-cold] [--output FILE]
 
 Run from the project's root. The meshes are every closed ``*.off`` of a folder (``MSF_JAX_MESHES``, else
 ``../shared/meshes``; ``--only ""`` for none of them), and the hand of `msf_jax.shapes` at other samplings, of about
@@ -29,22 +29,24 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import trimesh
 
-from tests.benchmarks import curves
-from tests.benchmarks.curves import OURS, PACKAGES, PEERS, ROOT, line
+from tests.benchmarks import curves, frame
+from tests.benchmarks.curves import OURS, PACKAGES, PEERS
+from tests.benchmarks.frame import head, line
 
 # A forked process would begin with its parent's memory. A spawned one still inherits the parent's high-water mark: the
 # parent therefore imports little and holds no mesh.
-PROCESSES = multiprocessing.get_context("spawn")
+SPAWN = multiprocessing.get_context("spawn")
 MB = 1e6
+LOADED: dict[str, Any] = {}  # in the process of a method: what to call, and the mesh
 Source = Path | int  # a file, or the number of vertices of a hand
 
 
@@ -71,84 +73,28 @@ class Timing:
         return statistics.median(self.counted)
 
 
-class Worker:
-    """A method in a process of its own, which keeps the mesh and computes when it is told to."""
-
-    def __init__(self, timing: Timing, file: Path, wanted: argparse.Namespace) -> None:
-        self.timing, self.limit, self.slow = timing, wanted.limit, wanted.slow
-        self.connection, theirs = PROCESSES.Pipe()
-        arguments = (timing.method, file, wanted.float32, theirs)
-        self.process = PROCESSES.Process(target=work, args=arguments, daemon=True)
-        self.process.start()
-        theirs.close()  # so that the connection ends with the process
-        ready = self.answer()
-        timing.vertices, timing.before = ready.get("vertices", 0), ready.get("memory", math.nan)
-
-    def answer(self, request: str = "") -> dict[str, Any]:
-        """What the process sends, or why it does not."""
-        try:
-            if request:
-                self.connection.send(request)
-            if self.connection.poll(self.limit):
-                answer = self.connection.recv()
-            else:
-                answer = {"failure": f"timed out after {self.limit:g} s"}
-                self.process.kill()
-        except (EOFError, ConnectionError):
-            self.process.join()
-            answer = {"failure": curves.stopped(self.process.exitcode or 0)}
-        self.timing.failure = answer.get("failure", "")
-        return answer
-
-    def is_worth_a_call(self) -> bool:
-        calls = self.timing.calls[1:] if self.timing.method == OURS else self.timing.calls  # our first one compiles
-        return not self.timing.failure and all(seconds <= self.slow for seconds in calls)
-
-    def call(self) -> None:
-        timing = self.timing
-        answer = self.answer("compute")
-        if not timing.failure:
-            timing.calls.append(answer["seconds"])
-            timing.reports.append(answer["report"])
-            timing.peak = answer["memory"]
-        print(f"{timing.mesh}, {timing.method}: {timing.failure or f'{timing.calls[-1]:.2f} s'}", file=sys.stderr)
-
-    def close(self) -> None:
-        self.connection.close()
-        self.process.join()
-
-
-def work(method: str, file: Path, float32: bool, connection: Connection) -> None:
-    """What the process of a worker does."""
+def load(method: str, file: Path, float32: bool) -> tuple[int, int]:
+    """In the process of a method: what it needs; returns how many vertices there are, and the memory."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what a method prints is no part of the tables
-    try:
-        call = ours(float32) if method == OURS else peer(method)
-        mesh = dict(np.load(file))
-        connection.send({"vertices": len(mesh["vertices"]), "memory": high_water_mark()})
-        while connection.recv():
-            given = {name: values.copy() for name, values in mesh.items()}
-            start = time.perf_counter()
-            curve = call(**given)
-            seconds = time.perf_counter() - start
-            report = curve.report.to_dict() if method == OURS else {}
-            connection.send({"seconds": seconds, "memory": high_water_mark(), "report": report})
-    except EOFError:  # the parent has closed its end
-        pass
-    except Exception as error:  # a mesh that it cannot do: a row, not the end of the table
-        connection.send({"failure": f"{type(error).__name__}: {error}"})
+    if method == OURS:
+        import msf_jax
+
+        frame.configure_jax(float32=float32)
+        LOADED["call"] = lambda vertices, faces: msf_jax.skeletonize((vertices, faces))
+    else:
+        LOADED["call"], module = PEERS[method]
+        importlib.import_module(module)
+    LOADED["mesh"] = dict(np.load(file))
+    return len(LOADED["mesh"]["vertices"]), high_water_mark()
 
 
-def ours(float32: bool) -> Callable[..., Any]:
-    import msf_jax
-
-    curves.configure_jax(float32=float32)
-    return lambda vertices, faces: msf_jax.skeletonize((vertices, faces))
-
-
-def peer(method: str) -> Callable[..., Any]:
-    call, module = PEERS[method]
-    importlib.import_module(module)
-    return call
+def compute(method: str, limit: float) -> tuple[float, int, dict[str, Any]]:
+    """In the process of a method: seconds, memory, and our report."""
+    given = {name: values.copy() for name, values in LOADED["mesh"].items()}
+    start = time.perf_counter()
+    with frame.limited(limit):
+        curve = LOADED["call"](**given)
+    return time.perf_counter() - start, high_water_mark(), curve.report.to_dict() if method == OURS else {}
 
 
 def high_water_mark() -> int:
@@ -156,45 +102,49 @@ def high_water_mark() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
 
 
-def hand(vertices: int) -> trimesh.Trimesh:
-    """The hand with about so many vertices; with fewer than 10,000 limbs of it may touch."""
-    from msf_jax import shapes
-
-    # Above 100,000 by Loop subdivision: a grid would fill the memory.
-    rounds = max(0, math.ceil(math.log(vertices / 1e5, 4)))
-    mesh = shapes.hand(math.sqrt(22.6 * 4**rounds / vertices))  # 22.6: its vertices times the spacing's square
-    for _ in range(rounds):
-        mesh = trimesh.Trimesh(*trimesh.remesh.subdivide_loop(mesh.vertices, mesh.faces), process=False)
-    return mesh
-
-
 def write_mesh(source: Source, file: Path) -> None:
-    mesh = hand(source) if isinstance(source, int) else trimesh.load(source, process=False)
+    """Load a mesh, or make the hand with about so many vertices; with fewer than 10,000 limbs of it may touch."""
+    if isinstance(source, int):
+        from msf_jax import shapes
+
+        # Above 100,000 by Loop subdivision: a grid would fill the memory.
+        rounds = max(0, math.ceil(math.log(source / 1e5, 4)))
+        mesh = shapes.hand(math.sqrt(22.6 * 4**rounds / source))  # 22.6: its vertices times the spacing's square
+        for _ in range(rounds):
+            mesh = trimesh.Trimesh(*trimesh.remesh.subdivide_loop(mesh.vertices, mesh.faces), process=False)
+    else:
+        mesh = trimesh.load(source, process=False)
     if file.suffix == ".npz":
         np.savez(file, vertices=mesh.vertices, faces=mesh.faces)
     else:
         mesh.export(file)
 
 
-def prepare(source: Source, file: Path) -> None:
-    """Make or load a mesh and write it to a file, in a process of its own."""
-    maker = PROCESSES.Process(target=write_mesh, args=(source, file))
-    maker.start()
-    maker.join()
-
-
 def measure(name: str, source: Source, methods: list[str], wanted: argparse.Namespace) -> list[Timing]:
-    """All methods on one mesh, in turn."""
+    """All methods on one mesh, in turn, each in a process that keeps it."""
     timings = [Timing(name, method, isinstance(source, int)) for method in methods]
+    pools = [ProcessPoolExecutor(1, mp_context=SPAWN) for _ in methods]
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "mesh.npz")
-        prepare(source, file)
-        workers = [Worker(timing, file, wanted) for timing in timings]
-    for _ in range(1 + wanted.repeats):
-        for worker in filter(Worker.is_worth_a_call, workers):
-            worker.call()
-    for worker in workers:
-        worker.close()
+        with ProcessPoolExecutor(1, mp_context=SPAWN) as maker:
+            maker.submit(write_mesh, source, file).result()
+        for number in range(-1, 1 + wanted.repeats):
+            for timing, pool in zip(timings, pools, strict=True):
+                calls = timing.calls[1:] if timing.method == OURS else timing.calls  # our first one compiles
+                if timing.failure or any(seconds > wanted.slow for seconds in calls):
+                    continue
+                try:
+                    if number < 0:
+                        given = (timing.method, file, wanted.float32)
+                        timing.vertices, timing.before = pool.submit(load, *given).result()
+                        continue
+                    seconds, timing.peak, report = pool.submit(compute, timing.method, wanted.limit).result()
+                    timing.calls.append(seconds)
+                    timing.reports.append(report)
+                except (Exception, frame.TooLong) as error:  # a row, not the end of the table
+                    timing.failure = f"{type(error).__name__}: {error}"
+    for pool in pools:
+        pool.shutdown()
     return timings
 
 
@@ -206,22 +156,18 @@ def start_to_end(source: Source, wanted: argparse.Namespace) -> dict[str, list[f
     with tempfile.TemporaryDirectory() as folder:
         mesh = Path(folder, "hand.off") if isinstance(source, int) else source.resolve()
         if isinstance(source, int):
-            prepare(source, mesh)
+            with ProcessPoolExecutor(1, mp_context=SPAWN) as maker:
+                maker.submit(write_mesh, source, mesh).result()
         command = ["-m", "msf_jax", "skeletonize", str(mesh), "-o", str(Path(folder, "curve.json")), "-q"]
         command += ["--float32"] * wanted.float32
         for number in range(wanted.repeats):
             environment["XDG_CACHE_HOME"] = str(Path(folder, f"cache_{number}"))  # where compiled steps go
             help_, imports = ["-m", "msf_jax", "--help"], ["-c", "import msf_jax.flow.loop"]
             for what, arguments in zip(seconds, (help_, imports, command, command), strict=True):
-                start = time.perf_counter()
-                subprocess.run([sys.executable, *arguments], cwd=ROOT, env=environment, check=True, capture_output=True)
+                start, whole = time.perf_counter(), [sys.executable, *arguments]
+                subprocess.run(whole, cwd=frame.ROOT, env=environment, check=True, capture_output=True)
                 seconds[what].append(time.perf_counter() - start)
-                print(f"{what}: {seconds[what][-1]:.2f} s", file=sys.stderr)
     return seconds
-
-
-def head(first: list[str], *numbers: str) -> str:
-    return line([*first, *numbers]) + line(["---"] * len(first) + ["---:"] * len(numbers))
 
 
 def spread(seconds: list[float]) -> list[str]:
@@ -244,23 +190,21 @@ def seconds_lines(timings: list[Timing]) -> Iterator[str]:
 def stages(timings: list[Timing]) -> Iterator[str]:
     """Our seconds by stage, medians, and our reports."""
     names = list(dict.fromkeys(stage for timing in timings for stage in timing.reports[-1]["seconds"]))
-    yield f"\n## Seconds of {OURS} by stage, medians\n\n" + head(["mesh"], "vertices", *names)
+    yield f"\n## Seconds of {OURS} by stage, medians\n" + head(["mesh", "vertices", *names])
     for timing in timings:
         runs = [report["seconds"] for report in timing.reports[1:] or timing.reports]
         medians = [statistics.median(run.get(name, 0.0) for run in runs) for name in names]
         yield line([timing.mesh, f"{timing.vertices:,}", *(f"{value:.3f}" for value in medians)])
-    keys = "components", "cycles/genus", "inside", "iterations", "CG steps", "converged"
-    yield f"\n## What {OURS} reports\n\n" + head(["mesh"], *keys)
+    columns = {"components": "{components}/{mesh_components}", "cycles/genus": "{cycles}/{genus}"}
+    columns |= {"inside": "{inside:.4f}", "iterations": "{iterations}", "CG steps": "{solve_steps}", "end": "{reason}"}
+    yield f"\n## What {OURS} reports\n" + head(["mesh", *columns])
     for timing in timings:
-        report = timing.reports[-1]
-        counts = ["{components}/{mesh_components}", "{cycles}/{genus}", "{inside:.4f}", "{iterations}", "{solve_steps}"]
-        cells = [count.format(**report) for count in counts]
-        yield line([timing.mesh, *cells, "yes" if report["converged"] else f"no: {report['reason']}"])
+        yield line([timing.mesh, *(text.format(**timing.reports[-1]) for text in columns.values())])
 
 
 def growth(hands: list[Timing], methods: list[str]) -> Iterator[str]:
     """How time and memory grow with the number of vertices, by least squares."""
-    yield "\n## Growth over the hands\n\n" + head(["method"], "sizes", "exponent of seconds", "bytes per vertex")
+    yield "\n## Growth over the hands\n" + head(["method", "sizes", "exponent of seconds", "bytes per vertex"])
     for method in methods:
         own = [timing for timing in hands if timing.method == method]
         cells = ["-", "-"]
@@ -272,45 +216,21 @@ def growth(hands: list[Timing], methods: list[str]) -> Iterator[str]:
         yield line([method, str(len(own)), *cells])
 
 
-def plot(timings: list[Timing], file: Path) -> None:
-    """Seconds against vertices: the hands with lines between them, the other meshes as hollow marks."""
-    from matplotlib.figure import Figure
-
-    drawing = Figure(figsize=(8, 5.5), layout="constrained")
-    axes = drawing.add_subplot(xscale="log", yscale="log", xlabel="vertices", ylabel="seconds (median, min to max)")
-    for number, method in enumerate(PACKAGES):
-        look = {"color": f"C{number}", "marker": "osD^v"[number], "markersize": 5}
-        if any(timing.method == method for timing in timings):
-            axes.plot([], label=method, **look)  # for the legend
-        for is_hand, options in ((True, {"ls": "-"}), (False, {"ls": "", "mfc": "none"})):
-            own = [timing for timing in timings if (timing.method, timing.is_hand) == (method, is_hand)]
-            rows = sorted((t.vertices, t.median, t.median - min(t.counted), max(t.counted) - t.median) for t in own)
-            if rows:
-                vertices, middle, below, above = zip(*rows, strict=True)
-                axes.errorbar(vertices, middle, yerr=(below, above), capsize=2, elinewidth=1, **look, **options)
-    axes.grid(which="both", alpha=0.25)
-    drawing.legend(loc="outside right upper", title="lines: the hand\nhollow: other meshes")
-    part = file.with_name(f"{file.name}.part")
-    drawing.savefig(part, format="png", dpi=150)
-    part.replace(file)
-
-
 def report(wanted: argparse.Namespace) -> Iterator[str]:
     methods = curves.installed(wanted.methods)
-    yield curves.opening("Speed", wanted.methods, methods)
     packages = dict.fromkeys(["jax", *(PACKAGES[name] for name in methods if name != OURS)])
     versions = [f"{package} {importlib.metadata.version(package)}" for package in packages]
-    yield f"\nfloat{32 if wanted.float32 else 64}; {', '.join(versions)}.\n"
+    yield frame.opening("Speed") + f"\nfloat{32 if wanted.float32 else 64}; {', '.join(versions)}.\n"
     meshes: dict[str, Source] = dict(curves.mesh_files(wanted.meshes))
-    meshes = {name: file for name, file in meshes.items() if wanted.only is None or name in wanted.only}
+    meshes = {name: file for name, file in meshes.items() if wanted.only == ["*"] or name in wanted.only}
     meshes |= {f"hand {size:,}": size for size in wanted.sizes}
     if wanted.cold and OURS in methods and meshes:
         name = "homer" if "homer" in meshes else next(iter(meshes))
-        yield f"\n## Seconds of whole processes on {name}\n\n" + head([""], "median", "min", "max", "runs")
+        yield f"\n## Seconds of whole processes on {name}\n" + head(["", "median", "min", "max", "runs"])
         for what, seconds in start_to_end(meshes[name], wanted).items():
             yield line([what, *spread(seconds), str(len(seconds))])
     columns = "vertices", "median", "min", "max", "runs", "first", "x ours", "before", "peak", "rise"
-    yield "\n## Seconds of calls, and memory\n\n" + head(["mesh", "method"], *columns)
+    yield "\n## Seconds of calls, and memory\n" + head(["mesh", "method", *columns])
     timings: list[Timing] = []
     for name, source in meshes.items():
         timings += (new := measure(name, source, methods, wanted))
@@ -320,23 +240,18 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
         yield from stages(own)
     if hands := [timing for timing in done if timing.is_hand]:
         yield from growth(hands, methods)
-    if wanted.plot:
-        plot(done, wanted.plot)
 
 
 def main() -> None:
-    parser = curves.parser_for("speed", __doc__.splitlines()[0])
+    parser = curves.parser_for("speed", __doc__, [*PACKAGES])
     sizes = [10_000, 30_000, 100_000]
     parser.add_argument("--sizes", type=lambda text: [int(size) for size in text.split(",") if size], default=sizes)
     parser.add_argument("--repeats", type=int, default=5, help="calls of each method on each mesh that count")
     parser.add_argument("--slow", type=float, default=20, help="seconds above which a method is not called again")
     parser.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
     parser.add_argument("--no-cold", dest="cold", action="store_false", help="no times of whole processes")
-    parser.add_argument("--plot", type=Path, help="PNG file for seconds against vertices")
     wanted = parser.parse_args()
-    if wanted.plot:
-        wanted.plot.parent.mkdir(parents=True, exist_ok=True)
-    curves.publish(report(wanted), wanted.output)
+    frame.publish(report(wanted), wanted.output)
 
 
 if __name__ == "__main__":

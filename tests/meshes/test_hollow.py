@@ -10,7 +10,7 @@ from msf_jax.meshes import checking
 from msf_jax.skeleton.report import assessed
 from msf_jax.solid import solid
 from msf_jax.solid.enclosure import Enclosure
-from tests.benchmarks.voids import hollow, inverted, knotted, together
+from tests.benchmarks.faults import hollow, inverted, knotted, together
 
 SEEDS = [1, pytest.param(0, marks=pytest.mark.slow)]
 

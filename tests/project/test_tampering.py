@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob
+from file_cases import glb, gltf, tetrahedron_3mf, write_3mf
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape
@@ -18,7 +19,6 @@ from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
 from msf_jax.skeleton.formats.whole import plain_json
 from msf_jax.skeleton.skeleton import curve_of
-from tests.benchmarks import tampering
 
 ONCE = Config(max_iterations=3)
 
@@ -74,11 +74,6 @@ def test_altered_arrays_are_refused(written, tmp_path, kind, name, change):
         load(kind, tmp_path / "file.npz")
 
 
-def written_3mf(path, **parts):
-    path.write_bytes(tampering._model(**parts))
-    return path
-
-
 PART = b'<components><component objectid="%d"/><component objectid="%d"/></components>'
 TWICE = b"".join(b'<object id="%d">%s</object>' % (k + 1, PART % (k, k)) for k in range(1, 9))
 
@@ -93,8 +88,8 @@ TWICE = b"".join(b'<object id="%d">%s</object>' % (k + 1, PART % (k, k)) for k i
 )
 def test_every_item_and_part_of_a_3mf_is_read(tmp_path, parts, num):
     """Also those with one part number, and parts of parts: 2^8 tetrahedra."""
-    inside = tampering._mesh(1) + parts.pop("more", b"")
-    vertices, faces = reading.read(written_3mf(tmp_path / "sound.3mf", inside=inside, **parts))
+    objects = tetrahedron_3mf(1) + parts.pop("more", b"")
+    vertices, faces = reading.read(write_3mf(tmp_path / "sound.3mf", objects, **parts))
     assert (len(vertices), len(faces), faces.max()) == (4 * num, 4 * num, 4 * num - 1)
 
 
@@ -102,24 +97,24 @@ def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_pa
     """Before its arrays are made."""
     monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 40)
     monkeypatch.setattr(unpacking, "MOST_ELEMENTS", 50)
-    mesh = tampering._mesh(1)
+    mesh = tetrahedron_3mf(1)
     cases = {
-        "over 50 elements that are no part of a mesh": {"inside": tampering._mesh(1, b"<a/>" * 60)},
-        "declares entities": {"inside": mesh, "before": tampering.DECLARED},
-        "triangles, which is too many": {"inside": b'<object id="1">%s</object>' % (PART % (1, 1))},
-        "an object '1' in another, or twice": {"inside": mesh + mesh},
-        "an object '7' that it does not have": {"inside": mesh, "build": b'<item objectid="7"/>'},
-        "several models": {"inside": mesh, "build": b'<item objectid="1" path="/3D/a.model"/>'},
-        "11 instances and 44 triangles": {"inside": mesh, "build": b'<item objectid="1"/>' * 11},
-        r"unpacks to \d+ bytes: expected at most 10000000": {"inside": b" " * 20_000_000},
+        "over 50 elements that are no part of a mesh": {"objects": tetrahedron_3mf(1, b"<a/>" * 60)},
+        "declares entities": {"objects": mesh, "before": b'<!DOCTYPE model [<!ENTITY a "ha">]>'},
+        "triangles, which is too many": {"objects": b'<object id="1">%s</object>' % (PART % (1, 1))},
+        "an object '1' in another, or twice": {"objects": mesh + mesh},
+        "an object '7' that it does not have": {"objects": mesh, "build": b'<item objectid="7"/>'},
+        "several models": {"objects": mesh, "build": b'<item objectid="1" path="/3D/a.model"/>'},
+        "11 instances and 44 triangles": {"objects": mesh, "build": b'<item objectid="1"/>' * 11},
+        r"unpacks to \d+ bytes: expected at most 10000000": {"objects": b" " * 20_000_000},
     }
     for says, parts in cases.items():
         with pytest.raises(MeshError, match=says):
-            reading.read(written_3mf(tmp_path / "bomb.3mf", **parts))
+            reading.read(write_3mf(tmp_path / "bomb.3mf", **parts))
 
 
 def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
-    (tmp_path / "scene.gltf").write_bytes(tampering._gltf({}, nodes=30))
+    (tmp_path / "scene.gltf").write_text(json.dumps(gltf(nodes=30)))
     assert len(reading.read(tmp_path / "scene.gltf")[1]) == 30
     monkeypatch.setattr(unpacking, "MOST_INSTANCES", 20)
     with pytest.raises(MeshError, match="30 instances"):
@@ -128,7 +123,7 @@ def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
 
 def changed_gltf(path, **changes):
     """A triangle as glTF, with members of its JSON changed: of the first accessor, buffer view, buffer or mesh."""
-    document = json.loads(tampering._gltf({}))
+    document = gltf()
     for place, change in changes.items():
         document[place][0] |= change
         document[place][0] = {key: value for key, value in document[place][0].items() if value is not None}
@@ -159,9 +154,9 @@ def test_gltf_has_bytes_behind_its_numbers_before_it_is_loaded(tmp_path, monkeyp
 def test_what_gltf_repeats_is_counted_before_it_is_loaded(tmp_path, monkeypatch):
     """A primitive, a node, and the bytes of a buffer."""
     monkeypatch.setattr(trimesh, "load_scene", None)
-    document = json.loads(tampering._gltf({}))
+    document = gltf()
     repeated = {
-        "30000 instances and 30000 triangles": lambda d: d["meshes"][0].update(
+        "its parts have 30000 instances": lambda d: d["meshes"][0].update(
             primitives=30_000 * d["meshes"][0]["primitives"]
         ),
         "30000 instances and 90000 triangles": lambda d: d.update(nodes=30_000 * d["nodes"]),
@@ -202,8 +197,12 @@ print((peak() - before) // 1000)
 @pytest.mark.system
 def test_a_small_file_that_shows_as_much_as_it_may_needs_less_than_a_gigabyte(tmp_path):
     """In MB, with all attributes that are loaded."""
-    path = tmp_path / "strips.glb"
-    path.write_bytes(tampering.strips(unpacking.MOST_TRIANGLES // 10_000 - 1))
+    ball = trimesh.creation.icosphere(5)
+    ball.visual.vertex_colors = np.full((len(ball.vertices), 4), 200)
+    num = unpacking.MOST_TRIANGLES // len(ball.faces) - 1
+    path = glb(
+        tmp_path / "balls.glb", lambda d: d["meshes"][0].update(primitives=num * d["meshes"][0]["primitives"]), ball
+    )
     done = subprocess.run([sys.executable, "-c", PEAK, str(path)], capture_output=True, text=True, check=True)
     assert 300 < int(done.stdout) < 900
 

@@ -6,7 +6,7 @@ import trimesh
 
 from msf_jax.solid import crossings
 from msf_jax.solid.enclosure import Enclosure
-from tests.benchmarks.voids import together
+from tests.benchmarks.faults import together
 
 
 def enclosure(mesh: trimesh.Trimesh) -> Enclosure:
