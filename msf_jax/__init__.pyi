@@ -24,10 +24,10 @@ from msf_jax.flow.skeletonize import skeletonize as skeletonize
 from msf_jax.flow.state import Flow as Flow
 from msf_jax.gradients import losses as losses
 from msf_jax.gradients import torch as torch
-from msf_jax.gradients.batch import Batch as Batch
-from msf_jax.gradients.batch import stack as stack
+from msf_jax.gradients.follow import Batch as Batch
 from msf_jax.gradients.follow import Followed as Followed
 from msf_jax.gradients.follow import follow as follow
+from msf_jax.gradients.follow import stack as stack
 from msf_jax.gradients.replay import replay as replay
 from msf_jax.gradients.replay import replay_meso as replay_meso
 from msf_jax.gradients.replay import replay_radii as replay_radii

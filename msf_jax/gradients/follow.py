@@ -1,11 +1,12 @@
-"""`follow`: the finished curve of a mesh whose vertices have moved, in pure JAX and without a run.
+"""`follow`: the finished curve of a mesh whose vertices have moved, in pure JAX and without a run; `stack` for many.
 
 Unlike `replay` it depends on no decisions of a run. It averages cross-sections of limbs, so its derivatives are
-moderate. See `msf_jax.base.binding`.
+moderate. See `msf_jax.base.binding`. As in graph libraries, every array of a batch has the size of the largest member,
+and masks tell rows from padding.
 """
 
-import random
-from collections.abc import Callable, Hashable
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import jax
@@ -13,13 +14,11 @@ import jax.numpy as jnp
 import numpy as np
 from jax.core import Tracer
 
-from msf_jax.base.binding import Binding
+from msf_jax.base.binding import Binding, capacity_for, padded, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.skeleton.skeleton import Skeleton
-
-MOST_PROGRAMS = 16  # compiled programs that are kept, about 8 MB each: one for each capacity and floating-point type
 
 
 class Followed(NamedTuple):
@@ -64,22 +63,20 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     Raises:
         ConfigError: ``skeleton`` has no source mesh.
         MeshError: ``vertices`` has another shape or is not finite, or the section of a node has vanished.
-        FlowError: this process was forked after a run.
     """
     binding = binding_of(skeleton)
     # The body needs neither of JAX's strict modes, which a caller may have set.
     with jax.numpy_dtype_promotion("standard"), jax.numpy_rank_promotion("allow"):
         array = checked_vertices(skeleton, vertices)
         rest = ((0, binding.num_vertices - len(array)), (0, 0))
+        rows = slice(None if isinstance(skeleton, Binding) else len(skeleton.vertices))
         if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
-            found = _follow(binding, array if rest[0][1] == 0 else _padded(array, rest))
-            return Followed(*(found if isinstance(skeleton, Binding) else _cut(found, len(skeleton.vertices))))
+            found = _follow(binding, jnp.pad(array, rest))
+            return Followed(found.nodes[rows], found.radii[rows])
         devices = array.devices() if isinstance(array, jax.Array) else ()
         device = next(iter(devices)) if len(devices) == 1 else None
         # NumPy pads and cuts, because JAX would compile this for every size.
-        arguments = _in_dtype(binding, array.dtype), np.pad(jax.device_get(array), rest)
-        program = _program((*binding.capacity, np.shape(binding.diagonal), str(array.dtype), device))
-        found = program(*jax.device_put(arguments, device))
+        found = _follow(*jax.device_put((binding, np.pad(jax.device_get(array), rest)), device))
     nodes, radii = jax.device_get(found)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
     if len(gone):
@@ -87,34 +84,10 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
             f"the sections of {len(gone)} nodes, the first {gone[0]}, have vanished: expected a mesh with the same "
             "limbs; run skeletonize on this one"
         )
-    if isinstance(skeleton, Binding):
-        return Followed(*found)
-    num = len(skeleton.vertices)
-    return Followed(*(jax.device_put(part[:num].copy(), device) for part in (nodes, radii)))
+    return Followed(*(jax.device_put(part[rows].copy(), device) for part in (nodes, radii)))
 
 
-# Three programs, also of an eager gradient: the large one is the same for all meshes of a capacity.
 _follow = jax.jit(following.follow)
-_padded = jax.jit(jnp.pad, static_argnums=1)
-_cut = jax.jit(lambda parts, num: tuple(part[:num] for part in parts), static_argnums=1)
-
-
-_programs: dict[Hashable, Callable[..., Any]] = {}
-_chance = random.Random(0)
-
-
-def _program(key: Hashable) -> Callable[..., Any]:
-    """A function of its own for each capacity, type and device, so that each can be dropped when there are too many.
-
-    Which one is left to chance. Where more capacities than the limit take turns, the least recently used is always the
-    next one, so that every round would compile all of them again.
-    """
-    found = _programs.get(key)
-    if found is None:
-        while len(_programs) >= MOST_PROGRAMS:
-            _programs.pop(_chance.choice(list(_programs)), None)
-        found = _programs[key] = jax.jit(lambda binding, vertices: following.follow(binding, vertices))
-    return found
 
 
 def binding_of(skeleton: Any) -> Binding:
@@ -129,48 +102,103 @@ def binding_of(skeleton: Any) -> Binding:
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     """``vertices`` as a JAX or NumPy array (V, 3). Only the shape of a traced array is checked. Vertices that no face
     of the surface uses may be at any position."""
-    is_plain = isinstance(vertices, Tracer) or (isinstance(vertices, np.ndarray) and vertices.dtype.kind in "fiu")
+    binding = binding_of(skeleton)
     try:
-        array = vertices if is_plain else jnp.asarray(vertices)  # of others, this compiles a copy for every size
+        array = vertices if isinstance(vertices, Tracer | np.ndarray) else jnp.asarray(vertices)
+        is_real = jnp.isdtype(array.dtype, "real floating")
+        is_whole = jnp.isdtype(array.dtype, "integral")
     except (TypeError, ValueError) as error:
         raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
-    if not jnp.isdtype(array.dtype, ("real floating", "integral")):
+    if not (is_real or is_whole):
         raise MeshError(f"vertices has the type {array.dtype}: expected real numbers, (V, 3)")
-    is_real = jnp.isdtype(array.dtype, "real floating")
-    dtype = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
-    dtype = jax.dtypes.canonicalize_dtype(dtype)
-    array = array if array.dtype == dtype else array.astype(dtype)
-    binding = binding_of(skeleton)
-    if isinstance(skeleton, Binding):
-        if array.ndim != 2 or array.shape[1] != 3 or len(array) > binding.num_vertices:
-            raise MeshError(
-                f"vertices has shape {array.shape}: expected (V, 3), V at most {binding.num_vertices}, the capacity of "
-                "the binding"
-            )
-    elif array.shape != (num := len(skeleton.mesh_map), 3):
-        raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), as in the mesh of the skeleton")
-    if isinstance(binding.faces, Tracer):
-        return array
-    used = np.zeros(binding.num_vertices, dtype=bool)
-    used[np.asarray(binding.faces)] = True
-    if used[len(array) :].any():
+    wide = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
+    array = array.astype(jax.dtypes.canonicalize_dtype(wide))
+    least = most = len(skeleton.mesh_map) if isinstance(skeleton, Skeleton) else binding.num_vertices
+    if isinstance(skeleton, Binding):  # padding may be left out
+        least = 0 if isinstance(binding.faces, Tracer) else int(np.max(binding.live.vertices))
+    if array.ndim != 2 or array.shape[1] != 3 or not least <= len(array) <= most:
+        up_to = f" or up to {most}, the binding's capacity" if least < most else ""
         raise MeshError(
-            f"vertices has shape {array.shape}: expected ({int(binding.live.vertices)}, 3), as in the mesh of the "
-            "skeleton"
+            f"vertices has shape {array.shape}: expected ({least}, 3), as in the mesh of the skeleton{up_to}"
         )
-    if isinstance(array, Tracer):
-        return array
-    bad = np.flatnonzero(~np.isfinite(jax.device_get(array)).all(axis=1) & used[: len(array)])
-    if len(bad):
-        raise MeshError(f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions")
+    if not isinstance(array, Tracer) and not isinstance(binding.faces, Tracer):
+        is_used = np.zeros(len(array), dtype=bool)
+        is_used[np.asarray(binding.faces)] = True
+        bad = np.flatnonzero(~np.isfinite(jax.device_get(array)).all(axis=1) & is_used)
+        if len(bad):
+            raise MeshError(
+                f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions"
+            )
     return array
 
 
-def _in_dtype(binding: Binding, dtype: Any) -> Binding:
-    """``binding`` with its real NumPy arrays converted to ``dtype``, so that no other type reaches the device."""
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """B curves and their meshes, padded to one capacity: N nodes and V vertices. A pytree of arrays.
 
-    def cast(values: Any) -> Any:
-        is_other = isinstance(values, np.ndarray) and values.dtype.kind == "f" and values.dtype != dtype
-        return values.astype(dtype) if is_other else values
+    Attributes:
+        bindings: the argument of `msf_jax.follow`; every array has a first axis of length B.
+        vertices: (B, V, 3) of the recorded meshes, in the units of each; 0 in padding.
+        vertex_mask: (B, V) bool: rows that are vertices.
+        node_mask: (B, N) bool: rows that are nodes.
+    """
 
-    return jax.tree.map(cast, binding)
+    bindings: Binding
+    vertices: Any
+    vertex_mask: Any
+    node_mask: Any
+
+    def __repr__(self) -> str:
+        nodes, vertices = self.node_mask.shape[1], self.vertices.shape[1]
+        return f"Batch({len(self)} curves, {nodes} rows of nodes, {vertices} of vertices)"
+
+    def __len__(self) -> int:
+        return self.vertices.shape[0]
+
+    def unstack(self, followed: Any) -> list[Followed]:
+        """The followed curves one by one, without padding, as NumPy arrays.
+
+        Args:
+            followed: the result of ``jax.vmap(msf_jax.follow)`` for this batch, nodes (B, N, 3) and radii (B, N).
+        """
+        counts = np.asarray(self.bindings.live.nodes)
+        nodes, radii = (jax.device_get(part) for part in followed)
+        return [Followed(nodes[k, :count], radii[k, :count]) for k, count in enumerate(counts)]
+
+
+def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None) -> Batch:
+    """Curves of many meshes as one batch: ``jax.vmap(msf_jax.follow)(batch.bindings, batch.vertices)``.
+
+    Capacities are those of the largest mesh and the largest curve, so stack meshes of similar size; see
+    ``skeleton.binding.capacity``. In padding, nodes, radii and gradients are zero. Padding does not change other rows.
+    Real numbers are float64 if JAX has it enabled, else float32.
+
+    Args:
+        skeletons: of runs, at least one; as `msf_jax.follow` takes them.
+        like: an earlier batch. If all skeletons fit into its capacity, that capacity is used, and a program that was
+            compiled for it can be used again, if the number of curves is the same, too.
+
+    Raises:
+        ConfigError: ``skeletons`` is empty, a skeleton has no source mesh, or ``like`` has a wrong type.
+    """
+    every = list(skeletons) if isinstance(skeletons, Iterable) else []
+    if not every or not all(isinstance(each, Skeleton) for each in every):
+        kinds = ", ".join(sorted({type(each).__name__ for each in every})) or "nothing"
+        raise ConfigError(
+            f"skeletons is a {type(skeletons).__name__} of {kinds}: expected a list of at least one msf_jax.Skeleton"
+        )
+    if like is not None and not isinstance(like, Batch):
+        raise ConfigError(f"like is a {type(like).__name__}: expected a batch that msf_jax.stack made")
+    bare = [unpadded(skeleton.binding) for skeleton in every]
+    capacity = capacity_for(*(binding.live for binding in bare))
+    if like is not None and all(one <= most for one, most in zip(capacity, like.bindings.capacity, strict=True)):
+        capacity = like.bindings.capacity
+    bindings: Binding = jax.tree.map(
+        lambda *values: jnp.asarray(np.stack(values)), *(padded(binding, capacity) for binding in bare)
+    )
+    vertices = np.zeros((len(every), capacity.vertices, 3))
+    for row, skeleton in zip(vertices, every, strict=True):
+        given = skeleton.bound_surface.given(len(skeleton.mesh_map))
+        row[: len(given)] = given
+    return Batch(bindings, jnp.asarray(vertices), bindings.vertex_mask, bindings.node_mask)

@@ -12,11 +12,9 @@ import jax
 import jax.numpy as jnp
 
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients import follow as by_jax
-from msf_jax.gradients.batch import Batch
-from msf_jax.gradients.follow import Followed
+from msf_jax.gradients.follow import Batch, Followed
 
 
 def follow(skeleton: Any, vertices: Any) -> Followed:
@@ -36,7 +34,10 @@ def follow(skeleton: Any, vertices: Any) -> Followed:
         ConfigError: PyTorch is not installed, or JAX has no float64 for a float64 tensor.
         MeshError: ``vertices`` is no tensor of real numbers, has another shape, or is not finite.
     """
-    torch = _imported()
+    try:
+        torch = importlib.import_module("torch")
+    except ImportError as error:
+        raise ConfigError("msf_jax.torch needs PyTorch: install it with pip install torch") from error
     if not isinstance(vertices, torch.Tensor):
         raise MeshError(
             f"vertices is a {type(vertices).__name__}: expected a torch.Tensor; msf_jax.follow takes arrays"
@@ -53,33 +54,22 @@ def follow(skeleton: Any, vertices: Any) -> Followed:
     return Followed(*_function().apply(vertices, skeleton))
 
 
-def _imported() -> Any:
-    try:
-        return importlib.import_module("torch")
-    except ImportError as error:
-        raise ConfigError("msf_jax.torch needs PyTorch: install it with pip install torch") from error
-
-
 @lru_cache(1)
 def _function() -> Any:
     """The `torch.autograd.Function`, which can only be defined where PyTorch is."""
-    torch = _imported()
+    torch = importlib.import_module("torch")
 
     def backward(ctx: Any, *slopes: Any) -> tuple[Any, None]:
         (vertices,) = ctx.saved_tensors
-        found = _pulled(ctx.skeleton, _to_jax(vertices), *map(_to_jax, slopes))
-        return torch.from_dlpack(found).to(vertices.dtype), None
+        _, pull = jax.vjp(lambda moved: _followed(ctx.skeleton, moved), _to_jax(vertices))
+        return torch.from_dlpack(pull(tuple(map(_to_jax, slopes)))[0]), None
 
     class Follow(torch.autograd.Function):
         @staticmethod
         def forward(ctx: Any, vertices: Any, skeleton: Any) -> tuple[Any, ...]:
             ctx.save_for_backward(vertices)
             ctx.skeleton = skeleton
-            array = _to_jax(vertices)
-            found = (
-                _of_batch(skeleton.bindings, array) if isinstance(skeleton, Batch) else by_jax.follow(skeleton, array)
-            )
-            return tuple(torch.from_dlpack(part).to(vertices.dtype) for part in found)
+            return tuple(map(torch.from_dlpack, _followed(skeleton, _to_jax(vertices))))
 
     Follow.backward = staticmethod(torch.autograd.function.once_differentiable(backward))
     return Follow
@@ -89,29 +79,11 @@ def _to_jax(tensor: Any) -> jax.Array:
     return jax.dlpack.from_dlpack(tensor.detach().contiguous())
 
 
-@jax.jit
-def _of_batch(bindings: Any, vertices: jax.Array) -> Any:
-    return jax.vmap(_plain)(bindings, vertices)
-
-
-def _plain(binding: Any, vertices: jax.Array) -> Any:
-    with jax.numpy_dtype_promotion("standard"), jax.numpy_rank_promotion("allow"):
-        return tuple(following.follow(binding, vertices))
-
-
-def _pulled(skeleton: Any, vertices: jax.Array, nodes: jax.Array, radii: jax.Array) -> jax.Array:
-    """The slope of the vertices, from those of the ``nodes`` and the ``radii``."""
+def _followed(skeleton: Any, vertices: jax.Array) -> tuple[jax.Array, ...]:
+    """(nodes, radii) of a skeleton, a binding or a batch."""
     if isinstance(skeleton, Batch):
-        return _pull_batch(skeleton.bindings, vertices, nodes, radii)
-    binding = by_jax.binding_of(skeleton)
-    rows, rest = binding.num_vertices - len(vertices), len(binding.node_mask) - len(nodes)
-    padded = jnp.pad(vertices, ((0, rows), (0, 0)))
-    return _pull(binding, padded, jnp.pad(nodes, ((0, rest), (0, 0))), jnp.pad(radii, (0, rest)))[: len(vertices)]
+        return _followed_batch(skeleton.bindings, vertices)
+    return tuple(by_jax.follow(skeleton, vertices))
 
 
-def _slope(binding: Any, vertices: jax.Array, nodes: jax.Array, radii: jax.Array) -> jax.Array:
-    found, pull = jax.vjp(lambda moved: _plain(binding, moved), vertices)
-    return pull(tuple(slope.astype(part.dtype) for part, slope in zip(found, (nodes, radii), strict=True)))[0]
-
-
-_pull, _pull_batch = jax.jit(_slope), jax.jit(jax.vmap(_slope))
+_followed_batch = jax.jit(lambda bindings, vertices: tuple(jax.vmap(by_jax.follow)(bindings, vertices)))

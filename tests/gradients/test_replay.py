@@ -1,11 +1,8 @@
-"""The replay: equal to the run, differentiable, and the same whatever the padding."""
+"""The tape and its replay: equal to the run, the same whatever the padding, saved, loaded and refused. Its derivatives
+are in test_transformations."""
 
-import os
-import subprocess
-import sys
-from dataclasses import replace
+import json
 from functools import partial
-from pathlib import Path
 
 import jax
 import jax.numpy as jnp
@@ -13,42 +10,33 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
-from device_cases import central_difference
+from test_transformations import recorded
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Weights
+from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Tape, Weights
 from msf_jax.base.layout import layout_for
 from msf_jax.gradients import replay, tape
 from msf_jax.recording import padded
 from msf_jax.recording.padded import Planned
 
 pytestmark = pytest.mark.usefixtures("few_rows")
-TIGHT = 1e-15  # of the solves, where differences of replays are taken
 
 
-def ellipsoid(subdivisions: int = 3) -> trimesh.Trimesh:
+def ellipsoid() -> trimesh.Trimesh:
     """Stretched, bumpy, and far from the origin."""
-    mesh = blob(3, subdivisions)
-    mesh.apply_scale([1.0, 0.5, 0.4])
-    mesh.apply_translation([5.0, -3.0, 100.0])
-    return mesh
-
-
-def pinched() -> trimesh.Trimesh:
-    """Two ellipsoids that share a vertex, and a vertex that no face uses."""
-    one, other = ellipsoid(2), ellipsoid(2)
-    tip = int(one.vertices[:, 0].argmax())
-    back = int(other.vertices[:, 0].argmin())
-    other.apply_translation(one.vertices[tip] - other.vertices[back])
-    faces = np.where(other.faces == back, tip, other.faces + len(one.vertices))
-    vertices = np.concatenate([one.vertices, other.vertices])
-    return trimesh.Trimesh(vertices, np.concatenate([one.faces, faces]), process=False)
+    return blob(3, 2).apply_scale([1.0, 0.5, 0.4]).apply_translation([5.0, -3.0, 100.0])
 
 
 def parts() -> trimesh.Trimesh:
-    ring = torus(around=16, across=8)
-    ring.apply_translation([0.0, 4.0, 100.0])
-    return trimesh.util.concatenate([pinched(), ring])
+    """Two ellipsoids that share a vertex, a vertex that no face uses, and a ring."""
+    one, other = ellipsoid(), ellipsoid()
+    tip, back = int(one.vertices[:, 0].argmax()), int(other.vertices[:, 0].argmin())
+    other.apply_translation(one.vertices[tip] - other.vertices[back])
+    faces = np.where(other.faces == back, tip, other.faces + len(one.vertices))
+    vertices = np.concatenate([one.vertices, other.vertices])
+    pinched = trimesh.Trimesh(vertices, np.concatenate([one.faces, faces]), process=False)
+    ring = torus(around=16, across=8).apply_translation([0.0, 4.0, 100.0])
+    return trimesh.util.concatenate([pinched, ring])
 
 
 def varied(num: int) -> Weights:
@@ -60,9 +48,7 @@ def varied(num: int) -> Weights:
 
 @pytest.fixture(scope="module")
 def flow() -> msf_jax.Flow:
-    """A small and short one with edits: what takes time is compiling, and solves that are as tight as can be."""
-    few = PreprocessingOptions(refine=0.0)  # the vertices of the mesh
-    return msf_jax.contract(ellipsoid(2), config=Config(max_iterations=5, preprocessing=few))
+    return recorded()
 
 
 CASES = {
@@ -73,7 +59,7 @@ CASES = {
         [0, 5, 100],
     ),
     "resampled, filtered mesh, trusted poles, uniform": (
-        lambda: ellipsoid(2),
+        ellipsoid,
         Weights(),
         Config.tagliasacchi2012(
             preprocessing={"resample": 0.05, "reconstruct_mesh": 80, "pole_confidence": True},
@@ -84,14 +70,15 @@ CASES = {
 }
 
 
-@pytest.mark.slow  # nodes are also those of the run in test_tape, and of another system in test_au2008
+@pytest.mark.slow  # that of another system is in test_au2008
 @pytest.mark.parametrize("name", CASES)
-def test_it_equals_the_run(name):
+def test_it_equals_the_run(name, tmp_path):
+    """Also with the tape from a file."""
     make, weights, config, pins = CASES[name]
     mesh = make()
-    weights = varied(len(mesh.vertices)) if weights is None else weights
-    flow = msf_jax.contract(mesh, weights, config, pins=pins)
-    nodes = msf_jax.replay(flow.tape, flow.weights)
+    flow = msf_jax.contract(mesh, varied(len(mesh.vertices)) if weights is None else weights, config, pins=pins)
+    flow.tape.save(tmp_path / "run.npz")
+    nodes = msf_jax.replay(Tape.load(tmp_path / "run.npz", mesh), flow.weights)
     bound = 1e-9 * mesh.scale
     assert np.abs(nodes - flow.curve.vertices).max() < bound
     assert np.abs(msf_jax.replay_meso(flow.tape, flow.weights) - flow.meso_skeleton[0]).max() < bound
@@ -99,52 +86,6 @@ def test_it_equals_the_run(name):
     is_inside = flow.curve.radii > 0
     assert np.abs(radii - flow.curve.radii)[is_inside].max() < bound
     assert (radii[~is_inside] <= bound).all()
-
-
-@partial(jax.jit, static_argnames="tolerance")
-def probe(tape, logarithms, vertices, towards, tolerance=None):
-    """<towards, nodes>, less what it was, and its slope in the logarithms (4, V) of weights and in vertices (V, 3)."""
-
-    def value(logarithms, vertices):
-        nodes = msf_jax.replay(tape, Weights(*jnp.exp(logarithms)), vertices, tolerance=tolerance)
-        return (towards * (nodes - jnp.asarray(tape.vertices).mean(axis=0))).sum(), nodes
-
-    (found, nodes), slopes = jax.value_and_grad(value, argnums=(0, 1), has_aux=True)(logarithms, vertices)
-    return found, slopes, nodes
-
-
-def probed(tape, seed=0):
-    """Arguments for `probe` at what was recorded, one weight a vertex."""
-    weights = np.array(list(vars(tape.weights).values()))
-    towards = np.random.default_rng(seed).normal(size=(tape.num_nodes, 3))
-    return np.log(np.tile(weights[:, None], len(tape.vertices))), np.asarray(tape.vertices), towards
-
-
-@pytest.mark.slow  # slopes of a step are in test_padding, that a replay equals its run is below
-def test_gradients_agree_with_central_differences(flow):
-    """Along a change of all weights of all vertices, of all vertices' places, and of one vertex's weights: 1e-5."""
-    tape, random = flow.tape, np.random.default_rng(0)
-    first, vertices, towards = probed(tape)
-    _, slopes, _ = probe(tape, first, vertices, towards, TIGHT)
-    replayed = jax.jit(partial(msf_jax.replay, tolerance=TIGHT))
-    middle = vertices.mean(axis=0)
-
-    def value(logarithms, vertices):
-        return (towards * (replayed(tape, Weights(*np.exp(logarithms)), vertices) - middle)).sum()
-
-    no_log, none = np.zeros_like(first), np.zeros_like(vertices)
-    every, one, moved = random.normal(size=(4, 1)) * np.ones_like(first), no_log.copy(), none.copy()
-    one[1:, random.integers(len(vertices))] = 1.0
-    moved[random.choice(len(vertices), 5, replace=False)] = random.normal(size=(5, 3))
-    for log_step, step, h in ((every, none, 2e-6), (no_log, moved, 2e-6), (one, none, 1e-4)):
-        found = (slopes[0] * log_step).sum() + (slopes[1] * step).sum()
-        measured = central_difference(
-            lambda t, log_step=log_step, step=step: value(first + t * log_step, vertices + t * step),
-            np.zeros(()),
-            1.0,
-            h,
-        )
-        np.testing.assert_allclose(found, measured, rtol=1e-5)
 
 
 @pytest.mark.slow  # that a step's layout does not show is in test_padding
@@ -155,25 +96,26 @@ def test_padding_does_not_matter(flow, monkeypatch):
         beyond = [4] * 20
         return [Planned(0, 1, layout_for(500, beyond)), Planned(1, len(steps), layout_for(400, beyond))]
 
-    assert flow.tape.num_nodes  # recorded by now
+    first = flow.tape
     monkeypatch.setattr(padded, "stretches_of", other_plan)
     again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
-    assert again.shapes != flow.tape.shapes
-    _, slopes, nodes = probe(flow.tape, *probed(flow.tape), TIGHT)
-    _, other_slopes, other_nodes = probe(again, *probed(again), TIGHT)
+    assert again.shapes != first.shapes
+    towards = np.random.default_rng(0).normal(size=flow.curve.vertices.shape)
+    logarithms = np.log(np.tile(np.array(jax.tree.leaves(first.weights))[:, None], len(first.vertices)))
+
+    @jax.jit
+    def probe(tape, logarithms, vertices):
+        def value(logarithms, vertices):
+            nodes = msf_jax.replay(tape, Weights(*jnp.exp(logarithms)), vertices, tolerance=1e-15)
+            return (towards * nodes).sum(), nodes
+
+        return jax.grad(value, argnums=(0, 1), has_aux=True)(logarithms, vertices)
+
+    slopes, nodes = probe(first, logarithms, first.vertices)
+    other_slopes, other_nodes = probe(again, logarithms, first.vertices)
     np.testing.assert_allclose(other_nodes, nodes, atol=1e-10)
     for one, other in zip(slopes, other_slopes, strict=True):
         np.testing.assert_allclose(other, one, rtol=1e-6, atol=1e-7 * np.abs(one).max())
-
-
-@pytest.mark.slow
-def test_many_weights_at_once(flow):
-    w_L = jnp.array([0.8, 1.0, 1.3])
-    batch = jax.vmap(lambda w_L: msf_jax.replay(flow.tape, replace(flow.weights, w_L=w_L)))(w_L)
-    for row, one in zip(batch, w_L, strict=True):
-        expected = msf_jax.replay(flow.tape, replace(flow.weights, w_L=float(one)))
-        np.testing.assert_allclose(row, expected, atol=1e-8)
-    assert np.abs(batch[0] - batch[2]).max() > 1e-4
 
 
 @pytest.mark.slow  # traces a gradient of its own
@@ -181,24 +123,20 @@ def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
     """What is kept for the way back is a few surfaces an iteration, however many steps the solves take."""
 
     run = jax.eval_shape(lambda weights: jax.vjp(partial(msf_jax.replay, flow.tape), weights)[1], flow.weights)
-    kept = sum(leaf.size * leaf.dtype.itemsize for leaf in jax.tree_util.tree_leaves(run))
-    part, shape = flow.tape.parts[0], flow.tape.shapes[0]
+    kept = sum(leaf.size * leaf.dtype.itemsize for leaf in jax.tree.leaves(run))
     states = sum(
         len(stretch.factor) * 8 * (7 * (layout.capacity + stretch.cut[0, ..., 0].size) + 6 * layout.capacity)
-        for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
+        for stretch, layout in zip(flow.tape.parts[0].stretches, flow.tape.shapes[0].layouts, strict=True)
     )
-    of_tape = sum(np.asarray(leaf).nbytes for leaf in jax.tree_util.tree_leaves(flow.tape))
+    of_tape = sum(np.asarray(leaf).nbytes for leaf in jax.tree.leaves(flow.tape))
     assert kept < 1.5 * states + 2 * of_tape
 
 
 def test_radii_are_distances_to_the_recorded_triangle(flow):
     """By the solid's own measure for small moves; negative, with an unbroken slope, through the surface."""
-    tape = flow.tape
-    nodes = flow.curve.vertices
-    random = np.random.default_rng(2)
-    moved = nodes + 1e-7 * random.normal(size=nodes.shape)
-    measured = jax.jit(msf_jax.replay_radii)
-    radii = np.maximum(measured(tape, moved), 0.0)  # the solid's own are 0 outside
+    tape, nodes = flow.tape, flow.curve.vertices
+    moved = nodes + 1e-7 * np.random.default_rng(2).normal(size=nodes.shape)
+    radii = np.maximum(jax.jit(msf_jax.replay_radii)(tape, moved), 0.0)  # the solid's own are 0 outside
     np.testing.assert_allclose(radii, flow.source.solid.radii(moved), atol=1e-8)
     triangle = tape.vertices[tape.triangles[0]]
     normal = np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0])
@@ -218,56 +156,9 @@ def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
 
 
-SHARDED = """
-import jax, numpy as np
-jax.config.update("jax_enable_x64", True)
-from jax.sharding import Mesh, PartitionSpec
-import msf_jax
-from msf_jax import Config, Weights
-from msf_jax.base import layout
-from conftest import blob
-
-assert jax.device_count() == 4
-layout.SMALLEST_CAPACITY = 64
-flow = msf_jax.contract(blob(1, 1), config=Config(max_iterations=1))
-many = jax.vmap(jax.value_and_grad(lambda weights: (msf_jax.replay(flow.tape, weights, tolerance=1e-14) ** 2).sum()))
-spread = jax.jit(jax.shard_map(
-    many, mesh=Mesh(np.array(jax.devices()), ("w",)), in_specs=PartitionSpec("w"), out_specs=PartitionSpec("w")
-))
-
-def found(logarithms):
-    values, slopes = spread(Weights(*np.exp(logarithms)))
-    assert len(values.sharding.device_set) == 4
-    return np.array(values), np.exp(logarithms) * np.array(jax.tree.leaves(slopes))
-
-start = np.log(np.tile(jax.tree.leaves(flow.weights), (4, 1)).T)
-start[1] += np.linspace(0.0, 1.0, 4)
-values, slopes = found(start)
-np.testing.assert_allclose(values[0], (flow.curve.vertices**2).sum(), rtol=1e-6)
-step = 1e-5 * np.random.default_rng(0).normal(size=start.shape)
-(ahead, _), (behind, _) = found(start + step), found(start - step)
-np.testing.assert_allclose((slopes * 2 * step).sum(axis=0), ahead - behind, rtol=1e-4)
-assert np.ptp(values) > 1e-3 * values[0]
-print("spread over", jax.device_count())
-"""
-
-
-@pytest.mark.system
-def test_replays_are_spread_over_devices(tmp_path):
-    """And checked: what differs between devices is declared so, loops inside the solves included. The first device has
-    the run's own weights, and its value; slopes of each are those of central differences of its own values."""
-    (tmp_path / "sharded.py").write_text(SHARDED)
-    tests = Path(__file__).parents[1]
-    flags = os.environ.get("XLA_FLAGS", "") + " --xla_force_host_platform_device_count=4"
-    paths = f"{tests.parent}{os.pathsep}{tests}"
-    done = subprocess.run(
-        [sys.executable, str(tmp_path / "sharded.py")],
-        env=os.environ | {"XLA_FLAGS": flags, "PYTHONPATH": paths},
-        capture_output=True,
-        text=True,
-        timeout=600,
-    )
-    assert "spread over 4" in done.stdout, done.stderr[-3000:]
+def weights_of(value):
+    """`Weights` that the constructor would refuse."""
+    return jax.tree.map(lambda _: value, Weights())
 
 
 @pytest.mark.parametrize(
@@ -277,35 +168,73 @@ def test_replays_are_spread_over_devices(tmp_path):
         (lambda tape: (tape, (1.0, 0.1)), ConfigError, "weights is a tuple: expected a msf_jax.Weights"),
         (lambda tape: (tape, Weights(w_H=np.ones(3))), ConfigError, r"w_H has shape \(3,\): expected a number, or"),
         (lambda tape: (tape, Weights(), np.zeros((5, 3))), MeshError, r"shape \(5, 3\): expected \(162, 3\)"),
-        (
-            lambda tape: (tape, Weights(), tape.vertices * np.nan),
-            MeshError,
-            "162 of the vertices, the first 0, are not",
-        ),
+        (lambda tape: (tape, Weights(), tape.vertices * np.nan), MeshError, "162 of the vertices, the first 0, are"),
         (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str: expected an array of numbers"),
-        (lambda tape: (tape, jax.tree_util.tree_map(lambda x: -x, Weights())), ConfigError, "w_L is -1.0: expected a"),
-        (
-            lambda tape: (tape, jax.tree_util.tree_map(lambda x: 0.0, Weights())),
-            ConfigError,
-            "w_H is 0.0: expected more",
-        ),
+        (lambda tape: (tape, weights_of(-1.0)), ConfigError, "w_L is -1.0: expected a"),
+        (lambda tape: (tape, weights_of(0.0)), ConfigError, "w_H is 0.0: expected more"),
     ],
 )
 def test_wrong_arguments(flow, arguments, error, says):
     with pytest.raises(error, match=says):
         msf_jax.replay(*arguments(flow.tape))
-
-
-def test_wrong_tolerance(flow):
     with pytest.raises(ConfigError, match="tolerance is 0: expected a number above 0"):
         msf_jax.replay(flow.tape, flow.weights, tolerance=0)
-
-
-def test_radii_of_other_nodes(flow):
     with pytest.raises(ConfigError, match=r"nodes has shape \(2, 3\)"):
         msf_jax.replay_radii(flow.tape, np.zeros((2, 3)))
-
-
-def test_weights_of_the_wrong_length_are_refused_by_the_flow():
     with pytest.raises(ConfigError, match=r"w_M has shape \(3,\): expected a number, or \(162,\)"):
-        msf_jax.contract(ellipsoid(2), Weights(w_M=np.ones(3)))
+        msf_jax.contract(ellipsoid(), Weights(w_M=np.ones(3)))
+
+
+# Files
+
+
+@pytest.fixture
+def path(flow, tmp_path):
+    flow.tape.save(tmp_path / "run.npz")
+    return tmp_path / "run.npz"
+
+
+def test_what_is_loaded_is_what_was_saved_for_the_mesh_that_it_was_made_of(flow, path):
+    loaded = Tape.load(path, (flow.tape.vertices, flow.recording.faces))
+    assert jax.tree.structure(flow.tape) == jax.tree.structure(loaded)
+    jax.tree.map(np.testing.assert_array_equal, flow.tape, loaded)
+    assert repr(loaded) == f"Tape({len(flow.curve.vertices)} nodes, mesh {flow.tape.mesh_id[:8]})"
+    with pytest.raises(MeshError, match="tape is of another mesh: it was recorded for one of 162 vertices"):
+        Tape.load(path, (1.001 * flow.tape.vertices, flow.recording.faces))
+
+
+DAMAGE = {
+    "cut short": lambda data, arrays: data[:1000],
+    "text": lambda data, arrays: b"no tape at all",
+    "other bytes": lambda data, arrays: data[:2000] + bytes(100) + data[2100:],
+    "other arrays": lambda data, arrays: {"a": np.ones(3)},
+    "without an array": lambda data, arrays: {name: arrays[name] for name in arrays if name != "parts/0/offset"},
+    "objects": lambda data, arrays: arrays | {"edges": np.array([{}], dtype=object)},
+    "fewer vertices": lambda data, arrays: arrays | {"vertices": arrays["vertices"][:3]},
+    "other version": lambda data, arrays: (
+        arrays | {"header": np.array(json.dumps(json.loads(str(arrays["header"])) | {"version": 999}))}
+    ),
+}
+
+
+@pytest.mark.parametrize("how", DAMAGE)
+def test_what_is_no_tape(path, how):
+    with np.load(path) as file:
+        damaged = DAMAGE[how](path.read_bytes(), dict(file))
+    if isinstance(damaged, bytes):
+        path.write_bytes(damaged)
+    else:
+        np.savez(path, allow_pickle=True, **damaged)
+    says = "of version 999, not 5" if how == "other version" else ""
+    with pytest.raises(ConfigError, match=f"run.npz' is no tape.*{says}"):
+        Tape.load(path)
+
+
+def test_files_that_cannot_be(flow, tmp_path):
+    with pytest.raises(ConfigError, match=r"saved as .npz, not as '.swc'"):
+        flow.tape.save(tmp_path / "run.swc")
+    with pytest.raises(FileNotFoundError):
+        Tape.load(tmp_path / "none.npz")
+    with pytest.raises(FileNotFoundError):
+        flow.tape.save(tmp_path / "none" / "run.npz")
+    assert list(tmp_path.iterdir()) == []

@@ -1,4 +1,4 @@
-"""`follow` in PyTorch: its values and slopes are JAX's; and what misuse of runs, losses and `follow` is told."""
+"""`follow` in PyTorch: its values and slopes are JAX's; and what misuse of runs and of tensors is told."""
 
 import re
 import sys
@@ -11,14 +11,13 @@ import pytest
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax import ConfigError, MeshError, losses
+from msf_jax import ConfigError, MeshError
 from tests.benchmarks import ground_truth
 
 
 @pytest.fixture(scope="module")
 def tube():
-    mesh = ground_truth.make("straight_coarse").mesh
-    return flow_of("straight_coarse").skeleton, np.array(mesh.vertices)
+    return flow_of("straight_coarse").skeleton, np.array(ground_truth.make("straight_coarse").mesh.vertices)
 
 
 @pytest.fixture(scope="module")
@@ -27,6 +26,7 @@ def torch():
 
 
 def test_values_and_slopes_are_those_of_jax(tube, torch):
+    """And those of PyTorch's own check, which compares with differences in random directions."""
     skeleton, vertices = tube
     tensor = torch.tensor(vertices, requires_grad=True)
     found = msf_jax.torch.follow(skeleton, tensor)
@@ -40,15 +40,13 @@ def test_values_and_slopes_are_those_of_jax(tube, torch):
         return (nodes[:, 2] ** 2).sum() + radii.sum()
 
     np.testing.assert_allclose(tensor.grad.numpy(), jax.grad(loss)(jnp.asarray(vertices)), atol=1e-12)
-
-
-def test_pytorchs_own_check_of_gradients(tube, torch):
-    """`gradcheck` compares with differences in random directions."""
-    skeleton, vertices = tube
     moved = torch.tensor(vertices + 1e-3 * np.random.default_rng(0).normal(size=vertices.shape), requires_grad=True)
     assert torch.autograd.gradcheck(
         lambda x: tuple(msf_jax.torch.follow(skeleton, x)), moved, fast_mode=True, atol=1e-5
     )
+    narrow = torch.tensor(vertices, dtype=torch.float32, requires_grad=True)
+    msf_jax.torch.follow(skeleton, narrow).nodes.sum().backward()
+    assert narrow.grad.dtype == torch.float32
 
 
 @pytest.mark.slow
@@ -69,7 +67,7 @@ def test_a_batch_and_a_binding_have_rows_of_padding(tube, torch):
         msf_jax.torch.follow(batch, tensor[:, :5])
 
 
-def test_what_is_no_tensor_of_real_numbers_is_refused(tube, torch):
+def test_what_is_no_tensor_of_real_numbers_is_refused(tube, torch, monkeypatch):
     skeleton, vertices = tube
     with pytest.raises(MeshError, match=r"expected a torch\.Tensor"):
         msf_jax.torch.follow(skeleton, vertices)
@@ -89,40 +87,17 @@ def test_without_pytorch_it_says_what_to_install(tube, monkeypatch):
         msf_jax.torch.follow(*tube)
 
 
-def test_a_run_in_a_trace_leads_to_follow(tube):
-    vertices, faces = tube[1], ground_truth.make("straight_coarse").mesh.faces
-    with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
-        jax.jit(lambda moved: msf_jax.skeletonize((moved, faces)).vertices)(vertices)
-    with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
-        jax.grad(lambda moved: msf_jax.skeletonize((moved, faces)).radii.sum())(vertices)
-
-
-def test_a_run_of_traced_weights_leads_to_replay():
+def test_a_run_in_a_trace_leads_to_follow_or_replay(tube):
     mesh = ground_truth.make("straight_coarse").mesh
+    with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
+        jax.jit(lambda moved: msf_jax.skeletonize((moved, mesh.faces)).vertices)(tube[1])
+    with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
+        jax.grad(lambda moved: msf_jax.skeletonize((moved, mesh.faces)).radii.sum())(tube[1])
     for run in (lambda w: msf_jax.skeletonize(mesh, w).vertices.sum(), lambda w: msf_jax.contract(mesh, w).meso.sum()):
         with pytest.raises(ConfigError, match=r"weights are traced .* use msf_jax\.replay inside, with the tape of"):
             jax.grad(lambda w, run=run: run(msf_jax.Weights(w_H=w)))(0.1)
-        with pytest.raises(ConfigError, match=r"the weights are traced"):
-            jax.jit(run)(msf_jax.Weights())
-
-
-def test_faces_that_are_no_part_of_the_mesh_are_told():
-    mesh = ground_truth.make("straight_coarse").mesh
     with pytest.raises(ConfigError, match=r"as faces have: pass the mesh as one argument, \(vertices, faces\)"):
         msf_jax.skeletonize(mesh.vertices, mesh.faces)
-
-
-def test_swapped_arguments_of_a_loss_are_told(tube):
-    binding = tube[0].binding
-    found = msf_jax.follow(binding, tube[1])
-    with pytest.raises(ConfigError, match=r"found is a Binding, and binding a Followed: expected what msf_jax\.follow"):
-        losses.radii(binding, found, 0.1)
-
-
-def test_too_few_vertices_for_a_binding_are_told_in_a_trace(tube):
-    binding = tube[0].binding
-    with pytest.raises(MeshError, match="as in the mesh of the skeleton"):
-        jax.jit(lambda moved: msf_jax.follow(binding, moved).nodes)(tube[1][:5])
 
 
 @pytest.mark.slow
