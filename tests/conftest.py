@@ -6,7 +6,6 @@ import shutil
 import signal
 import sys
 import tempfile
-from contextlib import contextmanager
 from pathlib import Path
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
@@ -62,30 +61,18 @@ def two_levels(capacity: int, largest_degree: int) -> layout.Layout:
     return layout.Layout(capacity, (layout.Level(8, capacity, 0), wide))
 
 
-@contextmanager
 def fewer_rows():
-    """A surface of a few hundred vertices is in as many rows: a replay takes time for each. A
-    program has a part for each slot of each level, too: with 20 slots in two levels, the gradient of a replay compiles
-    in three quarters of the time that it takes with 20 in four. An iteration's gradient with the package's own levels
-    is in test_padding."""
+    """A surface of a few hundred vertices is in as many rows: a replay takes time for each. A program has a part for
+    each slot of each level, too: with 20 slots in two levels, the gradient of a replay compiles in three quarters of
+    the time that it takes with 20 in four. An iteration's gradient with the package's own levels is in test_padding."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(layout, "SMALLEST_CAPACITY", 256)
         patch.setattr(layout, "staircase", two_levels)
         yield
 
 
-@pytest.fixture(scope="module")
-def few_rows():
-    """For all tests of a file, and runs that they share."""
-    with fewer_rows():
-        yield
-
-
-@pytest.fixture
-def few_rows_once():
-    """For one test."""
-    with fewer_rows():
-        yield
+few_rows = pytest.fixture(fewer_rows, scope="module")  # for all tests of a file, and runs that they share
+few_rows_once = pytest.fixture(fewer_rows)  # for one test
 
 
 @pytest.fixture

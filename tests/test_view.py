@@ -6,7 +6,6 @@ from typing import Any, cast
 import numpy as np
 import pytest
 import trimesh
-from matplotlib.colors import to_rgba
 from mpl_toolkits.mplot3d import proj3d
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
@@ -50,33 +49,6 @@ def test_all_pictures_are_in_the_same_box_and_show_what_they_were_given():
     assert bar.get_ylabel() == "radius"
     opacity = [one.collections[0].get_facecolor()[0, 3] for one in axes[:2]]
     assert opacity[0] < 0.2 and opacity[1] == 1
-
-
-def test_several_curves_differ_in_colour_and_one_is_coloured_by_radius():
-    wide = SimpleNamespace(**(vars(LINE) | {"radii": np.array([0.0, 0.0, 4.0])}))
-    figure = view.panels([Panel(curves={"a": LINE, "b": LINE}), Panel(curves={"wide": cast(Any, wide)})])
-    several, one, bar = cast(list[Any], figure.axes)
-    assert [tuple(drawn.get_color()[0]) for drawn in several.collections] == [to_rgba("C0"), to_rgba("C1")]
-    assert len(np.unique(one.collections[0].get_color(), axis=0)) == 2
-    assert bar.get_ylim() == (0, 4)
-    several, *_ = cast(list[Any], view.panels([Panel(curves={"a": LINE, "dot": DOT})]).axes)
-    assert tuple(several.collections[1].get_facecolor()[0]) == to_rgba("C1")  # it has no edges
-
-
-def test_pictures_without_a_curve_have_no_colour_bar():
-    assert len(view.panels([Panel("surface", BALL)]).axes) == 1
-
-
-def test_faces_have_their_own_colours():
-    colours = np.random.default_rng(0).uniform(0.2, 1, (len(BALL.faces), 3))
-    (axes,) = cast(list[Any], view.panels([Panel(mesh=BALL, is_solid=True, face_colours=colours)]).axes)
-    shaded = axes.collections[0].get_facecolor()[:, :3]  # from back to front
-    tint, wanted = (each / np.linalg.norm(each, axis=1, keepdims=True) for each in (shaded, colours))
-    nearest = np.argmax(tint @ wanted.T, axis=1)
-    assert sorted(nearest) == list(range(len(colours)))
-    ratio = shaded / colours[nearest]  # shading darkens all three alike
-    assert np.allclose(ratio, ratio[:, :1])
-    assert len(np.unique(ratio.round(3))) > 5
 
 
 def test_nothing_to_show_is_told():

@@ -1,7 +1,6 @@
 """A run that has to end: by Ctrl-C or its seconds, with the curve so far, whatever it does then."""
 
 import signal
-import threading
 import time
 
 import numpy as np
@@ -100,14 +99,6 @@ def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_
     with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
         msf_jax.skeletonize(mesh, jittered_runs=1)
     assert at.value.flow.skeleton.report.is_sound
-
-
-def test_the_worker_has_the_callers_settings_and_its_errors_arrive():
-    with np.errstate(divide="raise"):
-        ended = clock.begin(np.divide, 1.0, 0.0)
-    with pytest.raises(FloatingPointError):
-        ended.result()
-    assert clock.begin(threading.current_thread).result() is clock.begin(threading.current_thread).result()
 
 
 def test_what_follows_the_end_has_a_grace():

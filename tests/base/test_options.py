@@ -62,32 +62,6 @@ def test_an_option_out_of_range_is_named(kind, bad, message):
         kind(**bad)
 
 
-def test_a_config_is_hashable_and_equal_by_value():
-    assert hash(Config()) == hash(Config())
-    assert Config() == Config.named("msf")
-    assert Config.tagliasacchi2012() != Config.au2008()
-
-
-def test_an_unknown_system_is_named():
-    with pytest.raises(ConfigError, match=r"unknown system 'cgal'"):
-        Config.named("cgal")
-
-
-def test_the_three_systems_differ_as_their_papers_do():
-    ours, tagliasacchi, au = systems = Config(), Config.tagliasacchi2012(), Config.au2008()
-    assert [each.flow.laplacian for each in systems] == ["mean_value", "cotangent", "signed_cotangent"]
-    assert [each.solver.preconditioner for each in systems] == ["jacobi", "jacobi", "factored"]
-    assert ours.flow.threshold_step > 0
-    assert tagliasacchi.flow.threshold_step == 0
-    assert tagliasacchi.preprocessing.resample > 0
-    assert not au.preprocessing.use_poles
-    assert au.flow.w_L_growth > 1
-    assert au.flow.w_H_follows_area
-    assert au.curve.surgery
-    assert au.default_weights().w_M == 0
-    assert tagliasacchi.default_weights().smoothing == 0
-
-
 def test_weights_are_a_pytree_that_gradients_flow_through():
     gradient = jax.grad(lambda w: w.w_L**2 + 3 * w.w_M)(Weights(w_L=2.0, w_M=1.0))
     assert isinstance(gradient, Weights)
@@ -95,21 +69,6 @@ def test_weights_are_a_pytree_that_gradients_flow_through():
     assert float(gradient.w_M) == 3.0
     stacked = jax.vmap(lambda x: Weights(w_L=x))(jnp.arange(3.0))
     assert stacked.w_L.shape == (3,)
-
-
-def test_the_wrong_kind_of_options_is_refused():
-    with pytest.raises(ConfigError, match=r"config is a dict"):
-        msf_jax.contract((None, None), config={"system": "msf"})  # type: ignore[arg-type]
-    with pytest.raises(ConfigError, match=r"weights is a float"):
-        msf_jax.contract((None, None), weights=1.0)  # type: ignore[arg-type]
-
-
-def test_jax_may_put_anything_into_a_tree_of_weights():
-    assert jax.tree_util.tree_map(lambda w: -w, Weights()).w_H == -Weights().w_H
-    axes = Weights(w_L=0.0, w_H=1.0)
-    axes = jax.tree_util.tree_map(lambda _: 0, axes)
-    total = jax.vmap(lambda w: w.w_L + w.w_H, in_axes=(axes,))(jax.tree_util.tree_map(jnp.atleast_1d, Weights()))
-    assert total.shape == (1,)
 
 
 def test_a_step_depends_on_these_options_and_on_no_others():
