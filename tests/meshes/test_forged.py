@@ -1,0 +1,182 @@
+"""Files that are not as they were written, or ask for too much: refused with a reason, and nothing else."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import zipfile
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob
+from file_cases import glb
+
+import msf_jax
+from msf_jax import Config, ConfigError, MeshError, Tape
+from msf_jax.app.cli import main
+from msf_jax.meshes import checking, reading
+from msf_jax.meshes.files import unpacking
+from msf_jax.skeleton.skeleton import curve_of
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """A tape and a curve of one mesh, as arrays by name."""
+    folder, arrays = tmp_path_factory.mktemp("written"), {}
+    flow = msf_jax.contract(blob(5, 2), config=Config(max_iterations=3))
+    flow.tape.save(folder / "tape.npz")
+    flow.skeleton.save(folder / "skeleton.npz")
+    for kind in ("tape", "skeleton"):
+        with np.load(folder / f"{kind}.npz") as file:
+            arrays[kind] = dict(file)
+    return arrays
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "change"),
+    [
+        ("tape", "parts/0/stretches/0/left", lambda a: np.full_like(a, np.nan)),
+        ("tape", "parts/0/tetrahedron", lambda a: -1 - a),
+        ("tape", "node_row", lambda a: a + 10**6),
+        ("tape", "edges", lambda a: a.astype(float)),
+        ("tape", "is_inside", lambda a: a[:-1]),
+        ("skeleton", "mesh_map", lambda a: a.astype(float)),
+        ("skeleton", "radii", lambda a: -1 - a),
+        ("skeleton", "edges", lambda a: a[1:]),
+        ("skeleton", "areas", lambda a: a * np.nan),
+        ("skeleton", "surface_faces", lambda a: a[:0]),
+        ("skeleton", "surface_vertices", lambda a: np.ones_like(a)),
+    ],
+)
+def test_altered_arrays_are_refused(written, tmp_path, kind, name, change):
+    """Types, shapes, ranges and indices; and places of arrays that are before the file."""
+    path, load = tmp_path / "file.npz", Tape.load if kind == "tape" else msf_jax.read_curve
+    np.savez(path, **written[kind])
+    load(path)
+    content = path.read_bytes()
+    np.savez(path, **written[kind] | {name: change(written[kind][name])})
+    for forged in (path.read_bytes(), content[:100] + content[2000:]):
+        path.write_bytes(forged)
+        # The tests turn NumPy's warnings into errors; users see only warnings.
+        with np.errstate(all="ignore"), pytest.raises(ConfigError, match=f"is no {kind}, or a damaged one"):
+            load(path)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"radii": [1.0, -5.0]},
+        {"radii": [True, 1.0]},
+        {"edges": [[0.7, 1.9]]},
+        {"edges": [[0, 2]]},
+        {"edges": []},
+        {"edges": [[0, 1], [1, 1]], "report": {"cycles": 1}},
+        {"edges": [[0, 2**70]]},
+        {"mesh_map": [[0]]},
+        {"openings": [2]},
+        {"vertices": [[0.0, 0, 0], [1e308, 0, 0]]},
+        {"vertices": [["0", 0, 0], [1, 0, 0]]},
+        {"units": 3},
+        {"report": {"volume": 1e999}},
+        {"report": {"notes": [[1]]}},
+        {"report": {"inside": -0.1}},
+        {"report": {"converged": "no"}},
+        {"report": {"loops": True}},
+    ],
+)
+def test_an_altered_json_is_no_curve(tmp_path, capsys, changes):
+    path = tmp_path / "a.json"
+    curve_of(np.array([[0.0, 0, 0], [1, 0, 0]]), np.array([[0, 1]]), np.ones(2)).save(path)
+    assert main(["report", str(path)]) == 0 and capsys.readouterr().out
+    content = json.loads(path.read_text())
+    forged = json.dumps(content | changes | {"report": content["report"] | changes.get("report", {})})
+    for text in (forged, "[" * 100_000, "[]"):
+        path.write_text(text)
+        assert main(["report", str(path)]) == 2
+        said = capsys.readouterr()
+        assert "a.json' has no curve" in said.err and not said.out
+
+
+def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_path, monkeypatch):
+    """Before its arrays are made."""
+    monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 100)
+    whole = trimesh.creation.box().export(file_type="3mf")
+    (tmp_path / "a.3mf").write_bytes(whole)
+    assert len(reading.read(tmp_path / "a.3mf")[1]) == 12
+    with zipfile.ZipFile(tmp_path / "a.3mf") as file:
+        name = next(name for name in file.namelist() if name.endswith(".model"))
+        model = file.read(name).decode()
+    item = re.search(r"<item [^>]*/>", model)[0]
+    for says, text in {
+        "declares entities": model.replace("<model", '<!DOCTYPE model [<!ENTITY a "ha">]><model', 1),
+        "an object '7' that it does not have": model.replace(item, '<item objectid="7"/>'),
+        "several models": model.replace(item, item.replace("/>", ' path="/3D/a.model"/>')),
+        "20 instances and 108 triangles": model.replace(item, 20 * item),
+        r"unpacks to \d+ bytes: expected at most 10000000": model + " " * 20_000_000,
+    }.items():
+        with zipfile.ZipFile(tmp_path / "a.3mf", "w", zipfile.ZIP_DEFLATED) as file:
+            file.writestr(name, text)
+        with pytest.raises(MeshError, match=says):
+            reading.read(tmp_path / "a.3mf")
+
+
+@pytest.mark.parametrize(
+    ("says", "place", "change"),
+    [
+        ("has no bufferView, and so no data", "accessors", {"bufferView": None}),
+        (r"accessor \d has \d+ bytes: expected 800000000", "accessors", {"count": 200_000_000}),
+        ("ends after its buffer", "bufferViews", {"byteLength": 10**6}),
+        (r"buffer 0 has \d+ bytes: expected 4000000000", "buffers", {"byteLength": 4_000_000_000}),
+        ("-1' for a count", "accessors", {"count": -1}),
+        ("30000 instances", "nodes", {}),
+    ],
+)
+def test_gltf_has_bytes_behind_its_numbers_before_it_is_loaded(tmp_path, monkeypatch, says, place, change):
+    def forge(document):
+        if place == "nodes":
+            document["nodes"] = [{"mesh": 0}] * 30_000
+            document["scenes"] = [{"nodes": list(range(30_000))}]
+        for each in document[place]:
+            each |= change
+            for name in [name for name, value in change.items() if value is None]:
+                each.pop(name)
+
+    monkeypatch.setattr(trimesh, "load_scene", None)
+    with pytest.raises(MeshError, match=says):
+        reading.read(glb(tmp_path / "a.glb", forge))
+
+
+@pytest.mark.parametrize(("module", "place"), [(reading, "parts"), (reading, "_as_faces"), (checking, "_checked")])
+def test_a_lack_of_memory_is_an_error_of_the_mesh(tmp_path, monkeypatch, module, place):
+    def fail(*_, **__):
+        raise MemoryError
+
+    monkeypatch.setattr(module, place, fail)
+    with pytest.raises(MeshError, match="needs more memory than there is"):
+        checking.prepare(glb(tmp_path / "a.glb"))
+
+
+@pytest.mark.system
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+def test_a_pipe_is_no_file(tmp_path):
+    """Nobody writes to it, so that reading it would never end."""
+    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc", "x.json", "weights")]
+    for path in paths:
+        os.mkfifo(path)
+    script = "import sys; from msf_jax.app.cli import main; a, *b, c = sys.argv[1:]\n"
+    script += "codes = [main(['skeletonize', a]), *(main(['report', each]) for each in b)]\n"
+    script += "sys.exit([*codes, main(['view', a, '-o', 'a.html', '--weights', c])] != [2] * 5)"
+    done = subprocess.run([sys.executable, "-c", script, *paths], capture_output=True, text=True, timeout=120)
+    says = "is a pipe or a device|is no file|is not a regular file"
+    assert done.returncode == 0 and len(re.findall(says, done.stderr)) == 5, done.stderr
+
+
+def test_escapes_are_not_sent_to_the_terminal(tmp_path, capsys):
+    path = tmp_path / "curve.swc"
+    path.write_text("# report: \x1b]0;owned\x07\x1b[2Jconverged\n1 0 0 0 0 1 -1\n")
+    assert main(["report", str(path)]) == 0
+    assert capsys.readouterr().out == "\\x1b]0;owned\\x07\\x1b[2Jconverged\n"
+    assert main(["report", str(tmp_path / "\x1b[2Jnone.swc")]) == 2
+    assert "\x1b" not in capsys.readouterr().err
