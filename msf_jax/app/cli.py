@@ -114,8 +114,6 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     target = _target(arguments, ".html" if arguments.command == "view" else ".swc")
     suffix = target.suffix.lower()
     render = None if suffix in (".html", ".png") else export.writer_for(target)  # refuses a suffix before the flow
-    if arguments.bones is not None and suffix != ".glb":
-        raise ConfigError(f"--bones is for a rig, and {target.name!r} holds none: expected -o with .glb")
     shaping = shaping_of(arguments)
     mesh, skeleton, stopped = _curve_of(arguments)
     skeleton, notes = shaping.shaped(skeleton), ()
@@ -123,7 +121,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     if suffix == ".glb":
         from msf_jax.skeleton.formats import gltf
 
-        rig = skeleton.rig(bones=arguments.bones, mesh=source)
+        rig = skeleton.rig(source)
         content, notes = gltf.of_rig(rig, source), rig.notes
     elif suffix == ".png":
         from msf_jax.skeleton import pictures

@@ -102,8 +102,6 @@ def whole_parser() -> argparse.ArgumentParser:
     for each, suffix in ((one, ".swc"), (page, ".html")):
         _add_path(each, "mesh", metavar="IN", help=MESH)
         _add_path(each, "-o", "--output", metavar="OUT", help=f"{CURVES}, .png or .html (default: IN with {suffix})")
-        bones = "of a .glb file: their number (default: by bends and lengths)"
-        each.add_argument("--bones", type=int, metavar="N", help=bones)
     _add_path(demo, "-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
     _add_path(many, "folder", metavar="IN_DIR", help="where the meshes are")
     _add_path(many, "output", metavar="OUT_DIR", help="where curves and manifest.csv go")

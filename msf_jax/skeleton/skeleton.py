@@ -488,29 +488,26 @@ class Skeleton:
 
         converting.save_precomputed(self, folder, segment)
 
-    def rig(
-        self, bones: int | None = None, influences: int = 4, mesh: "MeshLike | None" = None, names: str | None = None
-    ) -> "Rig":
+    def rig(self, mesh: "MeshLike | None" = None, names: str | None = None) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs begin, where the curve bends most, and at regular distances along a long limb; both sides
         of a symmetric shape have the same. The root is the pelvis of a body, on two legs or four, or the thickest
-        junction. Loops are cut where they are thinnest. Weights are computed by heat diffusion over the surface.
+        junction. Loops are cut where they are thinnest. Weights, of at most four bones for each vertex, are computed by
+        heat diffusion over the surface. For fewer bones, `prune` the curve before.
 
         Args:
-            bones: their number; `Rig.notes` says if it is not met. None: as the shape bends, at most 50.
-            influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
             names: "mixamo", "vrm" or "unreal": those of a biped's joints. Axes are the mesh's; others keep theirs.
 
         Raises:
-            ConfigError: a number is out of range, the surface that the curve was made from is not known, or names were
-                asked for and the shape is no biped, with the reason.
+            ConfigError: the surface that the curve was made from is not known, or names were asked for and the shape is
+                no biped, with the reason.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
         from msf_jax.skeleton.rigging import rig
 
-        return rig.rigged(self, bones, influences, mesh, names)
+        return rig.rigged(self, mesh, names)
 
     def frame(self, tolerance: float | None = None) -> "Frame":
         """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.

@@ -1,6 +1,5 @@
 """The command line as a user meets it: files, exit codes, one clear line for what is wrong."""
 
-import json
 import re
 import subprocess
 import sys
@@ -82,17 +81,6 @@ def test_the_suffix_says_what_is_written(limb, tmp_path):
         assert (tmp_path / name).read_bytes().startswith(start)
 
 
-@pytest.mark.slow  # so it is in test_rig
-def test_a_rig_has_as_many_bones_as_asked_for_or_says_why_not(tmp_path, capsys):
-    trimesh.creation.capsule(height=4.0, radius=0.4, count=[12, 24]).export(tmp_path / "a.off")
-    for num, said in ((3, ""), (500, "bones for 500: ")):
-        code = main(["skeletonize", str(tmp_path / "a.off"), "-o", str(tmp_path / "a.glb"), "--bones", str(num), "-q"])
-        assert code == 0 and said in capsys.readouterr().err
-        content = (tmp_path / "a.glb").read_bytes()
-        document = json.loads(content[20 : 20 + int.from_bytes(content[12:16], "little")])
-        assert (len(document["skins"][0]["joints"]) == num) == (num == 3)
-
-
 @pytest.mark.slow  # the first command of .ci/run is the demo
 def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys, monkeypatch):
     """With a coarser hand than a reader has."""
@@ -145,7 +133,6 @@ def test_bad_input_is_one_clear_line_and_exit_2(name, tmp_path, capsys):
         (["--w-L", "-1"], "Weights.w_L is -1.0"),
         (["--system", "cgal"], "unknown system 'cgal'"),
         (["--max-iterations", "0"], "max_iterations"),
-        (["--bones", "3"], "--bones is for a rig, and 'out.swc' holds none"),
         (["-o", "out.xyz"], "no format"),
         (["-o", "nowhere/out.swc"], "cannot write 'nowhere/out.swc'"),
         (["-o", "link.swc"], "cannot write 'link.swc'"),

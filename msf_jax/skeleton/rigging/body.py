@@ -13,7 +13,7 @@ The legs of a biped go on in the direction of its trunk: in the mean of the spin
 feet, whose places are sure where a fat body hides those of girdles. On four legs they are across it.
 """
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import combinations
 from typing import NamedTuple
 
@@ -22,15 +22,14 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.skeleton.rigging import cutting
-from msf_jax.skeleton.rigging.cutting import BonePath
-from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.geometry import arc_length, at, to_segment, unit
 from msf_jax.topology import graphs
 
 ALIKE = 0.1  # diagonals of the curve: distance between a part's ends and those of its mirror image, at most
 MATCHED = 0.04  # diagonals: distance of a mirrored node from the curve, at most, if it counts as matched
 BETTER = 0.02  # share of the length: a plane that is tried later must match so much more, so that coordinates win
 ENOUGH = 0.6  # share of the curve's length that has a mirror image in a symmetric shape, at least
+MOST_FITS = 30  # steps in which a plane is fitted
 MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as fingers of a hand, make no girdle
 STANDARDS = ("mixamo", "vrm", "unreal")
 # What a bone is: its name in each of the standards, with {} for the side.
@@ -50,12 +49,61 @@ NAMES = {
     "toes": ("mixamorig:{}ToeBase", "{}Toes", "ball_{}"),
 }
 SIDE_NAMES = {1: ("Left", "left", "l"), -1: ("Right", "right", "r"), 0: ("", "", "")}
+STOPS = np.linspace(0.0, 1.0, 201)  # places along a branch where its line is known
+SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
+USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius
+BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
+LIMB = 3.0  # radii: a longer limb of a pair has a knee or an elbow
+STRAIGHT = np.radians(15.0)  # a limb that turns by less is cut at the half of its length, where anatomy has the joint
 ASTRIDE = np.radians(58.0)  # between legs and trunk, at most: bipeds had up to 47, animals on four legs from 69
 NECK = 1 / 3  # share of the way from the shoulders to the top of the head, where the head turns
 WRIST = 0.75, 0.87  # share of an arm, where the hand is part of it, and where it ends at the fingers' junction
 LOWER = 0.55  # share of a leg: the ankle is below
 ANKLE = 0.85  # share of a leg without a bend there
 FEET = 0.05  # of a leg's length: feet that stand out by less do not tell where the front is
+
+
+@dataclass
+class BonePath:
+    """A branch directed away from the root.
+
+    nodes: (n,) from the junction on. part: (n,) the place of each node on the line: 0 at its start, 1 at its end, and
+    negative within the ball of the junction. line: (201, 3) its points at `STOPS`, and size: (201,) the limb's radii.
+    is_limb: whether it ends in a tip. cuts: places where its bones begin, and where the last ends. image: the number of
+    the path that is its mirror image, -1 without one. side: 1 on the left, -1 on the right, 0 else. roles: of its
+    bones, if they are a biped's, see `NAMES`. is_spine: from the pelvis towards the shoulders.
+    """
+
+    nodes: np.ndarray
+    part: np.ndarray
+    line: np.ndarray
+    size: np.ndarray
+    is_limb: bool
+    cuts: tuple[float, ...] = (0.0, 1.0)
+    image: int = -1
+    side: int = 0
+    roles: tuple[str, ...] = ()
+    is_spine: bool = False
+
+
+def find_bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
+    """The badness of one bone for a piece of a branch, which should be at most 1 and is 0 for one that is too short to
+    be cut; the place to cut it at; and its length. A piece of more than ``long`` radii is bad."""
+    stops = np.r_[begin, STOPS[np.abs(2 * STOPS - begin - end) < end - begin], end]
+    points = at(path.line, STOPS, stops)
+    along = arc_length(points)
+    length = float(along[-1])
+    radius = max(float(np.percentile(np.interp(stops, STOPS, path.size), USUAL)), 1e-12)
+    if length < 2 * SHORTEST * radius:
+        return 0.0, 0.0, length
+    is_free = (along >= SHORTEST * radius) & (length - along >= SHORTEST * radius)
+    off = np.where(is_free, to_segment(points, points[0], points[-1]), -1.0)
+    worst = int(off.argmax())
+    bent, excess = float(off[worst]) / (BENT * radius), length / (long * radius)
+    # A chain of two equal bones that turns by an angle a is half its length times sin(a / 2) off its chord.
+    is_bent = off[worst] > length / 2 * np.sin(STRAIGHT / 2) and bent >= min(excess, 1.0)
+    where = float(stops[worst]) if is_bent else float(np.interp(length / 2, along, stops))
+    return max(bent, excess), where, length
 
 
 class Mirror(NamedTuple):
@@ -92,125 +140,93 @@ def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mi
     if len(tips) < 2:
         return None
     used = np.unique(edges)
-    points, is_tip = vertices[used], np.isin(used, tips)
-    step = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
-    weight = np.bincount(edges.ravel(), np.repeat(step / 2, 2), len(vertices))[used]
-    weight /= max(float(weight.sum()), 1e-300)
+    points, tree = vertices[used], spatial.KDTree(vertices[used])
+    weight = np.bincount(edges.ravel(), np.repeat(graphs.lengths(vertices, edges), 2), len(vertices))[used]
+    weight /= weight.sum()
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
-    middle, tree = weight @ points, spatial.KDTree(points)
+    middle = weight @ points
     principal = np.linalg.eigh((points - middle).T @ ((points - middle) * weight[:, None]))[1].T
     best, plane = 0.0, None
-    for axis in (*np.eye(3), *principal):  # later ones count only if they are clearly better
-        normal = axis * np.sign(axis[np.abs(axis).argmax()])
+    for normal in (*np.eye(3), *principal):  # later ones count only if they are clearly better
         tried = Mirror(normal, float(middle @ normal), size)
         image = tried.images(vertices[tips])
         is_other = (image >= 0) & (image != np.arange(len(tips)))
-        if is_other.any():
-            halfway = (vertices[tips[is_other]] + vertices[tips[image[is_other]]]) / 2
-            tried = tried._replace(offset=float(np.median(halfway @ normal)))
-            tried = _fit_mirror(tried, points, weight, is_tip, tree)
-            share = float(weight @ (tree.query(tried.flipped(points))[0] < MATCHED * size))
-            if share > max(best + BETTER, ENOUGH):
-                best, plane = share, tried
+        if not is_other.any():
+            continue
+        halfway = (vertices[tips[is_other]] + vertices[tips[image[is_other]]]) / 2
+        tried = tried._replace(offset=float(np.median(halfway @ normal)))
+        for _ in range(MOST_FITS):
+            # With q the point nearest to the mirror image of p, the sum of w |flip(p) - q|^2 is least where the normal
+            # is the first eigenvector of the symmetric part of -sum w p q^T, about the means of p and q. Only the
+            # better half counts, as a limb may be bent on one side, and the tips, without which nothing fixes a plane
+            # through a straight trunk.
+            away, match = tree.query(tried.flipped(points))
+            order = np.argsort(away, kind="stable")
+            half = away[order[np.searchsorted(np.cumsum(weight[order]), 0.5)]]
+            share = weight * ((away <= half) | (np.isin(used, tips) & (away < MATCHED * size)))
+            center, partner = share @ points / share.sum(), share @ points[match] / share.sum()
+            moment = -((points - center) * share[:, None]).T @ (points[match] - partner)
+            normal = np.linalg.eigh(moment + moment.T)[1][:, -1]
+            normal = normal * np.sign(normal[np.abs(normal).argmax()])
+            tried = Mirror(normal, float((center + partner) @ normal / 2), size)
+        share = float(weight @ (tree.query(tried.flipped(points))[0] < MATCHED * size))
+        if share > max(best + BETTER, ENOUGH):
+            best, plane = share, tried
     return plane
 
 
-def _fit_mirror(
-    mirror: Mirror, points: np.ndarray, weight: np.ndarray, is_tip: np.ndarray, tree: spatial.KDTree
-) -> Mirror:
-    """The plane that fits best, so that it does not depend on the axes that were tried. ``weight`` (P,) of ``points``.
-
-    With q the point nearest to the mirror image of p, the sum of w |flip(p) - q|^2 is least where the normal is the
-    first eigenvector of the symmetric part of -sum w p q^T, about the means of p and q. Only the better half counts, as
-    a limb may be bent on one side, and the tips, without which nothing fixes a plane through a straight trunk. It ends
-    when each q is that of an earlier step.
-    """
-    seen: set[bytes] = set()
-    while True:
-        away, match = tree.query(mirror.flipped(points))
-        if match.tobytes() in seen:
-            return mirror
-        seen.add(match.tobytes())
-        order = np.argsort(away, kind="stable")
-        half = away[order[np.searchsorted(np.cumsum(weight[order]), weight.sum() / 2)]]
-        share = weight * ((away <= half) | (is_tip & (away < MATCHED * mirror.size)))
-        middle, partner = share @ points / share.sum(), share @ points[match] / share.sum()
-        moment = -((points - middle) * share[:, None]).T @ (points[match] - partner)
-        normal = np.linalg.eigh(moment + moment.T)[1][:, -1]
-        normal *= np.sign(normal @ mirror.normal) or 1.0
-        mirror = mirror._replace(normal=normal, offset=float((middle + partner) @ normal / 2))
-
-
 class Girdles(NamedTuple):
-    """nodes: where pairs of long limbs begin. pelvis and shoulders: two of them, if there are two."""
+    """nodes: where pairs of long limbs begin. pelvis and shoulders: two of them, or -1."""
 
     nodes: list[int]
-    pelvis: int | None = None
-    shoulders: int | None = None
-
-
-class LimbPair(NamedTuple):
-    """Two limbs that are mirror images: the node in the middle where they begin, the nodes from tip to tip, and the
-    length of both, outside the ball there."""
-
-    girdle: int
-    nodes: list[int]
-    length: float
+    pelvis: int = -1
+    shoulders: int = -1
 
 
 def find_girdles(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray, plane: Mirror | None
 ) -> Girdles:
     """The girdles of a tree ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,) with ends ``tips``."""
-    tree, degree, pairs = nx.Graph(edges.tolist()), graphs.degrees(len(vertices), edges), []
-    image = np.full(len(tips), -1) if plane is None else plane.images(vertices[tips])
+    if plane is None:
+        return Girdles([])
+    tree, degree = nx.Graph(edges.tolist()), graphs.degrees(len(vertices), edges)
+    pairs: list[tuple[int, list[int], float]] = []  # the girdle, the nodes from tip to tip, the length outside its ball
+    image = plane.images(vertices[tips])
     for k in np.flatnonzero(image > np.arange(len(tips))):
         one, other = int(tips[k]), int(tips[image[k]])
         nodes = nx.shortest_path(tree, one, other) if nx.has_path(tree, one, other) else []
-        is_middle = degree[nodes] > 2
-        if plane is not None:
-            is_middle &= np.abs(plane.height(vertices[nodes])) < radii[nodes]
+        is_middle = (degree[nodes] > 2) & (np.abs(plane.height(vertices[nodes])) < radii[nodes])
         if is_middle.any():
             girdle = nodes[int(np.where(is_middle, radii[nodes], -1.0).argmax())]
-            length = float(arc_length(vertices[nodes])[-1]) - 2 * float(radii[girdle])
-            pairs.append(LimbPair(girdle, nodes, length))
-    longest = max((pair.length for pair in pairs), default=0.0)
-    main = [pair for pair in pairs if pair.length >= MAIN_LIMB * longest]
-    trunks = []
-    for one, other in combinations(sorted({pair.girdle for pair in main}), 2):
-        if nx.has_path(tree, one, other):
-            nodes = nx.shortest_path(tree, one, other)
-            trunks.append((float(radii[nodes].min()), -len(nodes), nodes))
+            pairs.append((girdle, nodes, float(arc_length(vertices[nodes])[-1]) - 2 * float(radii[girdle])))
+    longest = max((length for *_, length in pairs), default=0.0)
+    main = [(girdle, nodes) for girdle, nodes, length in pairs if length >= MAIN_LIMB * longest]
+    trunks = [
+        nx.shortest_path(tree, one, other)
+        for one, other in combinations(sorted({girdle for girdle, _ in main}), 2)
+        if nx.has_path(tree, one, other)
+    ]
     if not trunks:
-        return Girdles([pair.girdle for pair in main])
-    trunk = max(trunks)[2]
+        return Girdles([girdle for girdle, _ in main])
+    trunk = max(trunks, key=lambda nodes: (float(radii[nodes].min()), -len(nodes), nodes))
 
-    def beyond(end: int) -> tuple[int, float]:
+    def weigh_beyond(end: int) -> tuple[int, float]:
         """What is beyond an end of the trunk, without its own long limbs: the number of pairs, and the integral of
         radius^2 along the curve outside the end's ball."""
-        own = {node for pair in main if pair.girdle == end for node in pair.nodes} - {end}
+        own = {node for girdle, nodes in main if girdle == end for node in nodes} - {end}
         rest = nx.restricted_view(tree, [trunk[1] if end == trunk[0] else trunk[-2], *own], [])
         nodes = nx.node_connected_component(rest, end)
         a, b = np.array(list(rest.subgraph(nodes).edges), dtype=np.int64).reshape(-1, 2).T
         step = np.linalg.norm(vertices[a] - vertices[b], axis=1)
         is_out = np.linalg.norm((vertices[a] + vertices[b]) / 2 - vertices[end], axis=1) > radii[end]
-        count = sum(pair.girdle in nodes and pair.girdle != end for pair in pairs)
+        count = sum(girdle in nodes and girdle != end for girdle, *_ in pairs)
         return count, float((step * radii[a] * radii[b])[is_out].sum())
 
-    return Girdles([pair.girdle for pair in main], *sorted((trunk[0], trunk[-1]), key=beyond))
+    return Girdles([girdle for girdle, _ in main], *sorted((trunk[0], trunk[-1]), key=weigh_beyond))
 
 
-class BipedPlan(NamedTuple):
-    """stops: of each branch that has a part in it, the places where its bones begin, and its end. roles: of these.
-    is_swapped: whether left and right are the other way round than by coordinates, as the feet tell."""
-
-    stops: dict[int, list[float]]
-    roles: dict[int, Sequence[str]]
-    is_swapped: bool
-
-
-def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, num_pieces: int) -> BipedPlan:
-    """The joints of a biped, of a curve in ``num_pieces``.
+def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, num_pieces: int) -> None:
+    """Give the cuts and roles of a biped to the ``paths`` of a curve in ``num_pieces``, and its left to its left side.
 
     Raises:
         ConfigError: the shape is none; the message says why.
@@ -219,56 +235,58 @@ def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, nu
     def refused(reason: str) -> ConfigError:
         return ConfigError(f"names are for bipeds, and this is none: {reason}: expected names=None")
 
-    if plane is None or girdles.pelvis is None or girdles.shoulders is None:
+    if plane is None or girdles.pelvis < 0:
         apart = f'; the curve is in {num_pieces} pieces, and repair="join" makes one solid of parts'
         raise refused("no two pairs of limbs are mirror images" + (apart if num_pieces > 1 else ""))
-    trunk = [number for number, path in enumerate(paths) if path.is_spine and path.nodes[-1] == girdles.shoulders]
-    if not trunk:
+    spine = next((path for path in paths if path.is_spine and path.nodes[-1] == girdles.shoulders), None)
+    if spine is None:
         raise refused("the pelvis and the shoulders are not the two ends of one branch")
     legs, arms = (_longest_pair(paths, node) for node in (girdles.pelvis, girdles.shoulders))
-    upper = [number for number, path in enumerate(paths) if path.nodes[0] == girdles.shoulders and not path.side]
+    upper = [path for path in paths if path.nodes[0] == girdles.shoulders and not path.side]
     if not legs or not arms or not upper:
         raise refused(f"there are no {'legs' if not legs else 'arms' if not arms else 'neck and head'}")
-    spine = paths[trunk[0]]
     down = unit(spine.line[0] - spine.line[-1])
-    along = unit(np.mean([paths[leg].line[-1] - paths[leg].line[0] for leg in legs], axis=0))  # without the spread
-    hands, feet = (np.mean([paths[limb].line[-1] for limb in pair], axis=0) for pair in (arms, legs))
+    along = unit(np.mean([leg.line[-1] - leg.line[0] for leg in legs], axis=0))  # without the spread
+    hands, feet = (np.mean([limb.line[-1] for limb in pair], axis=0) for pair in (arms, legs))
     between = float(np.mean(np.arccos(np.clip([along @ down, along @ unit(feet - hands)], -1, 1))))
     if between > ASTRIDE:
         raise refused(
             f"it stands on four legs: its hind legs are at {np.degrees(between):.0f} degrees to its trunk, and those "
             f"of a biped at {np.degrees(ASTRIDE):.0f} at most"
         )
-    neck = max(upper, key=lambda number: float(paths[number].size.mean()))
-    wrist, has_toes = WRIST[0 if paths[arms[0]].is_limb else 1], paths[legs[0]].is_limb
-    ankle = float(np.mean([_find_ankle(paths[leg]) for leg in legs]))
+    wrist, has_toes = WRIST[0 if arms[0].is_limb else 1], legs[0].is_limb
+    ankle = float(np.mean([_find_ankle(leg) for leg in legs]))
     elbow, knee = (
-        where if 0.2 * end < (where := cutting.bend(paths[limb], 0.0, end, cutting.LIMB)[1]) < 0.8 * end else end / 2
+        where if 0.2 * end < (where := find_bend(limb, 0.0, end, LIMB)[1]) < 0.8 * end else end / 2
         for limb, end in ((arms[0], wrist), (legs[0], ankle))
     )
-    stops = {trunk[0]: cutting.spine_stops(spine), neck: [0.0, NECK, 1.0]}
-    stops |= {arm: [0.0, elbow, wrist, 1.0] for arm in arms}
-    stops |= {leg: [0.0, knee, ankle, *[(1 + ankle) / 2] * has_toes, 1.0] for leg in legs}
-    roles = {trunk[0]: ("spine", "chest", "upper chest"), neck: ("neck", "head")}
-    roles |= dict.fromkeys(arms, ("upper arm", "lower arm", "hand"))
-    roles |= dict.fromkeys(legs, ("upper leg", "lower leg", "foot", *["toes"] * has_toes))
-    ends = [at(paths[leg].line, paths[leg].stops, np.array([ankle, 1.0])) for leg in legs]
-    foot = np.mean([end - begin for begin, end in ends], axis=0)
+    neck = max(upper, key=lambda path: float(path.size.mean()))
+    spine.roles = "spine", "chest", "upper chest"
+    neck.cuts, neck.roles = (0.0, NECK, 1.0), ("neck", "head")
+    for arm in arms:
+        arm.cuts, arm.roles = (0.0, elbow, wrist, 1.0), ("upper arm", "lower arm", "hand")
+    for leg in legs:
+        leg.cuts, leg.roles = (0.0, knee, ankle, 1.0), ("upper leg", "lower leg", "foot")
+        if has_toes:
+            leg.cuts, leg.roles = (0.0, knee, ankle, (1 + ankle) / 2, 1.0), (*leg.roles, "toes")
+    foot = np.mean([leg.line[-1] - at(leg.line, STOPS, np.array([ankle]))[0] for leg in legs], axis=0)
     front = foot - (foot @ down) * down
     left = np.cross(-down, front) @ plane.normal  # the left of a figure that looks to the front
-    return BipedPlan(stops, roles, bool(left < -FEET * arc_length(paths[legs[0]].line)[-1]))
+    if left < -FEET * arc_length(legs[0].line)[-1]:
+        for path in paths:
+            path.side *= -1
 
 
-def _longest_pair(paths: list[BonePath], node: int) -> list[int]:
+def _longest_pair(paths: list[BonePath], node: int) -> list[BonePath]:
     """The longest pair of branches that begins at a node; empty if there is none."""
-    sided = [number for number, path in enumerate(paths) if path.nodes[0] == node and path.image >= 0]
-    first = max(sided, key=lambda number: float(arc_length(paths[number].line)[-1]), default=-1)
-    return [] if first < 0 else [first, paths[first].image]
+    sided = [path for path in paths if path.nodes[0] == node and path.image >= 0]
+    first = max(sided, key=lambda path: float(arc_length(path.line)[-1]), default=None)
+    return [] if first is None else [first, paths[first.image]]
 
 
 def _find_ankle(path: BonePath) -> float:
     """The place where the lower part of a leg bends most, or `ANKLE`."""
-    _, where, _ = cutting.bend(path, LOWER, 1.0, cutting.LIMB)
-    one, other = np.diff(at(path.line, path.stops, np.array([LOWER, where, 1.0])), axis=0)
-    turn = np.arccos(np.clip(one @ other / max(np.linalg.norm(one) * np.linalg.norm(other), 1e-300), -1, 1))
-    return where if turn > cutting.STRAIGHT and LOWER < where < 0.95 else ANKLE
+    _, where, _ = find_bend(path, LOWER, 1.0, LIMB)
+    one, other = np.diff(at(path.line, STOPS, np.array([LOWER, where, 1.0])), axis=0)
+    turn = np.arccos(np.clip(unit(one) @ unit(other), -1, 1))
+    return where if turn > STRAIGHT and LOWER < where < 0.95 else ANKLE

@@ -1,9 +1,18 @@
-"""`Rig`: bones for a mesh, with skinning weights, to pose here or in another program."""
+"""`Rig`: bones for a mesh, with skinning weights, to pose here or in another program.
 
-import numbers
+Weights are smooth, by heat diffusion over the surface. As in Pinocchio (Baran and Popovic 2007) and in Blender's
+automatic weights, the weights w_b of bone b are the heat in equilibrium
+
+    (L + H) w_b = H p_b,    H = M / d^2,
+
+with L the cotangent Laplacian, M the areas of vertices, and d the size of the limb at a vertex. In Pinocchio p_b is 1
+where b is the nearest visible bone. Here it is 1 at vertices that the flow maps to b's part of the curve, so that an
+arm that touches a leg keeps its own bones. Weights sum to 1 as p does, and none is negative.
+"""
+
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,23 +23,23 @@ from msf_jax.base.writing import write_whole
 from msf_jax.curve import branches
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
+from msf_jax.numerics.factors import surface_factor
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding
 from msf_jax.skeleton.rigging.body import STANDARDS
-from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of
-from msf_jax.skeleton.rigging.cutting import FEWEST_HELD
-from msf_jax.solid.geometry import to_segment
+from msf_jax.skeleton.rigging.bones import bones_of
+from msf_jax.solid.geometry import cross
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-MOST_BONES = 65535  # bones that glTF can number
-USUAL = 50  # bones at most, where no number is asked for
-TRIES = 5  # times that bones are made, until as many have vertices as are asked for
+INFLUENCES = 4  # bones of a vertex at most, as game engines have it
+HEAT_REACH = 2.0  # ratio of d to the limb's size
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
-LEAST_DISTANCE = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
-HELD = 0.25  # a bone whose largest weight at any vertex is below this is joined to another
+LEAST_DISTANCE = 0.003  # diagonals: the least size of a limb for heat, so that smaller details move together
+LARGEST_T = 0.45  # largest t of `reduce_along_tree`, below 1/2; a share of a row's sum
+LEAST = 1e-6  # weights below this count as 0
+LARGEST_COTANGENT = 1e4  # bound on cotangents of angles
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +51,8 @@ class Rig:
         tails: (B, 3) the end of each bone.
         parents: (B,) int, the parent of each bone; -1 for a root.
         names: of the bones: root, trunk1_1, limb2_3.L (the third bone of the second limb on the left side).
-        weights: sparse (V, B); each row sums to 1.
-        notes: what is not as it was asked for, or was cut; empty if there is nothing to tell.
+        weights: sparse (V, B), of at most four bones for each vertex; each row sums to 1.
+        notes: where loops were cut.
     """
 
     joints: np.ndarray
@@ -52,13 +61,10 @@ class Rig:
     names: tuple[str, ...]
     weights: sparse.csr_matrix = field(repr=False)
     notes: tuple[str, ...] = ()
-    _binding: binding.SkinBinding | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
-        most = int(np.diff(self.weights.indptr).max(initial=0))
-        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)" + "".join(
-            f"\n  {note}" for note in self.notes
-        )
+        head = f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {INFLUENCES} weights)"
+        return "\n  ".join([head, *self.notes])
 
     @property
     def num_vertices(self) -> int:
@@ -95,118 +101,35 @@ class Rig:
                 raise ConfigError(
                     f"turns has {name!r} with shape {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)"
                 )
-        posed = np.zeros_like(points)
-        columns = self.weights.tocsc()
-        linear, shift = np.empty((len(self.joints), 3, 3)), np.empty((len(self.joints), 3))
+        moved = np.tile(np.eye(4), (len(self.joints), 1, 1))  # of each bone, in homogeneous coordinates
         for bone, (name, above) in enumerate(zip(self.names, self.parents, strict=True)):
-            turn = np.asarray(turns.get(name, np.eye(3)), dtype=np.float64)
-            offset = self.joints[bone] - turn @ self.joints[bone]
-            linear[bone] = turn if above < 0 else linear[above] @ turn
-            shift[bone] = offset if above < 0 else linear[above] @ offset + shift[above]
-            rows = columns.indices[columns.indptr[bone] : columns.indptr[bone + 1]]
-            share = columns.data[columns.indptr[bone] : columns.indptr[bone + 1]]
-            posed[rows] += share[:, None] * (points[rows] @ linear[bone].T + shift[bone])
-        return posed
-
-    def moved(self, joints: Mapping[str, Any]) -> "Rig":
-        """The rig with some joints at other places, and weights made anew for all bones.
-
-        The bone that ends at such a joint ends at its new place. Vertices of both bones go to the one that their place
-        on the curve is nearer to.
-
-        Args:
-            joints: positions (3,) by the name of the bone that begins there; ``rig.joints`` has the present ones.
-
-        Raises:
-            ConfigError: no bone has that name, a position is not three finite numbers, or the rig has end bones.
-        """
-        if self._binding is None:
-            raise ConfigError("a rig with end bones has no weights to make anew: expected moved(...).with_ends()")
-        starts, tails, bone = self.joints.copy(), self.tails.copy(), self._binding.bone.copy()
-        for name, place in joints.items():
-            if name not in self.names or np.shape(place) != (3,) or not np.isfinite(place).all():
-                raise ConfigError(f"joints has {name!r} at {place!r}: expected a bone's name, and three finite numbers")
-            number = self.names.index(name)
-            above = int(self.parents[number])
-            if above >= 0 and (tails[above] == starts[number]).all():
-                tails[above] = place
-            starts[number] = place
-        for number in sorted(self.names.index(name) for name in joints):
-            both = np.array([self.parents[number], number])
-            if both[0] >= 0:
-                near = np.flatnonzero(np.isin(bone, both))
-                away = [to_segment(self._binding.places[near], starts[each], tails[each]) for each in both]
-                bone[near] = both[np.argmin(away, axis=0)]
-        anew = self._binding._replace(bone=bone)
-        return replace(self, joints=starts, tails=tails, weights=anew.weights(starts, self.parents), _binding=anew)
-
-    def with_ends(self) -> "Rig":
-        """The rig with a bone of length 0 and without vertices at the end of each last bone, named like it with
-        ``_end``. Formats in which a bone ends at the next joint need them, such as BVH, FBX and Mixamo's. glTF does
-        not, but with them Blender shows the true length of last bones."""
-        last = np.setdiff1d(np.arange(len(self.parents)), self.parents)
-        names = (*self.names, *(f"{self.names[bone]}_end" for bone in last))
-        joints, tails = (np.concatenate([both, self.tails[last]]) for both in (self.joints, self.tails))
-        weights = sparse.hstack([self.weights, sparse.csr_matrix((self.num_vertices, len(last)))]).tocsr()
-        return replace(
-            self,
-            joints=joints,
-            tails=tails,
-            parents=np.r_[self.parents, last],
-            names=names,
-            weights=weights,
-            _binding=None,
-        )
+            moved[bone, :3, :3] = turns.get(name, np.eye(3))
+            moved[bone, :3, 3] = self.joints[bone] - moved[bone, :3, :3] @ self.joints[bone]
+            if above >= 0:
+                moved[bone] = moved[above] @ moved[bone]
+        blended = (self.weights @ moved.reshape(-1, 16)).reshape(-1, 4, 4)
+        return np.einsum("vab,vb->va", blended[:, :3, :3], points) + blended[:, :3, 3]
 
 
-def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: "MeshLike | None", names: str | None) -> Rig:
+def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> Rig:
     """See `Skeleton.rig`."""
     if names is not None and names not in STANDARDS:
         raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(STANDARDS)}")
-    for name, value in (("bones", USUAL if bones is None else bones), ("influences", influences)):
-        if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= MOST_BONES:
-            raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {MOST_BONES}")
     vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
-    node = skeleton.mesh_map
-    is_lost = np.logical_not(np.isfinite(vertices).all(axis=1))
-    vertices = np.where(is_lost[:, None], skeleton.vertices[node], vertices)
-    size = _sizes(skeleton, node, np.linalg.norm(vertices - skeleton.vertices[node], axis=1))
-    stays = branches.cut_loops(len(skeleton.vertices), skeleton.edges, size)
-    node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
-    away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
-    chosen = _choose_bones(skeleton, size, node, bones, names is not None)
-    thinnest = LEAST_DISTANCE * float(np.linalg.norm(np.ptp(vertices, axis=0)))
-    heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
-    bind = binding.SkinBinding(heat, chosen.of_node[node], skeleton.vertices[node], int(influences))
-    weights = bind.weights(chosen.joints, chosen.parents)
-    if bones is None:
-        chosen, held = without_idle(chosen, weights.toarray())
-        bind, weights = bind._replace(bone=chosen.of_node[node]), sparse.csr_matrix(held)
-    cuts = skeleton.vertices[skeleton.edges[np.logical_not(stays)]].mean(axis=1)
-    where = ["({:.4g}, {:.4g}, {:.4g})".format(*place) for place in cuts]
+    nodes, edges, node = skeleton.vertices, skeleton.edges, skeleton.mesh_map
+    vertices = np.where(np.isfinite(vertices).all(axis=1, keepdims=True), vertices, nodes[node])
+    size = _sizes(skeleton, np.linalg.norm(vertices - nodes[node], axis=1))
+    node = branches.nearest_on_branch(nodes, edges, vertices, node)
+    bones = bones_of(nodes, edges, skeleton.radii, size, np.bincount(node, minlength=len(nodes)), names)
+    least = LEAST_DISTANCE * float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    away = np.maximum.reduce([np.linalg.norm(vertices - nodes[node], axis=1), size[node], np.full(len(node), least)])
+    weights = heat_weights(vertices, faces, HEAT_REACH * away, bones.of_node[node], len(bones.joints))
+    cuts = edges[np.logical_not(branches.cut_loops(len(nodes), edges, size))]
+    weights = subtract_rest(weights) if len(cuts) else reduce_along_tree(weights, bones.parents)
+    where = ["({:.4g}, {:.4g}, {:.4g})".format(*place) for place in nodes[cuts].mean(axis=1)]
     notes = [f"a loop was cut at {place}, where it is thinnest or parts merely touch" for place in where]
-    if bones is not None and len(chosen.joints) != bones:
-        notes.append(f"{len(chosen.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
-    return Rig(chosen.joints, chosen.tails, chosen.parents, chosen.names(names), weights, tuple(notes), bind)
-
-
-def _choose_bones(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None, is_biped: bool) -> Bones:
-    """``asked`` bones that have vertices, or as many as there is length for; None: as the shape has bends."""
-    curve, held = (skeleton.vertices, skeleton.edges, skeleton.radii), np.bincount(node, minlength=len(size))
-    if asked is None:
-        return without_empty(bones_of(*curve, USUAL, size, held, is_biped=is_biped), node)
-    best = without_empty(bones_of(*curve, 1, size, held), node)
-    for for_limbs in (FOR_LIMBS, 1.0):  # where branches cannot be cut so often, more of them have bones
-        most = asked
-        for _ in range(TRIES):
-            made = without_empty(bones_of(*curve, most, size, held, for_limbs, True, is_biped), node)
-            if len(best.joints) < len(made.joints) <= asked:
-                best = made
-            if len(best.joints) == asked:
-                return best
-            most += asked - len(made.joints)
-    return best
+    return Rig(bones.joints, bones.tails, bones.parents, bones.names, sparse.csr_matrix(weights), tuple(notes))
 
 
 def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
@@ -217,13 +140,14 @@ def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
     return surface.given(num), surface.vertex[surface.solid.shape.faces]
 
 
-def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarray:
-    """(N,) the size of the limb at each node: the larger of its ball's radius and the mean distance of its vertices.
+def _sizes(skeleton: "Skeleton", away: np.ndarray) -> np.ndarray:
+    """(N,) the size of the limb at each node: the larger of its ball's radius and the mean distance of its vertices
+    ``away`` (V,) from it.
 
     In a sheet the ball has half its thickness, but bones should be as long as the sheet is wide. The mean is over the
     node's neighbours along the curve, too.
     """
-    num = len(skeleton.vertices)
+    num, node = len(skeleton.vertices), skeleton.mesh_map
     ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
     beside = graphs.weighted(num, *ends.T) + sparse.eye(num)
     total = np.stack([np.bincount(node, away, num), np.bincount(node, minlength=num)], axis=1)
@@ -232,33 +156,64 @@ def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarr
     return np.maximum(skeleton.radii, total[:, 0] / np.maximum(total[:, 1], 1e-300))
 
 
-def without_empty(bones: Bones, node: np.ndarray) -> Bones:
-    """The bones without those that have few vertices. ``node`` (V,) is that of each vertex.
+def heat_weights(
+    vertices: np.ndarray, faces: np.ndarray, away: np.ndarray, bone: np.ndarray, num_bones: int
+) -> np.ndarray:
+    """(V, B) the weights of vertices (V, 3) that belong to the bones ``bone`` (V,), with d as ``away`` (V,), above 0.
+    Rows sum to 1. Coincident vertices of ``faces`` (F, 3) count as one."""
+    points, of_given, count = np.unique(vertices, axis=0, return_inverse=True, return_counts=True)
+    of_given, num = of_given.ravel(), len(points)
+    corners = of_given[faces]
+    flux: Any = sparse.csr_matrix((num, num))
+    area = np.zeros(num)
+    for k in range(3):
+        tip, one, other = (corners[:, (k + j) % 3] for j in range(3))
+        u, v = points[one] - points[tip], points[other] - points[tip]
+        twice = np.linalg.norm(cross(u, v), axis=1)
+        cotangent = np.einsum("ij,ij->i", u, v) / np.maximum(twice, 1e-300)
+        cotangent = np.clip(cotangent, -LARGEST_COTANGENT, LARGEST_COTANGENT) / 2
+        flux = flux + graphs.weighted(num, one, other, cotangent)
+        area += np.bincount(tip, twice / 6, num)
+    flux = flux + flux.T
+    pull = np.maximum(area, 1e-6 * area.mean()) / (np.bincount(of_given, away, num) / count) ** 2
+    share = sparse.csr_matrix((1 / count[of_given], (of_given, bone)), shape=(num, num_bones)).toarray()
+    laplacian = sparse.diags(np.asarray(flux.sum(axis=1)).ravel() + pull) - flux
+    weights = np.maximum(surface_factor(laplacian.tocsc()).solve(np.asfortranarray(pull[:, None] * share)), 0.0)
+    return (weights / weights.sum(axis=1, keepdims=True))[of_given]
 
-    The only bone of a branch may have few, but not none: a limb of few triangles is still a limb. A spine keeps its
-    joints, which animations expect, and a biped all that have a name.
+
+def reduce_along_tree(weights: np.ndarray, parents: np.ndarray) -> np.ndarray:
+    """Reduce each row of ``weights`` (n, B) to at most `INFLUENCES` values with sum 1, still smooth over the surface.
+
+    Each bone but a root represents the edge to its parent, one of ``parents`` (B,). This edge splits the sum of a row
+    into c, for the bone and its descendants, and 1 - c. With t the `INFLUENCES`-th largest of all min(c, 1 - c), c
+    becomes (c - t) / (1 - 2 t), clipped to 0 and 1. Fewer edges have c between t and 1 - t, and these are connected, so
+    at most `INFLUENCES` bones remain. No weight jumps over the surface, as it would if the smallest were set to 0.
     """
-    while True:
-        count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
-        is_only = np.bincount(bones.branch + 1)[bones.branch + 1] == 1
-        is_few = (count < np.where(is_only, 1, FEWEST_HELD)) & ~bones.is_needed
-        if not is_few.any():
-            return bones
-        bone = int(is_few.argmax())
-        bones = bones.without({bone, int(bones.twin[bone])} - {-1})[0]
+    num = weights.shape[1]
+    if num <= INFLUENCES:
+        return weights
+    step, child = np.eye(num), np.flatnonzero(parents >= 0)
+    step[child, parents[child]] = -1.0
+    beyond = weights @ np.linalg.inv(step)  # c, as the weights are c less those of the bone's children
+    smaller = np.minimum(beyond, 1 - beyond)
+    t = np.minimum(np.partition(smaller, num - INFLUENCES, axis=1)[:, num - INFLUENCES, None], LARGEST_T)
+    few = np.clip((beyond - t) / (1 - 2 * t), 0.0, 1.0) @ step
+    few = np.where(few > LEAST, few, 0.0)
+    few[few < np.partition(few, num - INFLUENCES, axis=1)[:, num - INFLUENCES, None]] = 0.0  # rounding
+    return few / few.sum(axis=1, keepdims=True)
 
 
-def without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
-    """Join each bone with small ``weights`` (V, B) at all vertices, and its mirror image, to others, which keep theirs.
+def subtract_rest(weights: np.ndarray) -> np.ndarray:
+    """Reduce each row (n, B) to at most `INFLUENCES` weights with sum 1: subtract the largest weight that is left out.
 
-    Such bones occur where heat had to spread far.
+    It needs no tree of bones, and a tree cannot follow the loops of a surface. Weights stay continuous here, too, but
+    they change quickly where many of them are similar.
     """
-    while True:
-        most = np.where(bones.is_needed, np.inf, weights.max(axis=0))
-        bone = int(most.argmin())
-        if most[bone] >= HELD:
-            return bones, weights
-        bones, number = bones.without({bone, int(bones.twin[bone])} - {-1})
-        joined = np.zeros((len(weights), len(bones.parents)))
-        np.add.at(joined.T, number, weights.T)
-        weights = joined
+    if weights.shape[1] <= INFLUENCES:
+        return weights
+    few = weights - np.sort(weights, axis=1)[:, -INFLUENCES - 1, None]
+    few = np.where(few > LEAST, few, 0.0)
+    is_even = ~few.any(axis=1)
+    few[is_even, weights[is_even].argmax(axis=1)] = 1.0
+    return few / few.sum(axis=1, keepdims=True)
