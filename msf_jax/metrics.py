@@ -75,7 +75,7 @@ def evaluate(mesh: "MeshLike", skeleton: Any, truth: Any = None) -> dict[str, fl
         other, other_edges = _curve_of(truth)
         ours, theirs = (solid.enter(vertices), edges), (solid.enter(other), other_edges)
         for name, (start, end) in {"to_truth": (ours, theirs), "from_truth": (theirs, ours)}.items():
-            points, weight = sample_curve(*start, 0.001)  # diagonals
+            points, weight, _ = sample_curve(*start, 0.001)  # diagonals
             distance = curve_distance(points, *end)
             figures[f"{name}_mean"] = float((distance * weight).sum() / weight.sum())
             figures[f"{name}_max"] = float(distance.max())
@@ -108,17 +108,11 @@ def compare(mesh: "MeshLike", skeleton: Any, other: Any) -> dict[str, float]:
     """
     checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
-    pair = [(solid.enter(vertices), edges) for vertices, edges in (_curve_of(skeleton), _curve_of(other))]
-    return common_figures_of(solid.shape, *pair)
-
-
-def common_figures_of(
-    shape: Enclosure, curve: tuple[np.ndarray, np.ndarray], other: tuple[np.ndarray, np.ndarray]
-) -> dict[str, float]:
-    """`compare` of two curves ``(vertices, edges)`` in a surface of diagonal 1."""
+    shape = solid.shape
+    one, two = ((solid.enter(vertices), edges) for vertices, edges in (_curve_of(skeleton), _curve_of(other)))
     figures, missed, is_common = {}, {}, np.array(True)
-    for name, own, its in (("", curve, other), ("other_", other, curve)):
-        points, length, along = _pieces(*own, STRIDE)
+    for name, own, its in (("", one, two), ("other_", two, one)):
+        points, length, along = sample_curve(*own, STRIDE)
         runs = _runs_along(shape, points, own, its)
         figures[f"{name}common"] = float(length[runs].sum() / length.sum())
         is_measured = runs & along.any(axis=1)
@@ -128,7 +122,7 @@ def common_figures_of(
         is_common = is_common & _runs_along(shape, own[0], own, its)[node]
         figures[f"{name}missed_95"] = np.nan
     for name in missed if is_common.any() else ():
-        figures[f"{name}missed_95"] = _percentile(missed[name][is_common], area[is_common])
+        figures[f"{name}missed_95"] = _by_area(missed[name][is_common], area[is_common])
     return figures
 
 
@@ -140,7 +134,8 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     missed, _, area = _missed(shape, vertices, radii)
     proof = handle_loops.proof(shape, vertices, edges)
     paths = graphs.trace(len(vertices), edges)
-    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    middles, parts, along = sample_curve(vertices, edges, np.inf)  # a part for each edge
+    is_long = along.any(axis=1)
     return {
         "components": components,
         "cycles": cycles,
@@ -148,12 +143,12 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
         "leaves": int((np.bincount(edges.ravel(), minlength=len(vertices)) == 1).sum()),
         "inside": inside_fraction(shape, vertices, edges, radii),
         "boundedness": float(is_inside.mean()),
-        "off_centre": _off_centre(shape, *_middles(vertices, edges)),
-        "missed_95": _percentile(missed, area),
+        "off_centre": _off_centre(shape, middles[is_long], along[is_long], parts[is_long]),
+        "missed_95": _by_area(missed, area),
         "missed_max": float(missed.max()),
         "smoothness": _smoothness(vertices, paths),
         "tip_gap": _tip_gap(shape, vertices, edges, paths),
-        "length": float(length.sum()),
+        "length": float(parts[is_long].sum()),
     }
 
 
@@ -176,13 +171,9 @@ def inside_fraction(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, r
     return float((share * length).sum() / length.sum())
 
 
-def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:
-    """Points (P, 3) on the edges, in the middles of parts of at most ``spacing``, and the length of each part (P,)."""
-    return _pieces(vertices, edges, spacing)[:2]
-
-
-def _pieces(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """`sample_curve`, and the direction (P, 3) of each point's edge; 0 on a curve without length."""
+def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points (P, 3) on the edges, in the middles of parts of at most ``spacing``; the length (P,) of each part, and its
+    direction (P, 3), 0 where it has no length."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     if not length.sum() > 0:  # a curve without length is sampled at its nodes
@@ -247,14 +238,6 @@ def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
     return vertices, np.unique(edges[edges[:, 0] < edges[:, 1]], axis=0).reshape(-1, 2)
 
 
-def _middles(vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Middle (E, 3), direction (E, 3) and length (E,) of the edges that have a length."""
-    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    length = np.linalg.norm(b - a, axis=1)
-    is_long = length > 0
-    return ((a + b) / 2)[is_long], unit(b - a)[is_long], length[is_long]
-
-
 def _off_centre(shape: Enclosure, points: np.ndarray, along: np.ndarray, length: np.ndarray) -> float:
     """``off_centre`` of ``points`` (P, 3) on a curve with directions ``along`` (P, 3), weighted by ``length`` (P,)."""
     if not len(points):
@@ -267,10 +250,9 @@ def _off_centre(shape: Enclosure, points: np.ndarray, along: np.ndarray, length:
     return float((off * length[is_found]).sum() / max(length[is_found].sum(), 1e-300))
 
 
-def _percentile(missed: np.ndarray, area: np.ndarray) -> float:
-    order = np.argsort(missed)
-    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())  # few points, such as corners, do not decide
-    return float(missed[order[min(rank, len(order) - 1)]])
+def _by_area(missed: np.ndarray, area: np.ndarray) -> float:
+    """The 95th percentile by area: few points, such as corners, do not decide."""
+    return float(np.quantile(missed, 0.95, weights=area, method="inverted_cdf"))
 
 
 def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -8,9 +8,9 @@ import pytest
 import trimesh
 from conftest import torus
 
-from msf_jax import Report, Skeleton, metrics
+from msf_jax import metrics
 from msf_jax.base.errors import MeshError
-from msf_jax.metrics import compare, curve_distance, evaluate, sample_curve
+from msf_jax.metrics import compare, curve_distance, evaluate
 from tests.benchmarks.ground_truth import swept_tube
 
 Curve = tuple[np.ndarray, np.ndarray]
@@ -86,14 +86,8 @@ def test_the_axis_of_a_tube_is_as_good_as_can_be(tube):
         *("mesh_components", "genus", "components", "cycles", "loops", "leaves", "inside", "boundedness"),
         *("off_centre", "missed_95", "missed_max", "smoothness", "tip_gap", "length"),
     ]
-    assert [figures[name] for name in ("mesh_components", "components", "genus", "cycles", "loops", "leaves")] == [
-        1,
-        1,
-        0,
-        0,
-        0,
-        2,
-    ]
+    counts = [figures[name] for name in ("mesh_components", "components", "genus", "cycles", "loops", "leaves")]
+    assert counts == [1, 1, 0, 0, 0, 2]
     assert figures["inside"] == figures["boundedness"] == 1
     assert figures["off_centre"] < 1e-9 and figures["smoothness"] == pytest.approx(1, abs=1e-9)
     assert figures["length"] == pytest.approx((LENGTH - 2) / diagonal(tube))
@@ -102,15 +96,6 @@ def test_the_axis_of_a_tube_is_as_good_as_can_be(tube):
 @pytest.mark.parametrize("shift", [0.1, 0.3, 0.6, 0.9])
 def test_off_centre_is_the_shift_in_radii(tube, shift):
     assert evaluate(tube, upright(1, 5, aside=shift))["off_centre"] == pytest.approx(shift, rel=0.01)
-
-
-def test_off_centre_is_a_mean_by_length(tube):
-    """Two units of length on the axis and one at 0.3 of the radius, however many nodes each has."""
-    z = np.r_[np.linspace(1, 3, 5), np.linspace(3, 4, 60)]
-    vertices = np.stack([np.where(np.arange(65) < 5, 0, 0.3), 0 * z, z], axis=1)
-    edges = np.stack([np.arange(64), np.arange(1, 65)], axis=1)
-    figures = evaluate(tube, (vertices, edges[edges[:, 0] != 4]))
-    assert figures["off_centre"] == pytest.approx(0.1, rel=0.01) and figures["components"] == 2
 
 
 def test_a_tilted_curve_is_off_by_where_its_sections_are(tube):
@@ -145,16 +130,6 @@ def test_what_a_curve_misses_of_a_cylinder_is_its_rim(tube):
     assert figures["missed_max"] == pytest.approx((np.sqrt(2) - 1) / diagonal(tube), rel=0.04)
     r = np.sqrt(1 + (6 - 14 * 0.05) / 2) - 1
     assert figures["missed_95"] == pytest.approx((np.sqrt(1 + r**2) - 1) / diagonal(tube), rel=0.04)
-
-
-def test_what_is_missed_counts_by_area(monkeypatch):
-    """Half of the triangles of a pear are around its small end, where they have almost no area."""
-    mesh = trimesh.creation.icosphere(3)
-    mesh.vertices *= np.exp(1.5 * mesh.vertices[:, 2:])
-    dense = evaluate(mesh, ([[0, 0, 2]], []))
-    monkeypatch.setattr(metrics, "SURFACE_SAMPLES", 10)  # one on each triangle
-    sparse = evaluate(mesh, ([[0, 0, 2]], []))
-    assert sparse["missed_95"] == pytest.approx(dense["missed_95"], rel=0.05)
 
 
 @pytest.mark.parametrize("gap", [0.4, 2.0])
@@ -217,19 +192,6 @@ def test_a_parallel_curve_is_equally_far_both_directions(tube, aside):
         assert figures[name] == pytest.approx(aside / diagonal(tube), abs=1e-12)
 
 
-def test_a_curve_that_stops_short_is_near_the_truth_but_not_the_truth_near_it(tube):
-    """One unit short at each end of 6: the mean is 2 / 6 of a half."""
-    figures = evaluate(tube, upright(1, 5), truth=upright(0, LENGTH, 7))
-    assert figures["to_truth_mean"] == pytest.approx(0, abs=1e-12)
-    assert figures["to_truth_max"] == pytest.approx(0, abs=1e-12)
-    assert figures["from_truth_max"] == pytest.approx(1 / diagonal(tube), abs=0.001)
-    assert figures["from_truth_mean"] == pytest.approx(1 / 6 / diagonal(tube), rel=1e-3)
-    back = evaluate(tube, upright(0, LENGTH, 7), truth=upright(1, 5))
-    for name in ("mean", "max"):
-        assert back[f"to_truth_{name}"] == figures[f"from_truth_{name}"]
-        assert back[f"from_truth_{name}"] == figures[f"to_truth_{name}"]
-
-
 def test_distances_from_a_truth_are_means_by_length(tube):
     """Three hundred edges of next to no length at one end, which is off the truth by 0.5, do not count."""
     z = np.r_[1, np.linspace(4.99, 5, 300)]
@@ -237,14 +199,6 @@ def test_distances_from_a_truth_are_means_by_length(tube):
     figures = evaluate(tube, slope, truth=upright(1, 5))
     assert figures["to_truth_mean"] == pytest.approx(0.25 / diagonal(tube), rel=0.01)
     assert figures["to_truth_max"] == pytest.approx(0.5 / diagonal(tube), rel=1e-3)
-
-
-def test_samples_are_the_middles_of_equal_parts():
-    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [1, 0.2, 0], [1, 0.2, 0]])
-    points, weight = sample_curve(vertices, np.array([[0, 1], [2, 1], [2, 3]]), 0.3)
-    expected = [[0.125, 0, 0], [0.375, 0, 0], [0.625, 0, 0], [0.875, 0, 0], [1, 0.1, 0], [1, 0.2, 0]]
-    np.testing.assert_allclose(points, expected, atol=1e-15)
-    np.testing.assert_allclose(weight, [0.25, 0.25, 0.25, 0.25, 0.2, 0])
 
 
 def segment_distance(point: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
@@ -266,9 +220,6 @@ def test_the_distance_is_that_to_the_nearest_edge(monkeypatch, at_once):
     edges[3] = 7  # a single place
     expected = [min(segment_distance(point, *vertices[edge]) for edge in edges) for point in points]
     np.testing.assert_allclose(curve_distance(points, vertices, edges), expected, rtol=1e-12)
-
-
-# What it takes, and what does not matter
 
 
 # Two curves, where both run
@@ -306,19 +257,10 @@ def test_a_curve_beside_itself_and_in_the_other_order():
     assert one["other_off_centre"] < one["off_centre"] and one["common"] < 0.95 < one["other_common"]
 
 
-def as_skeleton(vertices: np.ndarray, edges: np.ndarray) -> Skeleton:
-    """A Skeleton of any curve, with a report that says nothing true."""
-    report = Report(9, 9, 9, 9, 0.5, False, "none", 0, 0, 0, 1.0, 0, 0)
-    return Skeleton(vertices, edges, np.zeros(len(vertices)), np.zeros(0, dtype=int), report)
-
-
 FORMS = {
     "tuple": lambda vertices, edges: (vertices, edges),
-    "list of lists": lambda vertices, edges: [vertices.tolist(), edges.tolist()],
-    "Skeleton": as_skeleton,
     "any object": lambda vertices, edges: SimpleNamespace(vertices=vertices.tolist(), edges=edges),
     "small numbers": lambda vertices, edges: (vertices, edges.astype(np.uint8)),
-    "strided": lambda vertices, edges: (np.asfortranarray(vertices), np.asfortranarray(edges)),
 }
 
 
@@ -329,16 +271,6 @@ def test_a_curve_in_any_form_has_the_same_figures(form):
     curve, truth = FORMS[form](vertices, edges), FORMS[form](vertices[:20], edges[:19])
     assert evaluate((mesh.vertices, mesh.faces), curve, truth=truth) == plain
     assert plain["to_truth_max"] > 0.1 and plain["leaves"] == 3
-
-
-def test_no_figure_is_at_its_best_for_a_bad_curve():
-    """So that the tests of what does not matter have something to lose."""
-    mesh, curve = bent()
-    figures = evaluate(mesh, curve)
-    for name in ("inside", "boundedness", "smoothness"):
-        assert 0.2 < figures[name] < 0.999, name
-    for name in ("off_centre", "missed_95", "missed_max", "tip_gap"):
-        assert figures[name] > 0.01, name
 
 
 @pytest.mark.parametrize("scale", [1e-100, 7.0, 1e100])
@@ -357,14 +289,6 @@ def test_figures_do_not_depend_on_the_order_of_nodes_edges_and_faces():
     curve = vertices[np.argsort(number)], number[turned][random.permutation(len(edges))]
     shuffled = mesh.vertices, mesh.faces[random.permutation(len(mesh.faces))]
     assert_same(evaluate(shuffled, curve), evaluate(mesh, (vertices, edges)))
-
-
-def test_a_mesh_inside_out_has_the_same_figures():
-    mesh, curve = bent()
-    turned = mesh.vertices, mesh.faces[:, ::-1]
-    found, expected = evaluate(turned, curve), evaluate(mesh, curve)
-    for name in ("inside", "boundedness", "tip_gap", "off_centre", "missed_max"):
-        assert found[name] == pytest.approx(expected[name], rel=0.02)
 
 
 def test_what_comes_in_is_left_as_it_is():
@@ -388,27 +312,17 @@ LINE = [[0, 0, 1.0], [0, 0, 2.0]]
     ("curve", "message"),
     [
         ({"vertices": LINE, "edges": [[0, 1]]}, "dict is no curve"),
-        (7, "int is no curve"),
-        ("curve.swc", "str is no curve"),
         ((LINE,), "tuple is no curve"),
-        ((LINE, [[0, 1]], [1, 1]), "tuple is no curve"),
         ((LINE, None), "no curve|edges of the curve"),
-        ((LINE, [[0, 1], [1]]), "no curve|edges of the curve"),
         ((LINE, [[0, 1, 0]]), "no curve|edges of the curve"),
         (([["a", "b", "c"]], []), "tuple is no curve"),
-        (SimpleNamespace(vertices=LINE, edges=None), "no curve|edges of the curve"),
-        (SimpleNamespace(vertices=LINE), "SimpleNamespace is no curve"),
         (([], []), r"vertices of the curve have shape \(0,\)"),
-        ((np.empty((0, 3)), []), r"shape \(0, 3\): expected \(N, 3\) finite numbers, N > 0"),
-        (([0, 0, 1.0], []), r"vertices of the curve have shape \(3,\)"),
         (([[0, 0], [1, 1]], [[0, 1]]), r"vertices of the curve have shape \(2, 2\)"),
         (([[0, 0, np.nan]], []), "expected .* finite numbers"),
-        (([[0, 0, np.inf], [0, 0, 1]], [[0, 1]]), "expected .* finite numbers"),
         ((LINE, [[0, 2]]), "edges of the curve are no ids of nodes: expected whole numbers from 0 to 1"),
         ((LINE, [[-1, 0]]), "edges of the curve are no ids of nodes: expected whole numbers from 0 to 1"),
         ((LINE, [[0.5, 1]]), "edges of the curve are no ids of nodes"),
         ((LINE, [[False, True]]), "edges of the curve are no ids of nodes"),
-        ((LINE, [["0", "1"]]), "edges of the curve are no ids of nodes"),
     ],
 )
 def test_what_is_no_curve_is_refused(tube, curve, message):

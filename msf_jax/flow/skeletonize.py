@@ -85,7 +85,7 @@ def _spread(skeleton: Skeleton, weights: Weights, config: Config, num: int) -> d
         vertices = solid.leave(solid.shape.vertices + random.normal(0, JITTER, solid.shape.vertices.shape))
         other = loop.contract((vertices, solid.shape.faces), weights, config).skeleton
         for one, two in ((skeleton, other), (other, skeleton)):
-            points, length = metrics.sample_curve(one.vertices, one.edges, SAMPLE_SPACING * solid.diagonal)
+            points, length, _ = metrics.sample_curve(one.vertices, one.edges, SAMPLE_SPACING * solid.diagonal)
             away.append(np.average(metrics.curve_distance(points, two.vertices, two.edges), weights=length))
         leaves.append(abs(other.num_leaves - skeleton.num_leaves))
     return {"spread": float(np.mean(away)) / unit, "spread_leaves": float(max(leaves))}

@@ -3,9 +3,8 @@
     python -m tests.benchmarks.answers FOLDER [--detail X] [--only NAME,..] [--peers]
         [--pictures FOLDER] [--output FILE]
 
-Run from the project's root. The folder has pairs of a mesh and a drawn curve of the same name: ``.graph`` (GEL: ``n x
-y z`` and ``c i j``, from 0), ``.tgf`` (``i x y z``, ``#``, ``i j``) or ``.swc``. With ``--peers``, CGAL and GEL are
-scored beside.
+Run from the project's root. The folder has pairs of a mesh and a drawn curve of the same name, in GEL's ``.graph`` (``n
+x y z`` and ``c i j``, from 0). With ``--peers``, CGAL and GEL are scored beside.
 
 - ends: found, drawn, and matched one to one within 0.05 diagonals of the box.
 - precision: matched of those found. recall: matched of those drawn. 1 without any.
@@ -31,19 +30,8 @@ COLUMNS = ["shape", "method", "found", "drawn", "matched", "precision", "recall"
 def drawn_curve(file: Path) -> Curve:
     """The nodes (N, 3) and edges (E, 2) of a file; nodes without an edge, such as removed ones, stay."""
     rows = [words for text in file.read_text().splitlines() if (words := text.split("!")[0].split())]
-    if file.suffix == ".graph":
-        nodes = [words[1:4] for words in rows if words[0] == "n"]
-        edges = [words[1:3] for words in rows if words[0] == "c"]
-        return np.array(nodes, dtype=float), np.array(edges, dtype=np.int64).reshape(-1, 2)
-    if file.suffix == ".tgf":
-        cut = next((number for number, words in enumerate(rows) if words[0] == "#"), len(rows))
-        names = {words[0]: number for number, words in enumerate(rows[:cut])}
-        edges = [[names[words[0]], names[words[1]]] for words in rows[cut + 1 :]]
-        return np.array([words[1:4] for words in rows[:cut]], dtype=float), np.array(edges, np.int64).reshape(-1, 2)
-    rows = [words for words in rows if words[0][0] != "#"]
-    names = {words[0]: number for number, words in enumerate(rows)}
-    edges = [[names[words[6]], names[words[0]]] for words in rows if words[6] in names]
-    return np.array([words[2:5] for words in rows], dtype=float), np.array(edges, np.int64).reshape(-1, 2)
+    nodes = np.array([words[1:4] for words in rows if words[0] == "n"], dtype=float)
+    return nodes, np.array([words[1:3] for words in rows if words[0] == "c"], dtype=np.int64).reshape(-1, 2)
 
 
 def scored(found: Curve, drawn: Curve, size: float) -> list[float]:
@@ -69,7 +57,7 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
     yield frame.opening(f"Curves that people drew, detail {wanted.detail:g}") + frame.head(COLUMNS)
     peers = {"cgal": curves.cgal, "gel": curves.gel} if wanted.peers else {}
     total: dict[str, list[list[float]]] = {}
-    for file in sorted(path for suffix in ("graph", "tgf", "swc") for path in wanted.folder.glob(f"*.{suffix}")):
+    for file in sorted(wanted.folder.glob("*.graph")):
         meshes = [path for suffix in ("obj", "off", "ply", "stl") if (path := file.with_suffix(f".{suffix}")).exists()]
         if not meshes or not (wanted.only == ["*"] or file.stem in wanted.only):
             continue

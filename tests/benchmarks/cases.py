@@ -74,20 +74,16 @@ def wrong_ends(case: Case, leaves: np.ndarray) -> list[str]:
     return found
 
 
-def is_off(value: float, right: float, share: float) -> bool:
-    return not abs(value - right) <= share * right
-
-
 def faults(case: Case, skeleton: Any) -> list[str]:
     """What is wrong with a curve, in words."""
     found = wrong_ends(case, frame.ends((skeleton.vertices, skeleton.edges)))
-    if case.length and is_off(skeleton.length, case.length, LENGTH):
+    if case.length and abs(skeleton.length - case.length) > LENGTH * case.length:
         found.append(f"length {skeleton.length:.4g} for {case.length:g}")
     if skeleton.report.cycles != case.cycles:
         found.append(f"{skeleton.report.cycles} cycles for {case.cycles}")
     least = least_radius(skeleton)
     # A surface that crosses itself has radii to walls inside of the solid: a doubt is right, too.
-    if case.radius and is_off(least, case.radius, RADIUS) and skeleton.report.is_sound:
+    if case.radius and abs(least - case.radius) > RADIUS * case.radius and skeleton.report.is_sound:
         found.append(f"least radius {least:.3g} for {case.radius:g}")
     return found + (case.more(skeleton) if case.more else [])
 
@@ -128,7 +124,7 @@ def stem(skeleton: Any) -> list[str]:
     step = np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1)
     graph = sparse.coo_matrix((step, tuple(edges.T)), (len(x), len(x)))
     length = float(csgraph.dijkstra(graph.tocsr(), directed=False, indices=first)[last])
-    return found + ([f"stem {length:.2f} for 17.30"] if is_off(length, 17.3, LENGTH) else [])
+    return found + ([f"stem {length:.2f} for 17.30"] if not abs(length - 17.3) <= LENGTH * 17.3 else [])
 
 
 _X, _Z = OUTER[0] - 0.24 * np.sin(np.radians(15)), OUTER[1] - 0.24 * np.cos(np.radians(15))

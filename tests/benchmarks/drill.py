@@ -1,19 +1,16 @@
 """Blind holes drilled into shapes at their thick places: ends and junctions should stay as they were.
 
-    python -m tests.benchmarks.drill [FOLDER ..] [--seed N] [--holes N] [--only NAME,..] [--jobs N] [--limit SECONDS]
-        [--most VERTICES] [--count N] [--pictures FOLDER] [--output FILE]
+    python -m tests.benchmarks.drill [FILE ..] [--seed N] [--holes N] [--only NAME,..] [--jobs N] [--limit SECONDS]
+        [--pictures FOLDER] [--output FILE]
 
-Run from the project's root. Shapes are twelve of `ground_truth` and the closed meshes of the folders, in turn,
-``--count`` in all. A hole is a quarter of the local clearance wide (its radius) and 0.7 of it deep, along the inward
-normal: it ends before the axis, and has no volume to carry a branch. Clearance is that in the middle of the solid
-behind the point. A shape is right (``ok``) with as many ends and junctions as before, and with each end within 0.05
-diagonals of its own old one; ``moved`` is the largest such distance, in diagonals.
+Run from the project's root. Shapes are twelve of `ground_truth` and the files, closed meshes. A hole is a
+quarter of the local clearance wide (its radius) and 0.7 of it deep, along the inward normal: it ends before the axis,
+and has no volume to carry a branch. Clearance is that in the middle of the solid behind the point. A shape is right
+(``ok``) with as many ends and junctions as before, and with each end within 0.05 diagonals of its own old one;
+``moved`` is the largest such distance, in diagonals.
 """
 
-import fnmatch
-from collections.abc import Iterator
 from functools import partial
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -110,36 +107,13 @@ def job_of(name: str, seed: int, num: int) -> frame.Job:
     return frame.Job(cut, judge, shown=cut)
 
 
-def names_of(folders: list[Path], only: list[str], most: int) -> Iterator[str]:
-    """Shapes, and paths of meshes that can be drilled, each name once."""
-    from msf_jax.meshes import checking
-
-    yield from (name for name in KNOWN if any(fnmatch.fnmatch(name, pattern) for pattern in only))
-    stems: set[str] = set()
-    for path in (path for folder in folders for path in sorted(folder.iterdir())):
-        is_wanted = path.suffix in (".off", ".obj", ".ply", ".stl") and path.stem not in stems
-        if not is_wanted or not any(fnmatch.fnmatch(path.name, pattern) for pattern in only):
-            continue
-        try:
-            mesh = mesh_of(str(path))
-            is_good = len(mesh[0]) <= most and trimesh.Trimesh(*mesh, process=False).is_watertight
-            is_good = is_good and bool(solid_of(mesh) and checking.prepare(mesh))
-        except ValueError:
-            continue
-        if is_good:
-            stems.add(path.stem)
-            yield str(path.resolve())
-
-
 def main() -> None:
     parser = frame.parser_for("drill", __doc__)
-    parser.add_argument("folders", nargs="*", type=Path, help="of meshes")
+    parser.add_argument("files", nargs="*", help="closed meshes")
     parser.add_argument("--seed", type=int, default=0, help="of the holes' places")
     parser.add_argument("--holes", type=int, default=3, help="in each shape, at most")
-    parser.add_argument("--most", type=int, default=20_000, help="vertices of a mesh")
-    parser.add_argument("--count", type=int, default=20, help="shapes")
     wanted = parser.parse_args()
-    names = list(islice(names_of(wanted.folders, wanted.only, wanted.most), wanted.count))
+    names = [*KNOWN, *wanted.files]
     make = partial(job_of, seed=wanted.seed, num=wanted.holes)
     frame.publish(frame.report(f"Blind holes, seed {wanted.seed}", COLUMNS, names, make, wanted), wanted.output)
 

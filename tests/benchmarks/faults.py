@@ -22,7 +22,7 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 import msf_jax
-from msf_jax import ConfigError, FlowError, MeshError
+from msf_jax import FlowError, MeshError
 
 BILLION = 1_000_000_000
 LONGEST = 300.0  # seconds; what takes longer hangs
@@ -68,19 +68,15 @@ def box(at: tuple[float, float, float] = (0, 0, 0)) -> Pair:
 def strip(twists: float) -> Pair:
     """A band of triangles with so many half turns."""
     angle = np.arange(60) * 2 * np.pi / 60
-    vertices = []
-    for side in (-0.3, 0.3):
-        reach = 1 + side * np.cos(twists * angle / 2)
-        vertices.append(
-            np.stack([reach * np.cos(angle), reach * np.sin(angle), side * np.sin(twists * angle / 2)], axis=1)
-        )
-    faces = []
-    for k in range(60):
-        a, b, c, d = k, k + 60, k + 1, k + 61
-        if k == 59:
-            c, d = (0, 60) if twists % 2 == 0 else (60, 0)
-        faces += [[a, c, b], [b, c, d]]
-    return np.concatenate(vertices), np.array(faces)
+    side, turn = np.repeat([-0.3, 0.3], 60), np.tile(twists * angle / 2, 2)
+    x, y = ((1 + side * np.cos(turn)) * np.tile(way, 2) for way in (np.cos(angle), np.sin(angle)))
+    a = np.arange(60)
+    b, c, d = a + 60, (a + 1) % 60, (a + 1) % 60 + 60
+    if twists % 2:  # the last side meets the first one turned over
+        c[-1], d[-1] = d[-1], c[-1]
+    return np.stack([x, y, side * np.sin(turn)], axis=1), np.concatenate(
+        [np.stack([a, c, b], 1), np.stack([b, c, d], 1)]
+    )
 
 
 def inverted(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
@@ -101,11 +97,8 @@ def hollow(seed: int) -> tuple[trimesh.Trimesh, int]:
     parts = [trimesh.creation.box((2.0 * num, *size)).subdivide_to_size(0.5)]
     is_ring = random.random(num) < 0.4
     for place in range(num):
-        cavity = (
-            trimesh.creation.torus(1.0, 0.35, major_sections=24, minor_sections=12)
-            if is_ring[place]
-            else trimesh.creation.icosphere(2)
-        )
+        ring = trimesh.creation.torus(1.0, 0.35, major_sections=24, minor_sections=12)
+        cavity = ring if is_ring[place] else trimesh.creation.icosphere(2)
         cavity.apply_scale(random.uniform(0.3, 0.5))
         cavity.apply_transform(trimesh.transformations.random_rotation_matrix(random.random(3)))
         parts.append(inverted(cavity.apply_translation([2.0 * place - num + 1, *random.uniform(-0.1, 0.1, 2)])))
@@ -169,17 +162,10 @@ def array_variants() -> dict[str, Any]:
         "one infinite": (changed(7, [0, np.inf, 0]), faces),
         "all NaN": (np.full_like(vertices, np.nan), faces),
         "lists": (vertices.tolist(), faces.tolist()),
-        "read-only": tuple(map(_read_only, (vertices, faces))),
         "float16": (vertices.astype(np.float16), faces),
         "uint8 faces": (vertices[:200], faces[(faces < 200).all(axis=1)].astype(np.uint8)),
         "Fortran order": (np.asfortranarray(vertices), np.asfortranarray(faces)),
     }
-
-
-def _read_only(array: np.ndarray) -> np.ndarray:
-    array = array.copy()
-    array.setflags(write=False)
-    return array
 
 
 def topology_variants() -> dict[str, Any]:
@@ -214,10 +200,7 @@ def topology_variants() -> dict[str, Any]:
         "a fin": (np.concatenate([vertices, [[3.0, 3, 3]]]), np.concatenate([faces, [[*faces[9, :2], len(vertices)]]])),
         "a wall inside": (np.concatenate([cube[0], [[0, 0, 0]]]), np.concatenate([cube[1], wall])),
         "random faces": (vertices, random.integers(0, len(vertices), (300, 3))),
-        "a sphere and random faces": (
-            vertices,
-            np.concatenate([faces, random.integers(0, len(vertices), (60, 3))]),
-        ),
+        "it and random faces": (vertices, np.concatenate([faces, random.integers(0, len(vertices), (60, 3))])),
         "two boxes that share a vertex": welded(joined(box(), box((1, 1, 1)))),
         "two boxes that share an edge": welded(joined(box(), box((1, 1, 0)))),
         "two boxes that share a face": welded(joined(box(), box((1, 0, 0)))),
@@ -257,9 +240,7 @@ def geometry_variants() -> dict[str, Any]:
         "all vertices in one place": (np.zeros_like(vertices), faces),
         "a cube of 8 vertices": pair(trimesh.creation.box()),
         "a cube": box(),
-        "an octahedron": (np.concatenate([np.eye(3), -np.eye(3)]), trimesh.creation.octahedron().faces)
-        if hasattr(trimesh.creation, "octahedron")
-        else pair(trimesh.creation.icosahedron()),
+        "an icosahedron": pair(trimesh.creation.icosahedron()),
         "an icosphere": pair(ball),
         "a torus": pair(torus()),
         "a prism": pair(prism),
@@ -282,20 +263,14 @@ def file_variants(folder: Path) -> dict[str, Any]:
     ply = f"element vertex {BILLION}\n{vertex}element face {BILLION}\n{face}end_header\n"
     off = str(limb().export(file_type="off"))
     files: dict[str, bytes | str] = {
-        "empty.off": "",
-        "empty.obj": "",
-        "empty.ply": "",
-        "empty.stl": "",
+        **{f"empty.{suffix}": "" for suffix in ("off", "obj", "ply", "stl")},
+        **{f"binary.{suffix}": np.random.default_rng(0).bytes(5000) for suffix in ("off", "obj", "ply", "stl")},
         "billion.off": f"OFF\n{BILLION} {BILLION} 0\n0 0 0\n",
         "billion faces.off": f"OFF\n3 {BILLION} 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
         "negative.off": "OFF\n-5 -7 0\n0 0 0\n",
         "index.off": f"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 {BILLION}\n",
         "truncated.off": off[: len(off) // 2],
         "words.off": off.replace("0.4", "zero", 1),
-        "binary.off": np.random.default_rng(0).bytes(5000),
-        "binary.obj": np.random.default_rng(0).bytes(5000),
-        "binary.ply": np.random.default_rng(0).bytes(5000),
-        "binary.stl": np.random.default_rng(0).bytes(5000),
         "ascii billion.ply": f"ply\nformat ascii 1.0\n{ply}0 0 0\n",
         "billion.ply": f"ply\nformat binary_little_endian 1.0\n{ply}" + "\0" * 50,
         "billion.stl": b"\0" * 80 + struct.pack("<I", 2**32 - 1) + b"\0" * 50,
@@ -350,7 +325,7 @@ def outcome(mesh: Any, *, repair: bool) -> str:
         skeleton = msf_jax.skeletonize(mesh, repair=repair)
     except (MeshError, FlowError) as error:
         found = "refused" if len(str(error)) > 20 else f"FAILED: says only {error}"
-    except (ConfigError, Exception):
+    except Exception:
         return f"FAILED: {traceback.format_exc()}"
     else:
         num = len(skeleton.vertices)
@@ -388,9 +363,6 @@ def main() -> int:
                     failures += [f"{kind}, {name}, repair={repair}: {text}" for name, text in bad.items()]
                     counts = Counter("FAILED" if name in bad else text for name, text in found.items())
                     columns.append(", ".join(f"{count} {what}" for what, count in sorted(counts.items())))
-                    doubtful = [name for name, text in found.items() if text == "a doubtful curve"]
-                    if doubtful:
-                        print(f"{kind}, repair={repair}, doubtful: {', '.join(doubtful)}", file=sys.stderr)
                 precision = "float64" if is_double else "float32"
                 print(f"| {kind} | {precision} | {len(variants)} | {columns[0]} | {columns[1]} |", flush=True)
     print("\n\n".join(failures))

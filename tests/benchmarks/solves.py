@@ -1,6 +1,6 @@
 """How far from their solutions do the contraction's solves end?
 
-python -m tests.benchmarks.solves [NAME|FILE ...] [--tight]      (python -m tests.benchmarks.solves --help)
+python -m tests.benchmarks.solves [NAME ...] [--tight]      (python -m tests.benchmarks.solves --help)
 
 Each solve of a run's first iterations is compared with a sparse factorisation, refined in float64, with the default
 weights and with weights that make it hard. Lengths are RMS over free vertices, in the least t_c of any limb.
@@ -8,7 +8,6 @@ weights and with weights that make it hard. Lengths are RMS over free vertices, 
 
 import argparse
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import jax
@@ -23,7 +22,7 @@ from msf_jax.device.contraction import Gram
 from msf_jax.device.iteration import _energies, _equations, jitted_move
 from msf_jax.flow import starting, stepping
 from msf_jax.meshes import checking
-from tests.benchmarks import ground_truth
+from tests.benchmarks import frame, ground_truth
 
 NAMES = ("arc_coarse", "y_coarse", "helix_coarse", "tree_coarse", "octopus_low", "hand", "pawn_low", "comb", "theta")
 WEIGHTS = {
@@ -85,41 +84,29 @@ def solves(mesh: trimesh.Trimesh, weights: Weights | None, config: Config, most:
         error = np.asarray(moved.positions - buffers.positions)[free] - exact
         report, unit = moved.contraction, float(buffers.t_c) * free.sum() ** 0.5
         figures = {"steps": report.steps.item(), "has_ended": report.has_ended.item()}
-        figures |= {"true": np.linalg.norm(error) / unit, "motion": np.linalg.norm(exact) / unit}
-        found.append(figures | {"farthest": np.linalg.norm(error, axis=1).max() / float(buffers.t_c)})
+        found.append(figures | {"error": np.linalg.norm(error) / unit})
         state = stepping.step(state, weights, config, Clock())
     return found
 
 
-def line(label: str, found: list[dict[str, Any]]) -> str:
-    """One row of the table."""
-    cells = [
-        label,
-        f"{len(found)}, {sum(each['steps'] for each in found):,}",
-        f"{min(each['true'] for each in found):.2f} to {max(each['true'] for each in found):.2f}",
-        f"{max(each['motion'] for each in found):.1f}",
-        f"{max(each['farthest'] for each in found):.1f}",
-        f"{sum(not each['has_ended'] for each in found)}",
-    ]
-    return f"| {' | '.join(cells)} |"
+def cells_of(found: list[dict[str, Any]]) -> list[str]:
+    error = [each["error"] for each in found]
+    steps = f"{len(found)}, {sum(each['steps'] for each in found):,}"
+    return [steps, f"{min(error):.2f} to {max(error):.2f}", f"{sum(not each['has_ended'] for each in found)}"]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", default=NAMES, help="shapes of known truth, or files")
+    parser.add_argument("names", nargs="*", default=NAMES, help="shapes of known truth")
     parser.add_argument("--tight", action="store_true", help="with Config.tight()")
     options = parser.parse_args()
     jax.config.update("jax_enable_x64", True)
     config = Config().tight() if options.tight else Config()
-    meshes = [
-        trimesh.load(name, process=False) if Path(name).exists() else ground_truth.make(name).mesh
-        for name in options.names
-    ]
-    print("| weights | solves, steps | error | motion | farthest | out |")
-    print("| --- | --- | --- | --- | --- | --- |")
+    meshes = [ground_truth.make(name).mesh for name in options.names]
+    print(frame.head(["weights", "solves, steps", "error", "out of steps"]), end="")
     for label, weights in (WEIGHTS | {UNEVEN: None}).items():
-        most = ITERATIONS[label != "default"]
-        print(line(label, [each for mesh in meshes for each in solves(mesh, weights, config, most)]), flush=True)
+        found = [each for mesh in meshes for each in solves(mesh, weights, config, ITERATIONS[label != "default"])]
+        print(frame.line([label, *cells_of(found)]), end="", flush=True)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ class Timing:
     is_hand: bool
     vertices: int = 0
     calls: list[float] = field(default_factory=list)  # seconds, in order
-    reports: list[dict[str, Any]] = field(default_factory=list)  # of these calls; ours only
+    stages: list[dict[str, float]] = field(default_factory=list)  # seconds of these calls by stage; ours only
     before: float = math.nan  # bytes
     peak: float = math.nan
     failure: str = ""
@@ -88,13 +88,13 @@ def load(method: str, file: Path, float32: bool) -> tuple[int, int]:
     return len(LOADED["mesh"]["vertices"]), high_water_mark()
 
 
-def compute(method: str, limit: float) -> tuple[float, int, dict[str, Any]]:
-    """In the process of a method: seconds, memory, and our report."""
+def compute(method: str, limit: float) -> tuple[float, int, dict[str, float]]:
+    """In the process of a method: seconds, memory, and our seconds by stage."""
     given = {name: values.copy() for name, values in LOADED["mesh"].items()}
     start = time.perf_counter()
     with frame.limited(limit):
         curve = LOADED["call"](**given)
-    return time.perf_counter() - start, high_water_mark(), curve.report.to_dict() if method == OURS else {}
+    return time.perf_counter() - start, high_water_mark(), curve.report.seconds if method == OURS else {}
 
 
 def high_water_mark() -> int:
@@ -138,9 +138,9 @@ def measure(name: str, source: Source, methods: list[str], wanted: argparse.Name
                         given = (timing.method, file, wanted.float32)
                         timing.vertices, timing.before = pool.submit(load, *given).result()
                         continue
-                    seconds, timing.peak, report = pool.submit(compute, timing.method, wanted.limit).result()
+                    seconds, timing.peak, by_stage = pool.submit(compute, timing.method, wanted.limit).result()
                     timing.calls.append(seconds)
-                    timing.reports.append(report)
+                    timing.stages.append(by_stage)
                 except (Exception, frame.TooLong) as error:  # a row, not the end of the table
                     timing.failure = f"{type(error).__name__}: {error}"
     for pool in pools:
@@ -188,18 +188,13 @@ def seconds_lines(timings: list[Timing]) -> Iterator[str]:
 
 
 def stages(timings: list[Timing]) -> Iterator[str]:
-    """Our seconds by stage, medians, and our reports."""
-    names = list(dict.fromkeys(stage for timing in timings for stage in timing.reports[-1]["seconds"]))
+    """Our seconds by stage, medians."""
+    names = list(dict.fromkeys(stage for timing in timings for stage in timing.stages[-1]))
     yield f"\n## Seconds of {OURS} by stage, medians\n" + head(["mesh", "vertices", *names])
     for timing in timings:
-        runs = [report["seconds"] for report in timing.reports[1:] or timing.reports]
+        runs = timing.stages[1:] or timing.stages
         medians = [statistics.median(run.get(name, 0.0) for run in runs) for name in names]
         yield line([timing.mesh, f"{timing.vertices:,}", *(f"{value:.3f}" for value in medians)])
-    columns = {"components": "{components}/{mesh_components}", "cycles/genus": "{cycles}/{genus}"}
-    columns |= {"inside": "{inside:.4f}", "iterations": "{iterations}", "CG steps": "{solve_steps}", "end": "{reason}"}
-    yield f"\n## What {OURS} reports\n" + head(["mesh", *columns])
-    for timing in timings:
-        yield line([timing.mesh, *(text.format(**timing.reports[-1]) for text in columns.values())])
 
 
 def growth(hands: list[Timing], methods: list[str]) -> Iterator[str]:

@@ -20,7 +20,7 @@ import msf_jax
 from msf_jax import Config, Weights, metrics, objectives
 from msf_jax.gradients.replay import replay_meso
 from msf_jax.tuning.tuner import FIELD_BOUNDS, MOST_PAIRS
-from tests.benchmarks import ground_truth
+from tests.benchmarks import frame, ground_truth
 from tests.benchmarks.ground_truth import KnownShape
 
 OBJECTIVE = objectives.explained() + 0.02 * objectives.centred() + objectives.inside()
@@ -103,7 +103,7 @@ def main() -> None:
     columns = ["default weights", "tune", "grid", "random"]
     if options.fields:
         columns = ["default weights", "random numbers", "numbers", "fields", "tape and run", "Config()"]
-    print(f"| shape | {' | '.join(columns)} |\n{'| --- ' * (len(columns) + 1)}|")
+    print(frame.head(["shape", *columns]), end="")
     coarse = ",".join(["straight_coarse", "arc_coarse", "helix_coarse", "y_coarse", *SWEPT])
     for name in (options.shapes or (coarse if options.fields else SHAPES)).split(","):
         shape = made(name)
@@ -111,7 +111,7 @@ def main() -> None:
             cells = row_of_fields(shape, options.steps or 60)
         else:
             cells = row_of_numbers(shape, options.steps or 24, options.starts)
-        print(f"| {name} | {' | '.join(cells)} |", flush=True)
+        print(frame.line([name, *cells]), end="", flush=True)
 
 
 if __name__ == "__main__":
