@@ -146,20 +146,3 @@ def test_a_loss_is_blind_to_padding_and_units_and_has_the_slopes_of_differences(
 def test_misuse_is_told_what_to_do(misuse, says):
     with pytest.raises(ConfigError, match=says):
         misuse(filled(), bound())
-
-
-@pytest.mark.parametrize("count", [1, 31, 32, 100])
-def test_near_in_blocks_is_that_of_all_pairs(count):
-    """Value and slopes, to rounding."""
-    random = np.random.default_rng(count)
-    one, other, counts = random.normal(size=(count, 3)), random.normal(size=(57, 3)), random.random(57) < 0.5
-
-    def pairs(one, other):
-        return jnp.where(counts, ((one[:, None] - other) ** 2).sum(-1), jnp.inf).min(axis=1).sum()
-
-    def blocks(one, other):
-        return losses._to_nearest(one, other, counts).sum()
-
-    both = [jax.tree.leaves(jax.jit(jax.value_and_grad(f, (0, 1)))(one, other)) for f in (blocks, pairs)]
-    for found, expected in zip(*both, strict=True):
-        np.testing.assert_allclose(found, expected, rtol=1e-14, atol=1e-14)

@@ -5,7 +5,6 @@ import json
 from functools import partial
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
@@ -90,32 +89,17 @@ def test_it_equals_the_run(name, tmp_path):
 
 @pytest.mark.slow  # that a step's layout does not show is in test_padding
 def test_padding_does_not_matter(flow, monkeypatch):
-    """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
+    """In a larger layout, and in two stretches instead of one: the same nodes."""
 
-    def other_plan(steps, before):
+    def other_plan(steps, *_):
         beyond = [4] * 20
         return [Planned(0, 1, layout_for(500, beyond)), Planned(1, len(steps), layout_for(400, beyond))]
 
-    first = flow.tape
+    nodes = msf_jax.replay(flow.tape, flow.weights)
     monkeypatch.setattr(padded, "stretches_of", other_plan)
     again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
-    assert again.shapes != first.shapes
-    towards = np.random.default_rng(0).normal(size=flow.curve.vertices.shape)
-    logarithms = np.log(np.tile(np.array(jax.tree.leaves(first.weights))[:, None], len(first.vertices)))
-
-    @jax.jit
-    def probe(tape, logarithms, vertices):
-        def value(logarithms, vertices):
-            nodes = msf_jax.replay(tape, Weights(*jnp.exp(logarithms)), vertices, tolerance=1e-15)
-            return (towards * nodes).sum(), nodes
-
-        return jax.grad(value, argnums=(0, 1), has_aux=True)(logarithms, vertices)
-
-    slopes, nodes = probe(first, logarithms, first.vertices)
-    other_slopes, other_nodes = probe(again, logarithms, first.vertices)
-    np.testing.assert_allclose(other_nodes, nodes, atol=1e-10)
-    for one, other in zip(slopes, other_slopes, strict=True):
-        np.testing.assert_allclose(other, one, rtol=1e-6, atol=1e-7 * np.abs(one).max())
+    assert again.shapes != flow.tape.shapes
+    np.testing.assert_allclose(msf_jax.replay(again, flow.weights), nodes, atol=1e-10)
 
 
 @pytest.mark.slow  # traces a gradient of its own
@@ -156,11 +140,6 @@ def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
 
 
-def weights_of(value):
-    """`Weights` that the constructor would refuse."""
-    return jax.tree.map(lambda _: value, Weights())
-
-
 @pytest.mark.parametrize(
     ("arguments", "error", "says"),
     [
@@ -170,8 +149,8 @@ def weights_of(value):
         (lambda tape: (tape, Weights(), np.zeros((5, 3))), MeshError, r"shape \(5, 3\): expected \(162, 3\)"),
         (lambda tape: (tape, Weights(), tape.vertices * np.nan), MeshError, "162 of the vertices, the first 0, are"),
         (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str: expected an array of numbers"),
-        (lambda tape: (tape, weights_of(-1.0)), ConfigError, "w_L is -1.0: expected a"),
-        (lambda tape: (tape, weights_of(0.0)), ConfigError, "w_H is 0.0: expected more"),
+        (lambda tape: (tape, jax.tree.map(lambda _: -1.0, Weights())), ConfigError, "w_L is -1.0: expected a"),
+        (lambda tape: (tape, jax.tree.map(lambda _: 0.0, Weights())), ConfigError, "w_H is 0.0: expected more"),
     ],
 )
 def test_wrong_arguments(flow, arguments, error, says):

@@ -15,13 +15,12 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from conftest import blob, fewer_rows
-from device_cases import build, central_difference, one_level, pebble, strict
+from device_cases import central_difference, strict
 from jax import export
 from run_cases import flow_of
 
 import msf_jax
 from msf_jax import Config, PreprocessingOptions, Weights
-from msf_jax.device import iteration
 
 STEPS = (1e-4, 1e-5, 1e-6)  # of differences: the best one counts, as large ones bend and small ones round
 PLATFORMS = ("cpu", "cuda", "tpu")  # XLA compiles for the last two where such a device is; all operations are lowered
@@ -61,44 +60,30 @@ def weighed(found):
 
 @functools.cache
 def case(name: str) -> Case:
-    random = np.random.default_rng(0)
-    tape = recorded().tape if name in ("weights", "vertices") else None
-    if tape is not None:
-        towards = random.normal(size=(tape.num_nodes, 3))
-        if name == "weights":
-            start = np.log(jax.tree.leaves(tape.weights))
+    """Of a replay by its weights or vertices, or of nodes, radii and a batch of nodes by vertices."""
+    random, tape = np.random.default_rng(0), recorded().tape
+    towards, batch = random.normal(size=(tape.num_nodes, 3)), msf_jax.stack(curves())
+    limbs = curves()[1]
 
-            def value(x):
-                return (towards * msf_jax.replay(tape, Weights(*jnp.exp(x)), tolerance=1e-14)).sum()
-        else:
-            start = np.asarray(tape.vertices)
+    def replayed(weights, vertices=None):
+        return (towards * msf_jax.replay(tape, weights, vertices, tolerance=1e-14)).sum()
 
-            def value(x):
-                return (towards * msf_jax.replay(tape, tape.weights, x, tolerance=1e-14)).sum()
-
-        direction = random.normal(size=start.shape)
-        far = 1e-2 if name == "weights" else 1e-7  # the slope of a replay holds for tiny motions of vertices only
-        off = 1e-4
-    else:
-        batch = msf_jax.stack(curves())
-        off, far = 1e-6, 1e-2
-        if name == "batch":
-            start = np.array(batch.vertices)
-
-            def value(x):
-                return jax.vmap(weighed)(jax.vmap(msf_jax.follow)(batch.bindings, x)).sum()
-        else:
-            start = np.array(batch.vertices)[1, : len(curves()[1].mesh_map)]
-
-            def value(x):
-                found = msf_jax.follow(curves()[1], x)
-                return weighed(found) if name == "nodes" else (found.radii**2).sum()
-
-        start = start + 0.05 * np.sin(2 * start[..., [1, 2, 0]] + 0.3)
-        direction = random.normal(size=start.shape)
-        if name == "radii":  # they have kinks where another triangle becomes the nearest
-            off, direction = 1e-3, direction / np.linalg.norm(direction)
-    return Case(value, start + far * np.multiply.outer([0, 1, -2], direction), direction, off)
+    values = {
+        "weights": lambda x: replayed(Weights(*jnp.exp(x))),
+        "vertices": lambda x: replayed(tape.weights, x),
+        "nodes": lambda x: weighed(msf_jax.follow(limbs, x)),
+        "radii": lambda x: (msf_jax.follow(limbs, x).radii ** 2).sum(),
+        "batch": lambda x: jax.vmap(weighed)(jax.vmap(msf_jax.follow)(batch.bindings, x)).sum(),
+    }
+    starts = {"weights": np.log(jax.tree.leaves(tape.weights)), "vertices": np.asarray(tape.vertices)}
+    moved = np.asarray(batch.vertices) + 0.05 * np.sin(2 * np.asarray(batch.vertices)[..., [1, 2, 0]] + 0.3)
+    start = starts.get(name, moved if name == "batch" else moved[1, : len(limbs.mesh_map)])
+    direction = random.normal(size=start.shape)
+    if name == "radii":  # they have kinks where another triangle becomes the nearest
+        direction /= np.linalg.norm(direction)
+    far = 1e-7 if name == "vertices" else 1e-2  # the slope of a replay holds for tiny motions of vertices only
+    off = {"weights": 1e-4, "vertices": 1e-4, "radii": 1e-3}.get(name, 1e-6)
+    return Case(values[name], start + far * np.multiply.outer([0, 1, -2], direction), direction, off)
 
 
 @functools.cache
@@ -126,14 +111,6 @@ def check_forward(name):
     value, places, direction, _ = case(name)
     run = jax.jit(lambda x, along: jax.jvp(value, (x,), (along,)))
     agree(run(places[0], direction), (both(name)[1][0], (both(name)[2][0] * direction).sum()))
-
-
-def check_vmap(name):
-    value, places, *_ = case(name)
-    _, values, slopes = both(name)
-    found = jax.jit(jax.vmap(jax.value_and_grad(value)))(places)
-    agree(found[0], values)
-    agree(found[1], slopes)
 
 
 def check_grad_of_vmap(name):
@@ -171,6 +148,7 @@ def check_strict(name):
 
 
 def check_export(name):
+    """With fixed sizes, for the CPU and for machines that are not at hand."""
     value, places, *_ = case(name)
     exported = export.export(jax.jit(jax.grad(value)), platforms=PLATFORMS)(places[0])
     assert exported.platforms == PLATFORMS
@@ -181,10 +159,10 @@ def check_export(name):
 
 CHECKS = {name[len("check_") :]: run for name, run in list(globals().items()) if name.startswith("check_")}
 TABLE = {  # the function, and transformations of it: those of a replay compile for seconds
-    "nodes": ["grad", "forward", "vmap", "second", "without_jit", "strict", "export"],
+    "nodes": ["grad", "forward", "second", "without_jit", "strict", "export"],
     "radii": ["grad", "forward"],
     "batch": ["grad", "grad_of_vmap", "scan", "strict"],
-    "weights": ["grad", "forward", "scan"],
+    "weights": ["grad", "forward", "scan", "export"],
     "vertices": ["grad", "forward", "grad_of_vmap"],
 }
 QUICK = [("nodes", "grad"), ("nodes", "without_jit"), ("radii", "grad"), ("batch", "grad")]
@@ -218,27 +196,6 @@ def test_derivatives_by_weight_and_by_vertex_are_those_of_jacfwd():
     scaled = [weight * slope for weight, slope in zip(jax.tree.leaves(tape.weights), by_weight, strict=True)]
     agree([(towards * slope).sum() for slope in scaled], both("weights")[2][0], 1e-5)
     np.testing.assert_allclose(sum(scaled[:3]), 0, atol=1e-6 * np.abs(scaled[1]).max())  # only ratios matter
-
-
-@pytest.mark.slow
-def test_an_exported_program_is_read_back_with_its_gradient():
-    pytest.importorskip("flatbuffers")  # what JAX writes it with
-    value, places, *_ = case("nodes")
-    read = export.deserialize(export.export(jax.jit(value))(places[0]).serialize(vjp_order=1))
-    agree(jax.grad(read.call)(places[0]), both("nodes")[2][0])
-
-
-@pytest.mark.slow
-def test_an_iteration_is_lowered_for_every_platform():
-    """Both solves, and their derivative."""
-    one = build(*pebble(3, 60), layout=one_level(128, 16))
-    move = functools.partial(iteration.move, settings=Config().tight().on_device, layout=one.layout)
-
-    def value(positions):
-        return (move(one.buffers._replace(positions=positions), Weights()).positions ** 2).sum()
-
-    exported = export.export(jax.jit(jax.grad(value)), platforms=PLATFORMS)(one.buffers.positions)
-    assert exported.platforms == PLATFORMS and exported.out_avals[0].shape == (128, 3)
 
 
 SHARDED = """
