@@ -2,7 +2,6 @@
 
 import json
 import struct
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -48,47 +47,4 @@ def glb(path: Path, change=lambda _: None, mesh: trimesh.Trimesh | None = None) 
     text += b" " * (-len(text) % 4)
     rest = struct.pack("<I", len(text)) + b"JSON" + text + content[20 + size :]
     path.write_bytes(b"glTF" + struct.pack("<II", 2, 12 + len(rest)) + rest)
-    return path
-
-
-def gltf(nodes: int = 1) -> dict:
-    """The JSON of a triangle, which so many nodes show; its corners are all at the origin."""
-    return {
-        "asset": {"version": "2.0"},
-        "scene": 0,
-        "scenes": [{"nodes": list(range(nodes))}],
-        "nodes": [{"mesh": 0}] * nodes,
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "accessors": [
-            {"componentType": 5126, "count": 3, "type": "VEC3", "bufferView": 0},
-            {"componentType": 5125, "count": 3, "type": "SCALAR", "bufferView": 1},
-        ],
-        "bufferViews": [
-            {"buffer": 0, "byteOffset": 0, "byteLength": 36},
-            {"buffer": 0, "byteOffset": 36, "byteLength": 12},
-        ],
-        "buffers": [{"byteLength": 48, "uri": "data:application/octet-stream;base64," + "A" * 64}],
-    }
-
-
-def tetrahedron_3mf(number: int, more: bytes = b"") -> bytes:
-    """An object of a 3MF file, with ``more`` among its vertices."""
-    corners = b"".join(
-        b'<vertex x="%d" y="%d" z="%d"/>' % place for place in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
-    )
-    sides = b"".join(
-        b'<triangle v1="%d" v2="%d" v3="%d"/>' % face for face in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
-    )
-    mesh = b"<vertices>" + corners + more + b"</vertices><triangles>" + sides + b"</triangles>"
-    return b'<object id="%d" type="model"><mesh>' % number + mesh + b"</mesh></object>"
-
-
-def write_3mf(path: Path, objects: bytes, before: bytes = b"", build: bytes = b'<item objectid="1"/>') -> Path:
-    """A 3MF file of ``objects``, of which it shows ``build``; ``before`` stands before its model."""
-    space = b'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" unit="millimeter"'
-    text = (
-        before + b"<model " + space + b"><resources>" + objects + b"</resources><build>" + build + b"</build></model>"
-    )
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
-        file.writestr("3D/3dmodel.model", text)
     return path

@@ -49,8 +49,8 @@ Pool = Callable[[], AbstractContextManager[Executor]]
 
 
 class BatchJob(NamedTuple):
-    """One mesh: the paths of its file, its curve and its row, a hash of all that the curve depends on, and the settings
-    of the batch: weights, config, repair, shaping, and whether to compute in float64."""
+    """One mesh: the paths of its file, curve and row, a hash of all that the curve depends on, and the settings of the
+    batch: weights, config, repair, shaping, and whether to compute in float64."""
 
     source: str
     target: str
@@ -94,10 +94,8 @@ def run(
         weights, config, repair: as `skeletonize` takes them; weights are numbers.
         suffix: the format of the curves; see `Skeleton.save`.
         jobs: processes; by default one for each core.
-        scheduler: address of a Dask scheduler whose workers see the same folders (``pip install "msf_jax[dask]"``). No
-            processes are started then.
-        retry: try failed meshes again. Otherwise only curves that are missing, or were made with other settings, are
-            computed.
+        scheduler: address of a Dask scheduler whose workers see the same folders, in place of processes.
+        retry: try failed meshes again, and not only those whose curve is missing or was made with other settings.
         shaping: changes of each curve before it is written: another scale, a tree, other nodes, ...
         progress: show a progress bar on standard error, if that is a terminal.
 
@@ -105,8 +103,7 @@ def run(
         ConfigError: an option is out of range, there are no paths, another batch writes to the folder, or an earlier
             one wrote the curve of another mesh to the same file.
         OSError: the folder cannot be written, or the scheduler has ended.
-        KeyboardInterrupt: after Ctrl-C, at once; it says how many meshes are done. Their curves and the table are
-            written.
+        KeyboardInterrupt: after Ctrl-C, at once. The curves of the meshes that are done and the table are written.
     """
     weights, config = checked_options(weights, config)
     if any(np.ndim(weight) for weight in vars(weights).values()):
@@ -278,11 +275,11 @@ def _begin_worker(is_double: bool, cache: str | None) -> None:
 def _cluster(scheduler: str) -> Iterator[Executor]:
     """The workers of a Dask cluster, which see the same folders."""
     try:
-        import distributed
+        from distributed import Client
+
+        client = Client(scheduler, timeout=5)
     except ImportError as error:
         raise ConfigError('a scheduler needs Dask: install it with pip install "msf_jax[dask]"') from error
-    try:
-        client = distributed.Client(scheduler, timeout=5)
     except (OSError, ValueError) as error:
         raise ConfigError(f"no Dask scheduler at {scheduler!r}: expected an address such as tcp://host:8786") from error
     with client:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 INTERRUPTED = 130  # the exit code after Ctrl-C, as of other programs
-LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
+LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed; the table has all
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -69,15 +69,6 @@ def _fail(message: str, code: int) -> int:
     if sys.stderr is not None:
         print(f"msf-jax: {plain(' '.join(message.splitlines()))}", file=sys.stderr)
     return code
-
-
-def _fail_each(messages: list[str], code: int, rest: str) -> int:
-    """Print the first messages, and where the others are; ``code`` if there are any."""
-    for message in messages[:LISTED]:
-        _fail(message, code)
-    if len(messages) > LISTED:
-        _fail(f"and {len(messages) - LISTED} more, in {rest}", code)
-    return code if messages else 0
 
 
 def _start_jax(arguments: argparse.Namespace) -> None:
@@ -154,7 +145,8 @@ def _track(arguments: argparse.Namespace) -> int:
     )
     if not arguments.quiet:
         print(f"{len(paths)} frames, {len(paths) - num_lacking} curves; see {table}")
-    _fail_each([f"warning: {line}" for line in doubts], 1, str(table))
+    for doubt in doubts[:LISTED]:
+        _fail(f"warning: {doubt}", 1)
     return min(num_lacking, 1)
 
 
@@ -179,8 +171,9 @@ def _batch(arguments: argparse.Namespace) -> int:
     )
     if not arguments.quiet:
         print(f"{len(done.rows)} meshes, {done.num_done} of them now, {done.num_failed} failed; see {done.manifest}")
-    failed = [f"{row['path']}: {row['error']}" for row in done.rows if row["error"]]
-    return _fail_each(failed, 1, str(done.manifest))
+    for row in [row for row in done.rows if row["error"]][:LISTED]:
+        _fail(f"{row['path']}: {row['error']}", 1)
+    return min(done.num_failed, 1)
 
 
 def _demo(arguments: argparse.Namespace) -> int:

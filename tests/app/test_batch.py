@@ -1,7 +1,6 @@
 """Many meshes: the same table from processes and from a cluster, errors alone, nothing done twice."""
 
 import csv
-import json
 import multiprocessing
 import os
 import shutil
@@ -158,24 +157,6 @@ def test_a_cluster_gives_the_same_table(folder, in_processes, tmp_path):
 
 
 @pytest.mark.system
-def test_a_scheduler_that_dies_is_named(folder, tmp_path):
-    """It has no workers, so that it is in the middle of the batch whenever it is killed."""
-    pytest.importorskip("distributed")
-    file = tmp_path / "scheduler.json"
-    command = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard"]
-    scheduler = subprocess.Popen([*command, "--scheduler-file", str(file)], stderr=subprocess.DEVNULL)
-    while not (file.exists() and file.stat().st_size):
-        assert scheduler.poll() is None
-        time.sleep(0.05)
-    threading.Timer(2.0, scheduler.kill).start()
-    with warnings.catch_warnings(), pytest.raises(ConnectionError, match="the Dask scheduler has ended"):
-        warnings.simplefilter("ignore")  # its own, on closing
-        batch.run(paths_in(folder), tmp_path / "out", scheduler=json.loads(file.read_text())["address"])
-    scheduler.wait()
-    assert (tmp_path / "out" / batch.MANIFEST).exists()
-
-
-@pytest.mark.system
 def test_killed_half_way_it_does_the_rest(folder, here, tmp_path):
     """kill -9 of all its processes, once some rows are there."""
     command = [sys.executable, "-m", "msf_jax", "batch", str(folder), str(tmp_path), "--jobs", "1", "-q"]
@@ -286,18 +267,3 @@ def test_a_place_is_not_taken_by_another_mesh_or_file(here, tmp_path):
     for taken in ("link", "one/x.off"):
         with pytest.raises(ConfigError, match=f"{taken}' is no folder: expected one"):
             batch.run(["a.off"], tmp_path / taken / "inner")
-
-
-@pytest.mark.slow  # of names
-def test_names_that_the_system_refuses_fail_alone(here, tmp_path):
-    """A name with no room for a suffix, one that is no UTF-8, and one whose curve's place is a folder."""
-    meshes = tmp_path / "meshes"
-    names = ["n" * 250 + ".off", os.fsdecode(b"\xff.off"), "a.off", "a.off.swc/b.off"]
-    for name in names:
-        (meshes / name).parent.mkdir(parents=True, exist_ok=True)
-        trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12]).export(meshes / name, file_type="off")
-    done = batch.run([meshes / name for name in names], tmp_path / "out", jobs=1)
-    errors = {row["path"].removeprefix(f"{meshes}/"): row["error"] for row in done.rows}
-    assert "too long" in errors[names[0]] and not errors[names[1]]
-    assert bool(errors["a.off"]) != bool(errors["a.off.swc/b.off"])
-    assert os.fsencode(names[1]) in done.manifest.read_bytes()

@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-from functools import partial
 
 import jax
 import jax.numpy as jnp
@@ -13,7 +12,6 @@ import trimesh
 from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
-from msf_jax import shapes
 from msf_jax.app.cli import main
 from msf_jax.app.parser import HELP, whole_parser
 from tests.benchmarks import ground_truth
@@ -79,19 +77,6 @@ def test_the_suffix_says_what_is_written(limb, tmp_path):
     for name, start in (("a.png", b"\x89PNG"), ("a.html", b"<!doctype html>"), ("a.obj", b"#")):
         assert main(["view", str(limb), "-o", str(tmp_path / name), "-q"]) == 0
         assert (tmp_path / name).read_bytes().startswith(start)
-
-
-@pytest.mark.slow  # the first command of .ci/run is the demo
-def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys, monkeypatch):
-    """With a coarser hand than a reader has."""
-    monkeypatch.setattr("msf_jax.shapes.hand", partial(shapes.hand, 0.1))
-    assert main(["demo", "-o", str(tmp_path)]) == 0
-    assert "1 cycle for genus 1" in capsys.readouterr().out
-    assert (tmp_path / "hand.png").read_bytes().startswith(b"\x89PNG")
-    assert "# loops cut: 1" in (tmp_path / "hand.swc").read_text()
-    (tmp_path / "hand.off").write_text("mine")
-    assert main(["demo", "-o", str(tmp_path)]) == 2
-    assert (tmp_path / "hand.off").read_text() == "mine" and "exists with another content" in capsys.readouterr().err
 
 
 def open_box():
@@ -188,16 +173,6 @@ def test_a_report_is_printed_again_from_the_curves_file(suffix, tmp_path, capsys
     assert main(["report", str(tmp_path / f"a{suffix}")]) == 0
     lines = skeleton.report.lines() if suffix == ".swc" else str(skeleton.report).splitlines()
     assert capsys.readouterr().out.splitlines() == lines
-
-
-@pytest.mark.parametrize(
-    ("name", "content"),
-    [("a.swc", "1 0 0 0 0 1 -1"), ("a.json", "{}"), ("a.json", "{"), ("a.obj", "v 0 0 0"), ("a.npz", "")],
-)
-def test_a_file_without_a_report_is_told(name, content, tmp_path, capsys):
-    (tmp_path / name).write_text(content)
-    assert main(["report", str(tmp_path / name)]) == 2
-    assert name in capsys.readouterr().err
 
 
 @pytest.mark.system
