@@ -19,8 +19,8 @@ from msf_jax.base.options import read_weights as read_weights
 from msf_jax.base.options import save_weights as save_weights
 from msf_jax.device import Weights as Weights  # importing `device` registers it as a pytree
 from msf_jax.flow.loop import contract as contract
+from msf_jax.flow.loop import skeletonize as skeletonize
 from msf_jax.flow.programs import cache_compilations as cache_compilations
-from msf_jax.flow.skeletonize import skeletonize as skeletonize
 from msf_jax.flow.state import Flow as Flow
 from msf_jax.gradients import losses as losses
 from msf_jax.gradients import torch as torch

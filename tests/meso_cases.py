@@ -7,7 +7,6 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
-from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
 
 OBTUSE = 110.0
@@ -82,19 +81,6 @@ def manifold_euler(faces) -> int:
             at, length = follow[at], length + 1
         assert length == len(follow) >= 3, "a vertex has several fans, or is no vertex at all"
     return len(step) - len(directed) // 2 + len(faces)
-
-
-def watch_rounds(monkeypatch) -> list[int]:
-    """Check the surface independently after every round of an edit; returns the list of Euler characteristics seen."""
-    seen: list[int] = []
-    original = ring_tables.check_closed_manifold
-
-    def check(rings, euler):
-        original(rings, euler)
-        seen.append(manifold_euler(ring_tables.faces_from_rings(rings)))
-
-    monkeypatch.setattr(ring_tables, "check_closed_manifold", check)
-    return seen
 
 
 SURFACES = ["torus", "twisted torus", "blob", "two parts", pytest.param("bunny", marks=pytest.mark.slow)]

@@ -79,7 +79,7 @@ def _start_jax(arguments: argparse.Namespace) -> None:
         import jax
 
         import msf_jax
-        import msf_jax.flow.skeletonize
+        import msf_jax.flow.loop
     jax.config.update("jax_enable_x64", not arguments.float32)
     msf_jax.cache_compilations()
 
@@ -92,7 +92,7 @@ def _curve_of(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndar
     mesh = shaping_of(arguments).scaled(reading.read(arguments.mesh, finite=not arguments.repair))
     accepted = checking.prepare(mesh, REPAIRS[arguments.repair])
     _start_jax(arguments)
-    from msf_jax.flow.skeletonize import skeletonize
+    from msf_jax.flow.loop import skeletonize
 
     try:
         return mesh, skeletonize(accepted, weights, config, progress=not arguments.quiet), ""
@@ -180,7 +180,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     folder = made_folder(arguments.output)
     _start_jax(arguments)
     from msf_jax import shapes
-    from msf_jax.flow.skeletonize import skeletonize
+    from msf_jax.flow.loop import skeletonize
     from msf_jax.skeleton import pictures
 
     mesh = shapes.hand()

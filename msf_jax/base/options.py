@@ -159,8 +159,6 @@ class PreprocessingOptions(Options):
         poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": balls if the solid is
             thin, else Voronoi poles. On a thin solid a Voronoi diagram takes minutes, and ``reconstruct_poles`` is left
             out, because it would remove most of the solid.
-        pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
-            surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
     """
 
     reconstruct_mesh: int = number(0, 0, math.inf)
@@ -170,7 +168,6 @@ class PreprocessingOptions(Options):
     refine: float = number(0.02, 0, 1)
     use_poles: bool = True
     poles: str = choice("auto", POLES)
-    pole_confidence: bool = False
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -223,7 +220,7 @@ class FlowOptions(Options):
 
     @property
     def thresholds(self) -> tuple[float, float, float]:
-        """The least threshold, its step, and the largest: the arguments of `fixing.threshold`."""
+        """The least threshold, its step, and the largest: the arguments of `edits.threshold`."""
         return self.threshold_min, self.threshold_step, self.threshold_max
 
 
@@ -311,7 +308,6 @@ class Config(Options):
         max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
             If no iteration has ended, a `FlowError` is raised.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
-        check: whether to verify after every round of edits that the surface is a closed manifold of the same genus.
         preprocessing, flow, solver, curve: the groups; each has a page of its own.
         system: "msf", "tagliasacchi2012" or "au2008": the system that this was made from, whose weights
             `default_weights` returns. Only the systems' own constructors set it.
@@ -323,7 +319,6 @@ class Config(Options):
     max_iterations: int = number(200, 1, math.inf)
     max_seconds: float | None = number(None, 0, math.inf)
     evaluate: bool = False
-    check: bool = False
     preprocessing: PreprocessingOptions = field(default_factory=PreprocessingOptions)
     flow: FlowOptions = field(default_factory=FlowOptions)
     solver: SolverOptions = field(default_factory=SolverOptions)

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.meso import ring_tables, surgery
-from msf_jax.meso.collapse import edge_lengths, shortest_first
 from msf_jax.meso.complex import Complex, cut_discs
+from msf_jax.meso.edits import edge_lengths, shortest_first
 
 
 class Curve(NamedTuple):

@@ -19,7 +19,7 @@ from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import Surface
 from msf_jax.recording.records import ComponentRecord, Recording
 from msf_jax.skeleton.report import Report, assessed, loops_of
-from msf_jax.skeleton.skeleton import Skeleton, Source, Stage
+from msf_jax.skeleton.skeleton import Skeleton, Source
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -40,51 +40,96 @@ def assemble(
     clock: Clock,
 ) -> Flow:
     """The `Flow` of a run. ``solid`` has the surface, ``pins`` are the caller's."""
-    stitched = curves.as_left(checked, states, parts), curves.finished(checked, states, parts, clock)
+    as_left, finished = curves.stitched(checked, states, parts, clock)
     history = tuple(line for state in states for line in state.history)
     with clock.stage("report"):
         followed = None if checked.is_made.any() else checked.input_of_vertex
         if followed is not None:  # the first of several welded vertices represents all of them
             pins = np.unique(followed[checked.vertex_of_input[pins]])
-        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), followed)
+        starts = np.cumsum([0, *(len(state.meso.positions) for state in states)]).tolist()
+        vertices = np.concatenate([state.frame.leave(state.meso.positions) for state in states])
+        faces = np.concatenate([state.meso.faces() + num for state, num in zip(states, starts, strict=False)])
+        is_fixed = np.concatenate([state.meso.is_fixed for state in states])
+        records = tuple(map(partial(_record, checked), states, parts, checked.members))
+        last = max(len(state.steps) for state in states)
+        shown = np.unique(np.linspace(0, last, MOST_STAGES).round().astype(int)).tolist()
+        stages = tuple(stage_at(iteration, records, vertices, faces, is_fixed) for iteration in shown)
+        source = Source(solid, _areas_of_input(checked, solid), pins, stages, followed)
         figures = {}
         if config.evaluate and not clock.reason:
-            figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
-        notes = _notes_of_finishing(states, parts)
-        report = replace(
-            report_of(checked, states, reasons, history, notes, figures, clock),
+            figures = metrics.figures_of(solid.shape, solid.enter(finished.vertices), finished.edges)
+        report = Report(
+            components=0,  # these, the cycles and the inside are those of a curve: see `_skeleton`
+            mesh_components=len(reasons),  # including those that an interrupted run did not begin
+            genus=checked.genus,
+            cycles=0,
+            inside=np.nan,
+            converged=all(is_converged for is_converged, _ in reasons),
+            reason="; ".join(dict.fromkeys(reason for _, reason in reasons)),
+            iterations=len(history),
+            fixed=int(is_fixed.sum()),
+            live=sum(state.meso.num_live for state in states),
+            volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
+            out_of_steps=sum(not line.has_ended for line in history),
+            solve_steps=sum(line.steps + line.smoothing_steps for line in history),
+            coarsened=sum(state.num_coarsened for state in states),
+            left_out=checked.num_left_out,
+            joined_handles=checked.joined_handles,
+            repairs=checked.repairs,
+            notes=tuple(_notes(states, parts, history)),
+            figures=figures,
+            seconds=clock.seconds,
             pruned=sum(part.finished.num_pruned for part in parts),
             grown=sum(part.finished.num_grown for part in parts),
             wavefronts=sum(part.finished.node_of_vertex is not None for part in parts),
         )
-        curve = _skeleton(stitched[0], checked, report, source, clock, is_finished=False)
-        skeleton = _to_openings(stitched[1], checked, report, source, clock)
+        curve = _skeleton(as_left, checked, report, source, clock, is_finished=False)
+        skeleton = _to_openings(finished, checked, report, source, clock)
     return Flow(
         weights=weights,
         config=config,
-        meso_skeleton=_meso_skeleton(states),
-        is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
-        poles=_by_vertex([state.frame.leave(state.poles) for state in states], states, checked, checked.vertices),
-        has_pole=_by_vertex([state.has_pole for state in states], states, checked, checked.is_made & False),
+        meso_skeleton=(vertices, faces),
+        is_fixed=is_fixed,
         history=history,
         curve=curve,
         skeleton=skeleton,
-        recording=Recording(_records(checked, states, parts), *checked.given, checked.input_of_vertex, checked.is_made),
+        recording=Recording(records, *checked.given, checked.input_of_vertex, checked.is_made),
         source=source,
     )
 
 
-def _notes_of_finishing(states: list[State], parts: list[ComponentCurve]) -> list[str]:
-    """The report's notes about the finishing of the curves."""
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iteration, ...]) -> list[str]:
+    """The report's notes: about the finishing of the curves, limbs of a finer detail, loops, and steps."""
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
     laid = sum(one.node_of_vertex is not None for one in done)
     short, sparse = sum(one.is_cut_short for one in done), sum(one.is_sparse for one in done)
     cut, unsought = sum(one.is_cut for one in done), sum(one.num_unsought for one in done)
     tangles = sum(map(is_left, states, parts))
-    found = (
-        (refused, f"{_edges(refused)} of the curve may be outside: the search for paths inside reached its limit"),
-        (closed, f"no path inside was found for {_edges(closed)} of the curve: the solid may be in pieces there"),
+    limbs = sorted(
+        (detail, state.frame.leave(place).tolist())
+        for state, one in zip(states, done, strict=True)
+        for detail, place in one.finer
+    )
+    detail = math.ceil(20 * limbs[0][0]) / 20 if limbs else 0.0
+    places = [place for least, place in limbs if least <= detail]
+    ends = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places[:NAMED])
+    guessed, redone = sum(map(lacks_classes, states)), sum(line.redone > 0 for line in history)
+    which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
+    steps = "step was" if redone == 1 else "steps were"
+    notes = (
+        (
+            refused,
+            f"{_counted(refused, 'edge')} of the curve may be outside: the search for paths inside reached its limit",
+        ),
+        (
+            closed,
+            f"no path inside was found for {_counted(closed, 'edge')} of the curve: the solid may be in pieces there",
+        ),
         (
             laid,
             f"edges are longer than the limbs' radius: geodesic wavefronts made {laid} {of}; "
@@ -95,29 +140,18 @@ def _notes_of_finishing(states: list[State], parts: list[ComponentCurve]) -> lis
         (unsought, f"the search for loops around {unsought} handles reached its limit"),
         (cut, f"the run had to end before {cut} {of} had been finished"),
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
+        (
+            places,
+            f"{_counted(len(places), 'more limb')} at detail {detail:g}: ends at {ends}"
+            + ", ..." * (len(places) > NAMED),
+        ),
+        (
+            guessed,
+            f"the loops of {which} itself, or with very many handles, were told apart by their lengths only",
+        ),
+        (redone, f"{redone} {steps} repeated with a smaller w_L: coordinates diverged"),
     )
-    return [note for count, note in found if count] + _finer(states, done)
-
-
-def _finer(states: list[State], done: list[finishing.Finished]) -> list[str]:
-    """What the next finer detail would add."""
-    limbs = sorted(
-        (detail, state.frame.leave(place).tolist())
-        for state, one in zip(states, done, strict=True)
-        for detail, place in one.finer
-    )
-    if not limbs:
-        return []
-    detail = math.ceil(20 * limbs[0][0]) / 20
-    places = [place for least, place in limbs if least <= detail]
-    ends = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places[:NAMED]) + ", ..." * (
-        len(places) > NAMED
-    )
-    return [f"{len(places)} more limb{'' if len(places) == 1 else 's'} at detail {detail:g}: ends at {ends}"]
-
-
-def _edges(count: int) -> str:
-    return f"{count} edge{'' if count == 1 else 's'}"
+    return [note for counted, note in notes if counted]
 
 
 def _skeleton(
@@ -138,7 +172,10 @@ def _skeleton(
     if not clock.reason:
         found = measure(solid.shape, solid.enter(vertices), edges, node_of_vertex)
     report = replace(report, components=components, cycles=cycles, inside=inside, **found)
-    return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
+    is_used = checked.vertex_of_input >= 0  # a vertex of the caller's mesh that no face uses gets the nearest node
+    mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
+    mesh_map[~is_used] = spatial.KDTree(vertices).query(checked.strays)[1]
+    return Skeleton(vertices, edges, radii, mesh_map, report, source)
 
 
 def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock) -> Skeleton:
@@ -153,7 +190,7 @@ def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: S
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
     node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
-    num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
+    num = _counted(len(found.ends), "opening")
     report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))
     return replace(_skeleton(led, checked, report, source, clock), openings=tuple(found.ends.tolist()))
 
@@ -173,63 +210,24 @@ def lids_of_repair(checked: Surface) -> np.ndarray:
     return lids[~np.isin(both[len(given) :], both[: len(given)])]
 
 
-def _records(checked: Surface, states: list[State], parts: list[ComponentCurve]) -> tuple[ComponentRecord, ...]:
-    """The data for the tape, for each component."""
-    return tuple(
-        ComponentRecord(
-            vertices=state.shape.vertices,
-            faces=state.shape.faces,
-            vertex_of_input=checked.input_of_vertex[member[state.order]],
-            frame=state.frame,
-            pins=state.pins,
-            start=state.start,
-            steps=state.steps,
-            num_meso=len(state.meso.positions),
-            thinning=part.meso.edits,
-            node_of_meso=_counted(part),
-            node_of_pin=curves.node_of_input(part)[state.pins],
-            num_nodes=len(part.curve.nodes),
-        )
-        for state, part, member in zip(states, parts, checked.members, strict=True)
+def _record(checked: Surface, state: State, part: ComponentCurve, member: np.ndarray) -> ComponentRecord:
+    """The data of a component for the tape. A vertex that is not counted contributes to no node's position."""
+    node = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
+    is_counted = part.found.is_counted
+    return ComponentRecord(
+        vertices=state.shape.vertices,
+        faces=state.shape.faces,
+        vertex_of_input=checked.input_of_vertex[member[state.order]],
+        frame=state.frame,
+        pins=state.pins,
+        start=state.start,
+        steps=state.steps,
+        num_meso=len(state.meso.positions),
+        thinning=part.meso.edits,
+        node_of_meso=node if is_counted is None else np.where(is_counted, node, -1),
+        node_of_pin=curves.node_of_input(part)[state.pins],
+        num_nodes=len(part.curve.nodes),
     )
-
-
-def _counted(part: ComponentCurve) -> np.ndarray:
-    """(n,) the kept node whose position each vertex of the surface contributes to, or -1."""
-    number = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
-    return number if part.found.is_counted is None else np.where(part.found.is_counted, number, -1)
-
-
-def _meso_skeleton(states: list[State]) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of all contracted surfaces together."""
-    first = np.cumsum([0, *(len(state.meso.positions) for state in states)]).tolist()
-    vertices = np.concatenate([state.frame.leave(state.meso.positions) for state in states])
-    return vertices, np.concatenate([state.meso.faces() + num for state, num in zip(states, first, strict=False)])
-
-
-def _stages(states: list[State]) -> tuple[Stage, ...]:
-    """At most ``MOST_STAGES`` surfaces, from the first to the last, all components together."""
-    last = max(len(state.steps) for state in states)
-    ends = [(state.frame.leave(state.meso.positions), state.meso.faces(), state.meso.is_fixed) for state in states]
-    chosen = np.unique(np.linspace(0, last, MOST_STAGES).round().astype(int)).tolist()
-    steps, frames = [state.steps for state in states], [state.frame for state in states]
-    return tuple(stage_at(iteration, steps, frames, ends) for iteration in chosen)
-
-
-def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface, others: np.ndarray) -> np.ndarray:
-    """One array for the whole surface from one for each component; vertices of cavities have those of ``others``."""
-    whole = others.copy()
-    for part, member, state in zip(parts, checked.members, states, strict=True):
-        whole[member[state.order]] = part
-    return whole
-
-
-def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarray) -> np.ndarray:
-    """(V,) the node of every vertex of the caller's mesh. A vertex that no face uses gets the nearest node."""
-    is_used = checked.vertex_of_input >= 0
-    mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
-    mesh_map[~is_used] = spatial.KDTree(nodes).query(checked.strays)[1]
-    return mesh_map
 
 
 def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
@@ -242,48 +240,3 @@ def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
     is_used = vertex >= 0
     area = area / np.maximum(np.bincount(vertex[is_used], minlength=len(checked.vertices)), 1)
     return np.where(is_used, area[vertex], 0.0)
-
-
-def report_of(
-    checked: Surface,
-    states: list[State],
-    reasons: list[tuple[bool, str]],
-    history: tuple[Iteration, ...],
-    notes: list[str],
-    figures: dict[str, float],
-    clock: Clock,
-) -> Report:
-    """The report without the figures of a curve: `_skeleton` fills in components, cycles and inside."""
-    return Report(
-        components=0,
-        mesh_components=len(reasons),  # including those that an interrupted run did not begin
-        genus=checked.genus,
-        cycles=0,
-        inside=np.nan,
-        converged=all(is_converged for is_converged, _ in reasons),
-        reason="; ".join(dict.fromkeys(reason for _, reason in reasons)),
-        iterations=len(history),
-        fixed=sum(int(state.meso.is_fixed.sum()) for state in states),
-        live=sum(state.meso.num_live for state in states),
-        volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
-        out_of_steps=sum(not line.has_ended for line in history),
-        solve_steps=sum(line.steps + line.smoothing_steps for line in history),
-        coarsened=sum(state.num_coarsened for state in states),
-        left_out=checked.num_left_out,
-        joined_handles=checked.joined_handles,
-        repairs=checked.repairs,
-        notes=(*notes, *_notes(states, history)),
-        figures=figures,
-        seconds=clock.seconds,
-    )
-
-
-def _notes(states: list[State], history: tuple[Iteration, ...]) -> list[str]:
-    notes = []
-    if guessed := sum(lacks_classes(state, state.meso) for state in states):
-        which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
-        notes.append(f"the loops of {which} itself, or with very many handles, were told apart by their lengths only")
-    if redone := sum(line.redone > 0 for line in history):
-        steps = "step was" if redone == 1 else "steps were"
-        notes.append(f"{redone} {steps} repeated with a smaller w_L: coordinates diverged")
-    return notes

@@ -13,7 +13,7 @@ from msf_jax.curve.extraction import Curve
 from msf_jax.curve.finishing import Draft, Finished, Job
 from msf_jax.flow.state import State
 from msf_jax.meshes.checking import Surface
-from msf_jax.meso import collapse, short_loops, surgery
+from msf_jax.meso import edits, homology, surgery
 from msf_jax.meso.meso import Meso
 
 MOST_VOLUME = 0.1  # share of the first volume: with more left, the curve is a tangle, and is not finished
@@ -40,11 +40,15 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
     geodesic wavefronts over the surface make the curve. If the run has to end, the surface is thinned before.
     """
     with clock.stage("curve"):
-        meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min, config)
+        meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min)
         if clock.reason:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
-            meso = _thinned(meso, config.flow.threshold_max, config)
+            meso = _thinned(meso, config.flow.threshold_max)
         # The curve so far may lack loops: classes that are not known take seconds where there are many handles.
-        found = _extracted(state, meso, config, with_short_loops=not clock.reason)
+        classes = meso.classes
+        if lacks_classes(state) and not clock.reason:
+            classes = homology.short_classes(meso.positions, meso.rings)
+        extract = extraction.operated_curve if config.curve.surgery else extraction.extract_curve
+        found = extract(meso.positions, meso.rings, classes, meso.node_of_input[state.pins])
         pinned = meso.node_of_input[state.pins]
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
@@ -81,25 +85,16 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
     return ComponentCurve(kept, found, done, meso, is_held[done.is_kept])
 
 
-def _thinned(meso: Meso, t_c: float, config: Config) -> Meso:
+def _thinned(meso: Meso, t_c: float) -> Meso:
     """A copy of the surface, in which edges shorter than ``t_c`` are collapsed as in an iteration of the flow."""
     meso = meso.copied()
-    collapse.collapse_short_edges(meso, t_c, check=config.check)
+    edits.collapse_short_edges(meso, t_c)
     return meso.compacted()
 
 
-def _extracted(state: State, meso: Meso, config: Config, with_short_loops: bool) -> Curve:
-    """The curve as extracted from the surface, with the classes that tell which loops it must keep."""
-    extract = extraction.operated_curve if config.curve.surgery else extraction.extract_curve
-    classes = meso.classes
-    if with_short_loops and lacks_classes(state, meso):
-        classes = short_loops.short_classes(meso.positions, meso.rings)
-    return extract(meso.positions, meso.rings, classes, meso.node_of_input[state.pins])
-
-
-def lacks_classes(state: State, meso: Meso) -> bool:
+def lacks_classes(state: State) -> bool:
     """Whether the surface has handles, but no homology classes that tell which loops are contractible in the solid."""
-    return state.component.genus > 0 and meso.classes is None
+    return state.component.genus > 0 and state.meso.classes is None
 
 
 def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
@@ -134,59 +129,56 @@ class Stitched(NamedTuple):
     node_of_vertex: np.ndarray
 
 
-def as_left(checked: Surface, states: list[State], parts: list[ComponentCurve]) -> Stitched:
-    """The flow's curves, component by component."""
-    nodes, edges, num = [], [], 0
-    node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
-    for state, part, member, lining in zip(states, parts, checked.members, checked.linings, strict=True):
-        nodes.append(_placed(checked, state, part, member, part.curve.nodes))
-        edges.append(part.curve.edges + num)
-        node_of_vertex[member[state.order]] = node_of_input(part) + num
-        node_of_vertex[lining] = _nearest(part.curve.nodes, state, checked.vertices[lining]) + num
-        num += len(part.curve.nodes)
-    return Stitched(np.concatenate(nodes), np.concatenate(edges), node_of_vertex)
+def stitched(
+    checked: Surface, states: list[State], parts: list[ComponentCurve], clock: Clock
+) -> tuple[Stitched, Stitched]:
+    """The flow's curves, component by component, and the finished curves: the flow's nodes come first, with the same
+    ids, then the new ones."""
+    flow, finished = [], []
+    for state, part in zip(states, parts, strict=True):
+        own, done = node_of_input(part), part.finished
+        node = own if done.node_of_vertex is None else done.node_of_vertex
+        if not (is_left(state, part) or done.is_cut or clock.reason):
+            node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
+        flow.append((part.curve.nodes, part.curve.edges, own))
+        finished.append((done.vertices, done.edges, node))
+    return _joined(checked, states, parts, flow), _joined(checked, states, parts, finished)
 
 
-def finished(checked: Surface, states: list[State], parts: list[ComponentCurve], clock: Clock) -> Stitched:
-    """The finished curves: the nodes of `as_left` come first, with the same ids, then the new nodes."""
+def _joined(
+    checked: Surface, states: list[State], parts: list[ComponentCurve], curves: list[tuple[np.ndarray, ...]]
+) -> Stitched:
+    """One curve of ``curves``: nodes, edges, and node_of_vertex of each component, in its frame. The nodes of the
+    flow's curves come first. A pin has its input position, to the last bit."""
     old, new, edges = [], [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
     num_old = num_new = 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
-    for state, part, member, lining in zip(states, parts, checked.members, checked.linings, strict=True):
-        done, count = part.finished, len(part.curve.nodes)
-        old.append(_placed(checked, state, part, member, done.vertices[:count]))
-        new.append(state.frame.leave(done.vertices[count:]))
-        number = np.arange(len(done.vertices))
-        number = np.where(number < count, num_old + number, num_flow + num_new + number - count)
-        edges.append(number[done.edges])
-        node = node_of_input(part) if done.node_of_vertex is None else done.node_of_vertex
-        if not (is_left(state, part) or done.is_cut or clock.reason):
-            node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
-        node_of_vertex[member[state.order]] = number[node]
-        node_of_vertex[lining] = number[_nearest(done.vertices, state, checked.vertices[lining])]
+    for number, (state, part) in enumerate(zip(states, parts, strict=True)):
+        nodes, own_edges, node = curves[number]
+        member, lining, count = checked.members[number], checked.linings[number], len(part.curve.nodes)
+        node_of_pin = node_of_input(part)[state.pins]
+        exact = means(checked.vertices[member[state.order][state.pins]], node_of_pin, count)
+        placed = state.frame.leave(nodes)
+        placed[:count][part.is_held] = exact[part.is_held]
+        old.append(placed[:count])
+        new.append(placed[count:])
+        row = np.arange(len(nodes))
+        row = np.where(row < count, num_old + row, num_flow + num_new + row - count)
+        edges.append(row[own_edges])
+        node_of_vertex[member[state.order]] = row[node]
+        nearest = np.asarray(
+            spatial.KDTree(nodes).query(state.frame.enter(checked.vertices[lining]))[1], dtype=np.int64
+        )
+        node_of_vertex[lining] = row[nearest]
         num_old += count
-        num_new += len(done.vertices) - count
+        num_new += len(nodes) - count
     return Stitched(np.concatenate([*old, *new]), finishing.in_order(np.concatenate(edges)), node_of_vertex)
-
-
-def _nearest(nodes: np.ndarray, state: State, points: np.ndarray) -> np.ndarray:
-    """(P,) the node of a component's curve that is nearest to each of ``points`` (P, 3) of its cavities."""
-    return np.asarray(spatial.KDTree(nodes).query(state.frame.enter(points))[1], dtype=np.int64)
 
 
 def node_of_input(part: ComponentCurve) -> np.ndarray:
     """(V,) the node of the flow's curve for each sorted vertex of the component."""
     return part.curve.node_of_meso[part.meso.node_of_input]
-
-
-def _placed(checked: Surface, state: State, part: ComponentCurve, member: np.ndarray, nodes: np.ndarray) -> np.ndarray:
-    """Nodes of the flow's curve in the caller's units. A pin has its input position, to the last bit."""
-    node_of_pin = node_of_input(part)[state.pins]
-    exact = means(checked.vertices[member[state.order][state.pins]], node_of_pin, len(nodes))
-    placed = state.frame.leave(nodes)
-    placed[part.is_held] = exact[part.is_held]
-    return placed
 
 
 def means(points: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:

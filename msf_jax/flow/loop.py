@@ -1,7 +1,7 @@
 """The flow, Algorithm 2: each component of a mesh is contracted until it is done, then its curve is extracted.
 
-`starting` prepares a component. `stepping` runs one iteration; only there host and device meet. `done` decides whether
-to stop, and says why. `curves` extracts and finishes the curves. `assembly` makes one result of all components.
+`starting` prepares a component. `stepping` runs one iteration, where alone host and device meet, and says whether it
+was the last. `curves` extracts and finishes the curves. `assembly` makes one result of all components.
 """
 
 import reprlib
@@ -17,21 +17,14 @@ from msf_jax.base.options import Config, Weights, is_traced, traced
 from msf_jax.flow import assembly
 from msf_jax.flow.curves import curve_of
 from msf_jax.flow.starting import init
-from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State
-from msf_jax.flow.stepping import step
+from msf_jax.flow.state import Flow
+from msf_jax.flow.stepping import done, step
 from msf_jax.meshes import checking
 from msf_jax.meshes.checking import Surface
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import Repair
-from msf_jax.meso import fixing
+from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.solid.solid import Solid
-
-SETTLED = 0.02  # share of the first volume: a flow that has settled may leave this much, of any shape
-MEMBRANES = 0.1  # share of the first volume: it may leave this much in thin membranes between fixed vertices
-THINNED = 1 / 3  # membranes are at most this part as thick as the solid was (ratio of volume share to area share)
-PROGRESS = 0.1  # share of the area: a flow that loses less in a period of the threshold has settled
-SHORTEST_PERIOD = 20  # iterations: shorter periods of the threshold count as this long
-STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a default period is shorter
 
 
 def contract(
@@ -42,7 +35,6 @@ def contract(
     pins: Any = None,
     repair: bool | str | Repair = False,
     progress: bool = False,
-    limits: Limits = LIMITS,
 ) -> Flow:
     """Run the flow on ``mesh`` and return all of it. `skeletonize` returns the finished curve alone.
 
@@ -57,7 +49,6 @@ def contract(
         repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold; "join" also makes one
             solid of parts that overlap, touch or nearly touch. Every change is counted in ``skeleton.report.repairs``.
         progress: show a progress bar on standard error, if that is a terminal.
-        limits: bounds that only tests change.
 
     Raises:
         MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
@@ -83,10 +74,10 @@ def contract(
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = None
             try:
-                state = init(component, number, config, clock, pins_here, of_members, limits)
+                state = init(component, number, config, clock, pins_here, of_members)
                 while (end := done(state, config)) is None:
                     clock.check()
-                    step(state, weights, config, clock, limits)
+                    step(state, weights, config, clock)
                     if state.history:
                         bar.set_postfix(vertices=state.history[-1].live, volume=f"{state.history[-1].volume:.1e}")
                     bar.update()
@@ -119,57 +110,42 @@ def contract(
     return run
 
 
-def has_volume(state: State, config: Config) -> bool:
-    """Whether there is more to contract: volume, or area, because a flat sheet has no volume.
+def skeletonize(
+    mesh: "MeshLike",
+    weights: Weights | None = None,
+    config: Config | None = None,
+    *,
+    pins: Any = None,
+    repair: bool | str | Repair = False,
+    progress: bool = False,
+) -> Skeleton:
+    """The curve skeleton of a closed triangle mesh, by Medial Skeletonization Flow.
 
-    A contracted curve still has some area. It counts as contracted when three iterations remove less than a tenth.
+    Args:
+        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices (V, 3), faces (F, 3))``. It is not changed.
+            Each component is skeletonised; the result is one skeleton.
+        weights: of the flow; those of ``config``'s system if not given.
+        config: the system and its options; ``Config()``, the article's, if not given.
+        pins: ids of vertices of the mesh that are held in place; the curve goes through them.
+        repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold: weld, fill holes,
+            separate sheets that share an edge, and the like. "join" also makes one solid of closed parts that overlap,
+            touch or nearly touch. Every change is counted in ``report.repairs``.
+        progress: show a progress bar on standard error, if that is a terminal.
+
+    Returns:
+        The curve in the caller's units, with radii, the map from the input's vertices, and a report. Look at the report
+        first.
+
+    Raises:
+        MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
+            make it one.
+        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
+        FlowError: the mesh has no Voronoi diagram, or ``config.max_seconds`` had passed before the first iteration had
+            ended.
+        Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``. Before the
+            first iteration has ended there is none, and a plain KeyboardInterrupt is raised.
     """
-    last = state.history[-1]
-    if abs(last.volume) > config.flow.volume_tolerance:
-        return True
-    is_settled = len(state.history) > 3 and last.area > 0.9 * state.history[-4].area
-    return last.area > config.flow.area_tolerance and not is_settled
-
-
-def is_settled(history: list[Iteration], config: Config) -> bool:
-    """Whether little volume is left, and the area has hardly fallen over a whole period of the threshold.
-
-    Membranes between fixed vertices do not contract further: their edges are split as fast as they collapse. A curve
-    is extracted from membranes as from any thin surface.
-    """
-    period = max(fixing.num_periods(*config.flow.thresholds), SHORTEST_PERIOD)
-    volume = abs(history[-1].volume)
-    is_thin = volume <= MEMBRANES and volume <= THINNED * history[-1].area
-    if len(history) <= period or not (is_thin or volume <= SETTLED):
-        return False
-    return history[-1].area > (1 - PROGRESS) * history[-1 - period].area
-
-
-def done(state: State, config: Config) -> tuple[bool, str] | None:
-    """None while the surface has volume and the flow can continue; else whether it converged, and why it stops."""
-    if state.failure:
-        return False, state.failure
-    if not state.history:
-        return None
-    last = state.history[-1]
-    if config.flow.volume_tolerance == 0:  # nothing but the number of iterations ends the run
-        is_last = len(state.history) >= config.max_iterations
-        return (abs(last.volume) <= SETTLED, f"all of {config.max_iterations} iterations made") if is_last else None
-    if not has_volume(state, config):
-        return True, "no volume left"
-    if last.live - last.fixed <= config.flow.free_tolerance * last.live:
-        return True, "all vertices fixed"
-    if is_settled(state.history, config):
-        return True, f"settled: {abs(last.volume):.1%} of the volume is left, between fixed vertices"
-    if len(state.history) >= config.max_iterations:
-        return False, f"max_iterations ({config.max_iterations}) reached"
-    if len(state.history) > STALL_ITERATIONS:
-        before = state.history[-1 - STALL_ITERATIONS]
-        recent = state.history[-STALL_ITERATIONS:]
-        best = min(abs(line.volume) for line in recent)
-        if best > 0.99 * abs(before.volume) and last.live - last.fixed >= before.live - before.fixed:
-            return False, f"stalled: no progress in {STALL_ITERATIONS} iterations"
-    return None
+    return contract(mesh, weights, config, pins=pins, repair=repair, progress=progress).skeleton
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
@@ -205,12 +181,7 @@ def weights_of_vertices(weights: Weights, checked: Surface) -> np.ndarray | None
 def checked_pins(pins: Any, checked: Surface) -> tuple[np.ndarray, np.ndarray]:
     """The caller's ``pins`` as an array of ids, and the ids of these vertices in the checked surface."""
     num = len(checked.vertex_of_input)
-    if pins is None:
-        listed: Any = []
-    elif isinstance(pins, np.ndarray) or not isinstance(pins, Iterable):
-        listed = np.atleast_1d(pins)
-    else:
-        listed = list(pins)
+    listed = [] if pins is None else list(pins) if isinstance(pins, Iterable) else [pins]
     try:
         given: np.ndarray = np.array(listed)
     except ValueError:  # lists of different lengths

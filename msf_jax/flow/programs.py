@@ -58,14 +58,18 @@ def compile_moves(settings: StepSettings, layouts: list[Layout], of_vertices: bo
     if settings.solver.preconditioner == FACTORED or jax.config.jax_disable_jit:  # pyright: ignore
         return
     with _lock:
-        missing = [layout for layout in layouts if _key(settings, layout, of_vertices) not in _programs]
+        keys = [_key(settings, layout, of_vertices) for layout in layouts]
         # Traced on this thread, because JAX's settings can differ between threads.
-        traced = [jitted_move.lower(*_arguments(each, of_vertices), settings, each) for each in missing]
-        keys = [_key(settings, layout, of_vertices) for layout in missing]
-        _programs.update({key: begin(_compiled, one) for key, one in zip(keys[1:], traced[1:], strict=True)})
-        if missing:
-            _programs[keys[0]] = Future()
-            _programs[keys[0]].set_result(_compiled(traced[0]))
+        traced = [
+            (key, jitted_move.lower(*_arguments(layout, of_vertices), settings, layout))
+            for key, layout in zip(keys, layouts, strict=True)
+            if key not in _programs
+        ]
+        for key, lowered in traced[1:]:
+            _programs[key] = begin(_compiled, lowered)
+        for key, lowered in traced[:1]:
+            _programs[key] = Future()
+            _programs[key].set_result(_compiled(lowered))
 
 
 def _compiled(lowered: Any) -> Program:
@@ -83,18 +87,16 @@ def _key(settings: StepSettings, layout: Layout, of_vertices: bool) -> Hashable:
 
 def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
     """The shapes and types of a program's arguments."""
-    dtype = real_dtype()
 
-    def table(*shape: int, dtype: Any = dtype) -> Any:  # an array's shape and type, without values
-        return jax.ShapeDtypeStruct(shape, dtype)
+    def table(*shape: int, dtype: Any = None) -> Any:
+        return jax.ShapeDtypeStruct(shape, real_dtype() if dtype is None else dtype)
 
-    rows, slots = layout.capacity, layout.num_slots
-    corner = table(slots, dtype=np.int32)
-    rings = Rings(corner, corner, corner, table(slots, dtype=np.bool_))
-    column, points = table(rows), table(rows, 3)
-    buffers = Buffers(points, rings, column, column, points, column, table(), column)
+    corner, column, points = table(layout.num_slots, dtype=np.int32), table(layout.capacity), table(layout.capacity, 3)
+    rings = Rings(corner, corner, corner, table(layout.num_slots, dtype=np.bool_))
     weight = column if of_vertices else table()
-    return buffers, jax.tree_util.tree_map(lambda _: weight, Weights())
+    return Buffers(points, rings, column, column, points, column, table(), column), jax.tree.map(
+        lambda _: weight, Weights()
+    )
 
 
 def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:

@@ -4,13 +4,14 @@ import numpy as np
 
 from msf_jax.base.clock import Clock, begin
 from msf_jax.base.errors import MeshError
+from msf_jax.base.layout import layout_for
 from msf_jax.base.options import Config, PreprocessingOptions
-from msf_jax.flow.state import LIMITS, Limits, State
-from msf_jax.flow.stepping import compile_ahead
+from msf_jax.flow.programs import compile_moves
+from msf_jax.flow.state import State
 from msf_jax.inside import balls
 from msf_jax.limbs.caps import Caps
 from msf_jax.meshes.checking import Component
-from msf_jax.meso import collapse, homology, ring_tables, split
+from msf_jax.meso import edits, homology, packing, ring_tables
 from msf_jax.meso.meso import Meso
 from msf_jax.numerics import reconstruction
 from msf_jax.numerics.reconstruction import LowPass
@@ -24,6 +25,7 @@ LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rou
 MOST_REFINED = 8_000  # vertices: refining stops at about this many
 LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, refining changes no limb or hole
 MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
+GROWTH, GROWTH_MARGIN = 3, 1000  # splits may grow the surface to this multiple of its vertices, plus these
 MOST_FILTERED = 0.25  # share of the volume that the filter for poles may remove; above it, the filter is left out
 
 
@@ -34,7 +36,6 @@ def init(
     clock: Clock,
     pins: np.ndarray | None = None,
     weights: np.ndarray | None = None,
-    limits: Limits = LIMITS,
 ) -> State:
     """The first state of a component: in its own frame, resampled if the config says so, with its poles.
 
@@ -45,7 +46,13 @@ def init(
     frame, order, shape, solid = _entered(component)
     faces = shape.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
-    meso, mesh_filter = _surface(shape, pins, options, clock)
+    vertices, mesh_filter = shape.vertices, None
+    if options.reconstruct_mesh:
+        with clock.stage("reconstruction"):
+            vertices, mesh_filter = _rebuilt(vertices, faces, options.reconstruct_mesh, options)
+            vertices[pins] = shape.vertices[pins]
+    meso = Meso.from_mesh(vertices, faces)
+    meso.is_fixed[pins] = True
     meso.weights = None if weights is None else weights[order]
     clock.check()
     with clock.stage("thickness"):
@@ -59,14 +66,14 @@ def init(
         with clock.stage("homology"):
             meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
     clock.check()
-    max_rows = limits.growth * meso.num_rows + limits.growth_margin
+    max_rows = GROWTH * meso.num_rows + GROWTH_MARGIN
     if options.resample:
         with clock.stage("resampling"):
-            meso = _resampled(meso, options.resample, config.check)
-            max_rows = max(max_rows, limits.growth * meso.num_rows)
-    else:
-        meso = _refined(meso, shape, config, clock)
-        max_rows = max(max_rows, limits.growth * meso.num_rows)
+            meso = _resampled(meso, options.resample)
+    elif options.refine:
+        with clock.stage("refining"):
+            _refine(meso, shape, options.refine)
+    max_rows = max(max_rows, GROWTH * meso.num_rows)
     clock.check()
     meso, num_coarsened = _coarsened(meso, config, clock)
     clock.check()
@@ -79,8 +86,11 @@ def init(
     is_same = len(meso.positions) > len(shape.vertices) and not (options.reconstruct_mesh or options.resample)
     of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
     clock.check()
-    with clock.stage("compile"):
-        compile_ahead(meso, config)
+    with clock.stage("compile"):  # for the size of the surface, and for the smallest layout, which all runs reach
+        layouts = {layout_for(meso.num_rows, packing.rows_beyond(meso))}
+        if config.flow.edit_connectivity and config.max_iterations > 1:
+            layouts.add(layout_for(1, []))
+        compile_moves(config.on_device, sorted(layouts, reverse=True), meso.weights is not None)
     clock.check()
     caps = None
     if config.least_slenderness or config.curve.extend_tips:
@@ -90,9 +100,12 @@ def init(
         found = _poles(meso, shape, options, clock)
         meso.poles = np.where(found.is_inside[:, None], found.poles, meso.positions)
         meso.has_pole = found.is_inside.copy()  # edits change the surface, not what was found
-        meso.trust = found.trust.copy() if options.pole_confidence else None
-    start = Start(mesh_filter, meso.edits, found)
-    meso.edits = []
+    start, meso.edits = Start(mesh_filter, meso.edits, found), []
+    ring_area = np.empty(0)
+    if config.flow.w_H_follows_area:
+        faces = meso.faces()
+        area = np.tile(triangle_areas(meso.positions[faces]), 3)
+        ring_area = np.bincount(faces.T.ravel(), weights=area, minlength=meso.num_rows)
     return State(
         component=component,
         number=number,
@@ -106,9 +119,7 @@ def init(
         max_rows=max_rows,
         num_coarsened=num_coarsened,
         first_area=meso.area(),
-        first_ring_area=_one_ring_areas(meso) if config.flow.w_H_follows_area else np.empty(0),
-        poles=meso.poles[meso.node_of_input],
-        has_pole=meso.has_pole[meso.node_of_input],
+        first_ring_area=ring_area,
         start=start,
         meso=meso,
         t_c=config.flow.threshold_min,
@@ -137,20 +148,6 @@ def _with_limbs(shape: Enclosure, least: float, detail: float, clock: Clock) -> 
     return caps
 
 
-def _surface(
-    shape: Enclosure, pins: np.ndarray, options: PreprocessingOptions, clock: Clock
-) -> tuple[Meso, LowPass | None]:
-    """The surface to contract, with its pins fixed, and the filter that was applied to it, if any."""
-    vertices, kept = shape.vertices, None
-    if options.reconstruct_mesh:
-        with clock.stage("reconstruction"):
-            vertices, kept = _rebuilt(vertices, shape.faces, options.reconstruct_mesh, options)
-            vertices[pins] = shape.vertices[pins]
-    meso = Meso.from_mesh(vertices, shape.faces)
-    meso.is_fixed[pins] = True
-    return meso, kept
-
-
 def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:
     """The surface with its short edges collapsed, and the number of vertices removed.
 
@@ -160,37 +157,29 @@ def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:
         return meso, 0
     with clock.stage("coarsening"):
         coarsened = meso.copied()
-        collapse.collapse_short_edges(coarsened, config.coarsen, keep_faces=True, check=config.check)
+        edits.collapse_short_edges(coarsened, config.coarsen, keep_faces=True)
         if abs(coarsened.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
             return meso, 0
         return coarsened.compacted(), coarsened.num_rows - coarsened.num_live
 
 
-def _refined(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> Meso:
-    """The surface with edges split that are long compared with the limb's thickness: else patches slide across holes.
-
-    A surface whose long edges bound little area is returned unchanged.
-    """
-    refine = config.preprocessing.refine
-    if not refine:
-        return meso
-    with clock.stage("refining"):
-        a, b = ring_tables.edges_from_rings(meso.rings)
-        length = collapse.edge_lengths(meso.positions, a, b)
-        is_long = length > refine
-        longest = np.zeros(meso.num_rows)
-        np.maximum.at(longest, np.concatenate([a, b])[np.tile(is_long, 2)], np.tile(length[is_long], 2))
-        is_end = longest > 0
-        corners = meso.positions[(faces := meso.faces())[is_end[faces].sum(axis=1) > 1]]
-        if triangle_areas(corners).sum() < LEAST_REFINED * meso.area():
-            return meso
-        # Equilateral triangles with edges of this length cover the surface with about MOST_REFINED vertices.
-        least = max(refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
-        asked = longest > least
-        limit = np.full(meso.num_rows, 1.0)
-        limit[asked] = balls.edge_lengths(shape, meso.positions[asked], longest[asked])
-        split.split_long_edges(meso, np.maximum(limit, least), check=config.check)
-        return meso
+def _refine(meso: Meso, shape: Enclosure, refine: float) -> None:
+    """Split edges that are longer than ``refine``, and long compared with the limb's thickness: else patches slide
+    across holes. A surface whose long edges bound little area is left as it is."""
+    a, b = ring_tables.edges_from_rings(meso.rings)
+    length = edits.edge_lengths(meso.positions, a, b)
+    is_long = length > refine
+    longest = np.zeros(meso.num_rows)
+    np.maximum.at(longest, np.concatenate([a, b])[np.tile(is_long, 2)], np.tile(length[is_long], 2))
+    faces = meso.faces()
+    if triangle_areas(meso.positions[faces[(longest > 0)[faces].sum(axis=1) > 1]]).sum() < LEAST_REFINED * meso.area():
+        return
+    # Equilateral triangles with edges of this length cover the surface with about MOST_REFINED vertices.
+    least = max(refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
+    asked = longest > least
+    limit = np.full(meso.num_rows, 1.0)
+    limit[asked] = balls.edge_lengths(shape, meso.positions[asked], longest[asked])
+    edits.split_long_edges(meso, np.maximum(limit, least))
 
 
 def _rebuilt(
@@ -200,19 +189,19 @@ def _rebuilt(
     return reconstruction.apply(kept, vertices, faces), kept
 
 
-def _resampled(meso: Meso, length: float, check: bool) -> Meso:
+def _resampled(meso: Meso, length: float) -> Meso:
     """The surface with edges between 4/5 and 4/3 of ``length``, except where topology forbids a collapse."""
     for _ in range(3):
-        split.split_long_edges(meso, 4 / 3 * length, check=check)
-        collapse.collapse_short_edges(meso, 4 / 5 * length, check=check)
+        edits.split_long_edges(meso, 4 / 3 * length)
+        edits.collapse_short_edges(meso, 4 / 5 * length)
         meso = meso.compacted()
     return meso
 
 
 def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: Clock) -> FoundPoles:
-    """Poles of the (reconstructed) surface, whether each pulls (only inside the input's surface), and their trust.
+    """Poles of the (reconstructed) surface, and whether each pulls: only inside the input's surface.
 
-    The trust in a pole is (1 - cos(spoke angle)) / 2. On a thin solid the reconstruction is left out: it keeps too few
+    On a thin solid the reconstruction is left out: it keeps too few
     frequencies, and would leave little more than the axis.
     """
     sites, faces, kept = meso.positions, meso.faces(), None
@@ -228,10 +217,4 @@ def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: C
         found = (seek or balls.voronoi_poles)(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
-        trust = (1 - np.cos(balls.spoke_angles(found, sites))) / 2
-        return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole, trust)
-
-
-def _one_ring_areas(meso: Meso) -> np.ndarray:
-    area = triangle_areas(meso.positions[meso.faces()])
-    return np.bincount(meso.faces().T.ravel(), weights=np.tile(area, 3), minlength=meso.num_rows)
+        return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole)

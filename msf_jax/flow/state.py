@@ -14,7 +14,7 @@ from msf_jax.gradients.tape import Tape, record
 from msf_jax.meshes.checking import Component
 from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
-from msf_jax.recording.records import Recording, Start, Step
+from msf_jax.recording.records import ComponentRecord, Recording, Start, Step
 from msf_jax.skeleton.skeleton import Skeleton, Source, Stage
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import UnitFrame
@@ -41,17 +41,6 @@ class Iteration(NamedTuple):
     has_ended: bool = True  # whether both solves ended by their tolerances, and not by the number of steps
 
 
-class Limits(NamedTuple):
-    """Bounds of a run that are not options of the user."""
-
-    growth: int = 3  # splits may grow the surface to this multiple of its first number of vertices,
-    growth_margin: int = 1000  # plus this many vertices
-    retries: int = 3  # of a step whose coordinates are not finite or diverge
-
-
-LIMITS = Limits()
-
-
 @dataclass
 class State:
     """A component under contraction.
@@ -72,8 +61,6 @@ class State:
     max_rows: int
     num_coarsened: int
     first_ring_area: np.ndarray
-    poles: np.ndarray
-    has_pole: np.ndarray
     start: Start  # the record of the preparation, for the tape
 
     meso: Meso
@@ -87,24 +74,24 @@ class State:
 
 
 def stage_at(
-    iteration: int, steps: list[list[Step]], frames: list[UnitFrame], ends: list[tuple[np.ndarray, ...]]
+    iteration: int, records: tuple[ComponentRecord, ...], vertices: np.ndarray, faces: np.ndarray, is_fixed: np.ndarray
 ) -> Stage:
-    """The surface after ``iteration`` iterations, all components together, each with its ``steps`` and frame. ``ends``
-    are the last vertices, faces and is_fixed of each, for components that had ended before."""
-    vertices, faces, is_fixed, num = [], [], [], 0
-    for own, frame, end in zip(steps, frames, ends, strict=True):
-        if iteration < len(own):
-            step = own[iteration]
-            is_past = np.arange(step.rings.shape[1]) >= step.degree[:, None]
-            faces.append(ring_tables.faces_from_rings(np.where(is_past, -1, step.rings)) + num)
-            vertices.append(frame.leave(step.positions))
-            is_fixed.append(~step.free.astype(bool))
+    """The surface after ``iteration`` iterations, all components together. A component that had ended before has its
+    part of the contracted surface, ``vertices``, ``faces`` and ``is_fixed``."""
+    first, parts, num = 0, [], 0
+    for component in records:
+        last = first + component.num_meso
+        if iteration < len(component.steps):
+            step = component.steps[iteration]
+            rings = np.where(np.arange(step.rings.shape[1]) < step.degree[:, None], step.rings, -1)
+            corners = ring_tables.faces_from_rings(rings)
+            parts.append((component.frame.leave(step.positions), corners + num, ~step.free.astype(bool)))
         else:
-            vertices.append(end[0])
-            faces.append(end[1] + num)
-            is_fixed.append(end[2])
-        num += len(vertices[-1])
-    return Stage(iteration, np.concatenate(vertices), np.concatenate(faces).astype(np.int32), np.concatenate(is_fixed))
+            own = faces[(faces[:, 0] >= first) & (faces[:, 0] < last)]
+            parts.append((vertices[first:last], own - first + num, is_fixed[first:last]))
+        first, num = last, num + len(parts[-1][0])
+    points, corners, is_held = map(np.concatenate, zip(*parts, strict=True))
+    return Stage(iteration, points, corners.astype(np.int32), is_held)
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,9 +102,6 @@ class Flow:
         weights, config: those of the run.
         meso_skeleton: ``(vertices (n, 3), faces (m, 3))`` of the contracted surface, all components together.
         is_fixed: (n,) True where a vertex of the meso-skeleton was fixed.
-        poles: (V, 3) the first Voronoi pole of each vertex of the repaired input. A vertex without a pole has a point
-            near itself. A vertex that coarsening or resampling merged has the pole of the merged vertex.
-        has_pole: (V,) whether that pole pulls.
         history: one `Iteration` for each iteration of each component.
         curve: the flow's curve, without pruned branches. Nodes that finishing merged are one node here, too.
         skeleton: the finished curve. Its first nodes are those of ``curve``, moved; new nodes come last.
@@ -129,8 +113,6 @@ class Flow:
     config: Config
     meso_skeleton: tuple[np.ndarray, np.ndarray]
     is_fixed: np.ndarray
-    poles: np.ndarray
-    has_pole: np.ndarray
     history: tuple[Iteration, ...]
     curve: Skeleton
     skeleton: Skeleton
@@ -152,17 +134,7 @@ class Flow:
         most = max(len(one.steps) for one in records)
         if isinstance(iteration, bool) or not isinstance(iteration, numbers.Integral) or not 0 <= iteration <= most:
             raise ConfigError(f"iteration is {iteration!r}: expected a whole number from 0 to {most}")
-        first = np.cumsum([one.num_meso for one in records])[:-1]
-        vertices, faces = self.meso_skeleton
-        of_face = np.searchsorted(first, faces[:, 0], side="right")
-        ends = [
-            (own, faces[of_face == number] - (first[number - 1] if number else 0), fixed)
-            for number, (own, fixed) in enumerate(
-                zip(np.split(vertices, first), np.split(self.is_fixed, first), strict=True)
-            )
-        ]
-        steps, frames = [list(one.steps) for one in records], [one.frame for one in records]
-        return stage_at(int(iteration), steps, frames, ends)
+        return stage_at(int(iteration), records, *self.meso_skeleton, self.is_fixed)
 
     def __repr__(self) -> str:
         return f"Flow({len(self.history)} iterations, {self.skeleton!r})"

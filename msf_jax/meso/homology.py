@@ -11,14 +11,24 @@ the slightly smoothed surface, whose loops have the same classes.
 
 The loops are those of `solid.handles`, which has the same classes for paths through the solid. Linking numbers are
 computed from signed crossings in a projection.
+
+Where no linking numbers are valid, lengths tell on the contracted surface, see `short_classes`: loops around limbs have
+shrunk to almost 0, and the loops that the curve keeps have not. From the 2g shortest independent loops through one
+vertex (Erickson, Whittlesey 2005), g loops that do not cross each other are chosen, short ones first, or sums of loops
+where necessary. These count as contractible in the solid, and so does every loop that crosses none of them. The class
+of an edge is its number of crossings with a fixed random combination of them.
 """
 
 import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
 
 from msf_jax.meso import ring_tables
+from msf_jax.meso.ring_tables import find_slot
 from msf_jax.solid.geometry import vertex_normals
 from msf_jax.solid.handles import SEED, surface_loops
 from msf_jax.topology import graphs
+from msf_jax.topology.graphs import loop_along, shortest_forest
 from msf_jax.topology.half_edges import half_edges
 
 PUSH = 1e-3  # mean edge lengths, by which loops are pushed out
@@ -26,6 +36,8 @@ SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # successive numbers of smoothing rounds for a
 MANY_HANDLES = 16  # handles: with more, smoothing hardly ever removes all crossings, and is tried once
 MOST_PAIRS = 200_000_000  # pairs of edges of two loops; with more, no linking numbers are computed
 LARGEST_GENUS = 64  # with a larger genus, linking numbers would take too long
+MOST_HANDLES = 400  # handles: with more, the table of crossings of short loops would be too large
+MOST_TIMES = 2**14  # largest coefficient of a loop in a sum, so that classes of edges do not overflow 64 bits
 
 
 def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
@@ -79,12 +91,8 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
         values = half_edge_classes(positions, faces)
     if values is None:
         return None
-    code = ring_tables.encode_edges(edges.origin, edges.target, len(rings))
-    order = np.argsort(code)
-    vertex, slot = np.nonzero(rings >= 0)
-    wanted = ring_tables.encode_edges(vertex, rings[vertex, slot], len(rings))
     classes = np.zeros(rings.shape, dtype=np.int64)
-    classes[vertex, slot] = values[order[np.searchsorted(code, wanted, sorter=order)]]
+    classes[edges.origin, find_slot(rings[edges.origin], edges.target)] = values
     return classes
 
 
@@ -111,3 +119,88 @@ def linking_numbers(loops: list[np.ndarray], others: list[np.ndarray]) -> np.nda
             height = p[a, 2] + s[a, b] * along_p[a, 2] - q[b, 2] - t[a, b] * along_q[b, 2]
             linking[i, j] = round(float((np.sign(area[a, b]) * np.sign(height)).sum()) / 2)
     return linking
+
+
+def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
+    """Classes (n, K) beside the ring table ``rings`` of a connected surface, as `ring_classes` gives them.
+
+    Short loops count as contractible in the solid. None for a surface of more than ``MOST_HANDLES``, or if coefficients
+    of loops exceed ``MOST_TIMES``.
+    """
+    degree = ring_tables.ring_degrees(rings)
+    edges = half_edges(ring_tables.faces_from_rings(rings))
+    tail, head, twin = edges.origin, edges.target, edges.twin
+    num, num_half = len(rings), len(edges.origin)
+    euler = int((degree > 0).sum()) - num_half // 6
+    if 2 - euler > 2 * MOST_HANDLES:
+        return None
+    # In diagonals: a sparse graph would take a length of 0 for no edge.
+    length = np.maximum(np.linalg.norm(positions[tail] - positions[head], axis=1), 1e-12)
+    away, parent = csgraph.dijkstra(
+        graphs.weighted(num, tail, head, length), indices=int(tail[0]), return_predecessors=True
+    )
+    # Half-edges that are in neither the tree nor a spanning tree of the faces, which crosses the edges of the longest
+    # loops, close the 2g shortest loops with paths of the tree.
+    in_tree = (parent[tail] == head) | (parent[head] == tail)
+    around, face = away[tail] + away[head] + length, np.arange(num_half) // 3
+    free = np.flatnonzero((np.arange(num_half) < twin) & ~in_tree)
+    pairs = np.stack([face[free], face[twin[free]]], axis=1)
+    generator = free[~shortest_forest(num_half // 3, pairs, -around[free])]
+    loops = [loop_along(int(tail[half]), int(head[half]), parent) for half in generator]
+    slot_of = find_slot(rings[tail], head)
+    half_at = np.zeros(rings.shape, dtype=np.int64)
+    half_at[tail, slot_of] = np.arange(num_half)
+    ends = [(np.array(loop), np.roll(loop, -1)) for loop in loops]
+    paths = [half_at[start, find_slot(rings[start], end)] for start, end in ends]
+    number = np.repeat(np.arange(len(paths)), [len(path) for path in paths])
+    ahead = np.concatenate([*paths, np.empty(0, dtype=np.int64)])
+    back = twin[np.concatenate([*(np.roll(path, 1) for path in paths), np.empty(0, dtype=np.int64)])]
+    # Edges that are, counter-clockwise, between the next and the previous edge of a loop leave it to the left.
+    count = (slot_of[back] - slot_of[ahead] - 1) % degree[tail[ahead]]
+    row = np.repeat(np.arange(len(ahead)), count)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count) + 1
+    at = tail[ahead[row]]
+    leaving = half_at[at, (slot_of[ahead[row]] + step) % degree[at]]
+    shape = len(loops), num_half
+    left = sparse.csr_matrix((np.ones(len(row), dtype=np.int64), (number[row], leaving)), shape)
+    crossed = left - left[:, twin]
+    walked = sparse.csr_matrix((np.ones(len(ahead), dtype=np.int64), (number, ahead)), shape)
+    crossings = (walked @ crossed.T).toarray()
+    chosen = _apart(crossings, np.array([length[path].sum() for path in paths]))
+    if chosen is None:
+        return None
+    weight = np.random.default_rng(2005).integers(1, 2**30, size=len(chosen)) @ chosen
+    classes = np.zeros(rings.shape, dtype=np.int64)
+    classes[tail, slot_of] = crossed.T @ weight
+    return classes
+
+
+def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray | None:
+    """(g, 2g) coefficients of short sums of the 2g loops that do not cross; ``crossings`` (2g, 2g) are the loops'.
+
+    After each choice, another loop that crosses the chosen one is removed, and multiples of it are added to the others
+    so that they do not cross the chosen one. Coefficients are divided by their greatest common divisor, so that they do
+    not double in each round. None if they still exceed ``MOST_TIMES``.
+    """
+    left, length = np.eye(len(length), dtype=np.int64), length.copy()
+    chosen = []
+    while len(left):
+        number = int(np.argmin(length))
+        one = left[number]
+        left, length = np.delete(left, number, axis=0), np.delete(length, number)
+        chosen.append(one)
+        times = left @ (crossings @ one)
+        partners = np.flatnonzero(times)
+        if not len(partners):
+            continue
+        other = partners[np.lexsort((length[partners], np.abs(times[partners])))[0]]
+        both = np.gcd(times, times[other])
+        own, its = times[other] // both, times // both
+        length = np.abs(own) * length + np.abs(its) * length[other]
+        left = own[:, None] * left - its[:, None] * left[other]
+        is_left = np.arange(len(left)) != other
+        around = np.maximum(np.gcd.reduce(left[is_left], axis=1), 1)
+        left, length = left[is_left] // around[:, None], length[is_left] / around
+        if np.abs(left).max(initial=0) > MOST_TIMES:
+            return None
+    return np.array(chosen, dtype=np.int64).reshape(-1, len(crossings))

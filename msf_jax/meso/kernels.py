@@ -12,8 +12,8 @@ from msf_jax.numerics.compiled import Flags, Ints, Points, Reals, Rows, kernel, 
 
 
 class MesoArrays(NamedTuple):
-    """The arrays of a `meso.Meso`, with neutral values for those that are None there: 0 for classes, 1 for trust and
-    scale, and weights of shape (n, 0)."""
+    """The arrays of a `meso.Meso`, with neutral values for those that are None there: 0 for classes, 1 for scale,
+    and weights of shape (n, 0)."""
 
     positions: Points
     rings: Rows
@@ -22,7 +22,6 @@ class MesoArrays(NamedTuple):
     poles: Points
     has_pole: Flags
     is_fixed: Flags
-    trust: Reals
     scale: Reals
     weights: Points
 
@@ -247,7 +246,7 @@ def merge_data(surface: MesoArrays, one: int, two: int, share: float) -> bool:
         surface.positions[one, axis] += share * (surface.positions[two, axis] - surface.positions[one, axis])
     takes_pole = distance_to_pole(surface, two, one) < distance_to_pole(surface, one, one)
     if takes_pole:
-        surface.has_pole[one], surface.trust[one] = True, surface.trust[two]
+        surface.has_pole[one] = True
         for axis in range(3):
             surface.poles[one, axis] = surface.poles[two, axis]
     surface.scale[one] = min(surface.scale[one], surface.scale[two])

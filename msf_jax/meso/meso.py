@@ -13,7 +13,6 @@ from msf_jax.meso import kernels, ring_tables
 from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 ROWS = kernels.MesoArrays._fields  # the arrays with a row for each vertex
-SPARE = 1.25  # factor on the rows for which memory is allocated, so that many calls of `append` copy a row few times
 
 
 class Fixing(NamedTuple):
@@ -33,8 +32,8 @@ class Meso:
     """A closed surface under contraction. Lengths are fractions of the input's bounding-box diagonal.
 
     positions: (n, 3). rings: (n, K), see `ring_tables`. degree: (n,), 0 for a dead row. poles: (n, 3), finite
-    everywhere. has_pole: (n,), False where the pole must not pull. trust: (n,) factor on w_M from 0 to 1, or None if it
-    is 1 everywhere. classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
+    everywhere. has_pole: (n,), False where the pole must not pull. classes: (n, K), the class of every edge (see
+    `homology`), or None for a surface without handles.
     is_fixed: (n,), True where the vertex has reached the skeleton and no longer moves. node_of_input: (V,), the row
     that every vertex of the input has been merged into. scale: (n,) factor on lengths, up to 1, smaller on thin limbs
     (see `inside.balls.scales`), or None if no limb is thin. weights: (n, 4), w_L, w_H, w_M and smoothing of every
@@ -49,7 +48,6 @@ class Meso:
     has_pole: np.ndarray
     is_fixed: np.ndarray
     node_of_input: np.ndarray
-    trust: np.ndarray | None = None
     classes: np.ndarray | None = None
     scale: np.ndarray | None = None
     weights: np.ndarray | None = None
@@ -93,34 +91,23 @@ class Meso:
 
     def surface(self) -> kernels.MesoArrays:
         """The arrays for kernels, which may change them."""
-        num = self.num_rows
+        neutral = {"classes": np.zeros_like(self.rings), "scale": np.ones(self.num_rows)}
+        neutral["weights"] = np.empty((self.num_rows, 0))
         for name in ROWS:  # a kernel would change a copy of an array of another kind
             if (value := getattr(self, name)) is not None:
                 kind = kernels.MesoArrays.__annotations__[name].__metadata__[0]
                 setattr(self, name, np.require(value, kind, ["C", "W"]))
-        return kernels.MesoArrays(
-            self.positions,
-            self.rings,
-            self.degree,
-            np.zeros_like(self.rings) if self.classes is None else self.classes,
-            self.poles,
-            self.has_pole,
-            self.is_fixed,
-            np.ones(num) if self.trust is None else self.trust,
-            np.ones(num) if self.scale is None else self.scale,
-            np.empty((num, 0)) if self.weights is None else self.weights,
-        )
+        return kernels.MesoArrays(**(neutral | self.arrays()))
 
-    def append(self, count: int, whole: dict[str, np.ndarray]) -> None:
-        """Add ``count`` dead rows, with zeros. ``whole`` has the arrays with spare rows of the call before, if any."""
-        num = self.num_rows + count
-        for name in ROWS:
-            if (value := getattr(self, name)) is not None:
-                if name not in whole or value.base is not whole[name] or len(whole[name]) < num:
-                    shape = (int(SPARE * num), *value.shape[1:])
-                    whole[name] = np.full(shape, -1 if name == "rings" else 0, value.dtype)
-                    whole[name][: len(value)] = value
-                setattr(self, name, whole[name][:num])
+    def arrays(self) -> dict[str, np.ndarray]:
+        """The arrays with a row for each vertex, by name, without those that are None."""
+        return {name: value for name in ROWS if (value := getattr(self, name)) is not None}
+
+    def append(self, count: int) -> None:
+        """Add ``count`` dead rows, with zeros."""
+        for name, value in self.arrays().items():
+            rows = np.full((count, *value.shape[1:]), -1 if name == "rings" else 0, value.dtype)
+            setattr(self, name, np.concatenate([value, rows]))
 
     def widen(self, degree: int) -> None:
         """Add slots until every row has at least ``degree``."""
@@ -129,12 +116,6 @@ class Meso:
             self.rings = np.pad(self.rings, ((0, 0), (0, missing)), constant_values=-1)
             if self.classes is not None:
                 self.classes = np.pad(self.classes, ((0, 0), (0, missing)))
-
-    def merge_map(self, survivor: np.ndarray, removed: np.ndarray) -> None:
-        """Update ``node_of_input`` after rows ``removed`` were merged into ``survivor``."""
-        target = np.arange(self.num_rows)
-        target[removed] = survivor
-        self.node_of_input = target[self.node_of_input]
 
     def copied(self) -> "Meso":
         """A copy of the surface."""
@@ -148,17 +129,5 @@ class Meso:
         number = np.full(self.num_rows + 1, -1)  # the last entry serves the padding -1
         number[live] = np.arange(len(live))
         self.edits.append(Compaction(live))
-        return replace(
-            self,
-            positions=self.positions[live],
-            rings=number[self.rings[live]],
-            degree=self.degree[live],
-            poles=self.poles[live],
-            has_pole=self.has_pole[live],
-            is_fixed=self.is_fixed[live],
-            node_of_input=number[self.node_of_input],
-            trust=None if self.trust is None else self.trust[live],
-            classes=None if self.classes is None else self.classes[live],
-            scale=None if self.scale is None else self.scale[live],
-            weights=None if self.weights is None else self.weights[live],
-        )
+        rows = {name: value[live] for name, value in self.arrays().items()}
+        return replace(self, **(rows | {"rings": number[rows["rings"]], "node_of_input": number[self.node_of_input]}))

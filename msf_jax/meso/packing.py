@@ -44,7 +44,6 @@ def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: flo
     rank[order] = np.arange(meso.num_rows, dtype=np.int32)
     degree = meso.degree[order]
     rings = rank[meso.rings[order, : max(1, int(degree.max()))]]  # padding -1 takes the spare last entry
-    pull = meso.has_pole if meso.trust is None else meso.has_pole * meso.trust
     size = layout.capacity
     fields = {
         "positions": pad(meso.positions[order], size, 0, dtype),
@@ -52,7 +51,7 @@ def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: flo
         "degree": pad(degree, size, 0, dtype),
         "free": pad(~meso.is_fixed[order] & (degree > 0), size, 0, dtype),
         "poles": pad(meso.poles[order], size, 0, dtype),
-        "pull": pad(pull[order], size, 0, dtype),
+        "pull": pad(meso.has_pole[order], size, 0, dtype),
         "t_c": np.asarray(t_c, dtype=dtype),
         "area": pad(area[order] if len(area) else area, size, 1, dtype),
     }

@@ -8,7 +8,7 @@ table, transposed. A vertex has one row, and so one fan: pinched vertices cannot
 
 import numpy as np
 
-from msf_jax.base.errors import FlowError, MeshError
+from msf_jax.base.errors import MeshError
 from msf_jax.topology.half_edges import half_edges, next_in_ring
 
 RING_CAPACITIES = (8, 12, 16, 24, 32)  # slots of a row
@@ -70,11 +70,6 @@ def edges_from_rings(rings: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return a, rings[a, slot]
 
 
-def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
-    """One sortable integer for each edge."""
-    return a * np.int64(num_vertices) + b
-
-
 def faces_from_rings(rings: np.ndarray) -> np.ndarray:
     """Every face (F, 3) once, its smallest vertex first."""
     vertex, slot = np.divmod(np.flatnonzero(rings > np.arange(len(rings))[:, None]), rings.shape[1])
@@ -82,43 +77,3 @@ def faces_from_rings(rings: np.ndarray) -> np.ndarray:
     following = rings[vertex, np.where(slot + 1 < degree[vertex], slot + 1, 0)]
     faces = np.stack([vertex, rings[vertex, slot], following], axis=1)
     return faces[following > vertex]
-
-
-def euler_characteristic(rings: np.ndarray) -> int:
-    """V - E + F of the live part of the table: 2 - 2 genus for each component."""
-    half = int((rings >= 0).sum())
-    return int((rings[:, 0] >= 0).sum()) - half // 2 + half // 3
-
-
-def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
-    """The debug check after an edit: the surface is closed, oriented, simplicial, with the same Euler characteristic.
-
-    Raises:
-        FlowError: it is not; the message names the first vertex at fault.
-    """
-    vertex, slot = np.nonzero(rings >= 0)
-    neighbour = rings[vertex, slot]
-    degree = ring_degrees(rings)
-    code = encode_edges(vertex, neighbour, len(rings))
-    faults = {
-        "is its own neighbour": vertex[vertex == neighbour],
-        "has a neighbour twice": np.sort(code)[1:][np.diff(np.sort(code)) == 0] // len(rings),
-        "is not a neighbour of its neighbour": vertex[~np.isin(code, encode_edges(neighbour, vertex, len(rings)))],
-        "has fewer than three neighbours": np.flatnonzero((degree > 0) & (degree < 3)),
-        "has a gap in its ring": np.flatnonzero((rings >= 0) != (np.arange(rings.shape[1]) < degree[:, None]))
-        // rings.shape[1],
-    }
-    # A face (i, j, k) at i must be the face (j, k, i) at j: there i comes after k.
-    following = np.where(slot + 1 < degree[vertex], slot + 1, 0)
-    third = rings[vertex, following]
-    if not any(len(found) for found in faults.values()):
-        slot_of_third = find_slot(rings[neighbour], third)
-        after = rings[neighbour, np.where(slot_of_third + 1 < degree[neighbour], slot_of_third + 1, 0)]
-        faults["has a face that its neighbours do not have"] = vertex[after != vertex]
-    for what, found in faults.items():
-        if len(found):
-            raise FlowError(
-                f"the surface is no longer a closed manifold: vertex {found[0]} {what}, and {len(found) - 1} more"
-            )
-    if (now := euler_characteristic(rings)) != euler:
-        raise FlowError(f"an edit changed the topology: Euler characteristic {now}, was {euler}")

@@ -7662,9 +7662,9 @@ define i64 @msf_jax.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
   %46 = getelementptr i8, ptr %0, i64 168
   %47 = load i64, ptr %46, align 8
   %48 = getelementptr i8, ptr %0, i64 176
-  %49 = load ptr, ptr %48, align 8
+  %49 = load i64, ptr %48, align 8
   %50 = getelementptr i8, ptr %0, i64 184
-  %51 = load i64, ptr %50, align 8
+  %51 = load ptr, ptr %50, align 8
   %52 = getelementptr i8, ptr %0, i64 192
   %53 = load i64, ptr %52, align 8
   %54 = getelementptr i8, ptr %0, i64 200
@@ -7672,10 +7672,10 @@ define i64 @msf_jax.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
   %56 = getelementptr i8, ptr %0, i64 208
   %57 = load i64, ptr %56, align 8
   %58 = getelementptr i8, ptr %0, i64 216
-  %59 = load ptr, ptr %58, align 8
-  %60 = getelementptr i8, ptr %0, i64 224
-  %61 = load i64, ptr %60, align 8
-  %62 = getelementptr i8, ptr %0, i64 232
+  %59 = load i64, ptr %58, align 8
+  %60 = getelementptr i8, ptr %0, i64 232
+  %61 = load ptr, ptr %60, align 8
+  %62 = getelementptr i8, ptr %0, i64 240
   %63 = load i64, ptr %62, align 8
   %64 = getelementptr i8, ptr %0, i64 248
   %65 = load ptr, ptr %64, align 8
@@ -7683,1371 +7683,1359 @@ define i64 @msf_jax.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
   %67 = load i64, ptr %66, align 8
   %68 = getelementptr i8, ptr %0, i64 264
   %69 = load ptr, ptr %68, align 8
-  %70 = getelementptr i8, ptr %0, i64 272
-  %71 = load i64, ptr %70, align 8
-  %72 = getelementptr i8, ptr %0, i64 280
-  %73 = load ptr, ptr %72, align 8
+  %70 = getelementptr i8, ptr %0, i64 288
+  %71 = load ptr, ptr %70, align 8
+  %72 = getelementptr i8, ptr %0, i64 296
+  %73 = load i64, ptr %72, align 8
   %74 = getelementptr i8, ptr %0, i64 304
-  %75 = load ptr, ptr %74, align 8
+  %75 = load i64, ptr %74, align 8
   %76 = getelementptr i8, ptr %0, i64 312
-  %77 = load i64, ptr %76, align 8
+  %77 = load ptr, ptr %76, align 8
   %78 = getelementptr i8, ptr %0, i64 320
   %79 = load i64, ptr %78, align 8
-  %80 = getelementptr i8, ptr %0, i64 328
-  %81 = load ptr, ptr %80, align 8
-  %82 = getelementptr i8, ptr %0, i64 336
+  %80 = icmp sgt i64 %53, 0
+  br i1 %80, label %81, label %1234
+81:
+  %82 = getelementptr i8, ptr %0, i64 280
   %83 = load i64, ptr %82, align 8
-  %84 = icmp sgt i64 %57, 0
-  br i1 %84, label %85, label %1245
-85:
-  %86 = getelementptr i8, ptr %0, i64 296
-  %87 = load i64, ptr %86, align 8
-  %88 = shl i64 %87, 3
-  %89 = getelementptr i8, ptr %0, i64 240
-  %90 = load i8, ptr %89, align 8
-  %91 = and i64 %53, 9223372036854775806
-  %92 = getelementptr double, ptr %49, i64 %91
-  %93 = add nsw i64 %91, -2
-  %94 = lshr exact i64 %93, 1
-  %95 = add nuw i64 %94, 1
-  %96 = and i64 %95, -2
-  %97 = getelementptr i8, ptr %49, i64 24
-  %98 = icmp eq i8 %90, 0
-  %99 = icmp sgt i64 %13, 0
-  %100 = getelementptr i64, ptr %73, i64 %87
-  %101 = add i64 %14, 8
-  %102 = add i64 %25, 8
-  %103 = add i64 %14, 16
-  %104 = add i64 %25, 16
-  %105 = icmp slt i64 %13, 1
-  %106 = icmp eq i64 %13, 1
-  %107 = and i64 %13, 9223372036854775806
-  %108 = getelementptr i8, ptr %73, i64 %88
-  %109 = getelementptr i8, ptr %108, i64 8
-  %110 = and i64 %13, 1
-  %111 = icmp eq i64 %110, 0
-  %112 = icmp slt i64 %53, 1
-  %113 = icmp eq i64 %53, 1
-  %114 = icmp eq i64 %93, 0
-  %115 = and i64 %93, 2
-  %116 = icmp eq i64 %115, 0
-  %117 = and i64 %53, 1
-  %118 = icmp eq i64 %117, 0
-  %119 = getelementptr i64, ptr %73, i64 %107
-  %120 = getelementptr i64, ptr %100, i64 %107
-  br label %121
-121:
-  %122 = phi i64 [ %925, %924 ], [ 0, %85 ]
-  %123 = phi i64 [ %127, %924 ], [ 0, %85 ]
-  %124 = shl i64 %123, 3
-  %125 = getelementptr i8, ptr %55, i64 %124
-  %126 = load i64, ptr %125, align 8
-  %127 = add nuw nsw i64 %123, 1
-  %128 = icmp slt i64 %126, 0
-  %129 = select i1 %128, i64 %61, i64 0
-  %130 = add i64 %129, %126
-  %131 = mul i64 %130, %63
-  %132 = getelementptr i64, ptr %59, i64 %131
+  %84 = shl i64 %83, 3
+  %85 = getelementptr i8, ptr %0, i64 224
+  %86 = load i8, ptr %85, align 8
+  %87 = and i64 %49, 9223372036854775806
+  %88 = getelementptr double, ptr %45, i64 %87
+  %89 = add nsw i64 %87, -2
+  %90 = lshr exact i64 %89, 1
+  %91 = add nuw i64 %90, 1
+  %92 = and i64 %91, -2
+  %93 = getelementptr i8, ptr %45, i64 24
+  %94 = icmp eq i8 %86, 0
+  %95 = icmp sgt i64 %13, 0
+  %96 = getelementptr i64, ptr %69, i64 %83
+  %97 = add i64 %14, 8
+  %98 = add i64 %25, 8
+  %99 = add i64 %14, 16
+  %100 = add i64 %25, 16
+  %101 = icmp slt i64 %13, 1
+  %102 = icmp eq i64 %13, 1
+  %103 = and i64 %13, 9223372036854775806
+  %104 = getelementptr i8, ptr %69, i64 %84
+  %105 = getelementptr i8, ptr %104, i64 8
+  %106 = and i64 %13, 1
+  %107 = icmp eq i64 %106, 0
+  %108 = icmp slt i64 %49, 1
+  %109 = icmp eq i64 %49, 1
+  %110 = icmp eq i64 %89, 0
+  %111 = and i64 %89, 2
+  %112 = icmp eq i64 %111, 0
+  %113 = and i64 %49, 1
+  %114 = icmp eq i64 %113, 0
+  %115 = getelementptr i64, ptr %69, i64 %103
+  %116 = getelementptr i64, ptr %96, i64 %103
+  br label %117
+117:
+  %118 = phi i64 [ %921, %920 ], [ 0, %81 ]
+  %119 = phi i64 [ %123, %920 ], [ 0, %81 ]
+  %120 = shl i64 %119, 3
+  %121 = getelementptr i8, ptr %51, i64 %120
+  %122 = load i64, ptr %121, align 8
+  %123 = add nuw nsw i64 %119, 1
+  %124 = icmp slt i64 %122, 0
+  %125 = select i1 %124, i64 %57, i64 0
+  %126 = add i64 %125, %122
+  %127 = mul i64 %126, %59
+  %128 = getelementptr i64, ptr %55, i64 %127
+  %129 = load i64, ptr %128, align 8
+  %130 = getelementptr i8, ptr %128, i64 8
+  %131 = load i64, ptr %130, align 8
+  %132 = getelementptr i8, ptr %128, i64 16
   %133 = load i64, ptr %132, align 8
-  %134 = getelementptr i8, ptr %132, i64 8
+  %134 = getelementptr i8, ptr %128, i64 24
   %135 = load i64, ptr %134, align 8
-  %136 = getelementptr i8, ptr %132, i64 16
+  %136 = getelementptr i8, ptr %128, i64 32
   %137 = load i64, ptr %136, align 8
-  %138 = getelementptr i8, ptr %132, i64 24
-  %139 = load i64, ptr %138, align 8
-  %140 = getelementptr i8, ptr %132, i64 32
-  %141 = load i64, ptr %140, align 8
-  %142 = icmp eq i64 %141, 2
-  br i1 %142, label %143, label %157
-143:
-  %144 = icmp slt i64 %133, 0
-  %145 = select i1 %144, i64 %39, i64 0
-  %146 = getelementptr i8, ptr %37, i64 %133
-  %147 = getelementptr i8, ptr %146, i64 %145
-  %148 = load i8, ptr %147, align 1
-  %149 = icmp eq i8 %148, 0
-  br i1 %149, label %927, label %150
-150:
-  %151 = icmp slt i64 %135, 0
-  %152 = select i1 %151, i64 %39, i64 0
-  %153 = getelementptr i8, ptr %37, i64 %135
-  %154 = getelementptr i8, ptr %153, i64 %152
-  %155 = load i8, ptr %154, align 1
-  %156 = icmp eq i8 %155, 0
-  br i1 %156, label %927, label %157
-157:
-  %158 = shl i64 %131, 3
-  %159 = getelementptr i8, ptr %59, i64 %158
-  store i64 -1, ptr %159, align 8
-  br label %924
-160:
-  %161 = select i1 %144, i64 %67, i64 0
-  %162 = getelementptr i8, ptr %65, i64 %133
-  %163 = getelementptr i8, ptr %162, i64 %161
-  %164 = load i8, ptr %163, align 1
-  %165 = icmp eq i8 %164, 0
-  br i1 %165, label %166, label %924
-166:
-  %167 = icmp slt i64 %135, 0
-  %168 = select i1 %167, i64 %67, i64 0
-  %169 = getelementptr i8, ptr %65, i64 %135
-  %170 = getelementptr i8, ptr %169, i64 %168
-  %171 = load i8, ptr %170, align 1
-  %172 = icmp eq i8 %171, 0
-  br i1 %172, label %173, label %924
-173:
-  store i8 1, ptr %163, align 1
-  %174 = select i1 %144, i64 %18, i64 0
-  %175 = getelementptr i64, ptr %16, i64 %133
-  %176 = getelementptr i64, ptr %175, i64 %174
-  %177 = load i64, ptr %176, align 8
-  %178 = icmp slt i64 %177, 1
-  br i1 %178, label %940, label %179
-179:
-  %180 = select i1 %144, i64 %11, i64 0
-  %181 = add i64 %180, %133
-  %182 = and i64 %177, 3
-  %183 = icmp samesign ult i64 %177, 4
-  br i1 %183, label %220, label %184
-184:
-  %185 = and i64 %177, 9223372036854775804
-  %186 = mul i64 %181, %14
-  %187 = getelementptr i8, ptr %9, i64 %186
-  %188 = getelementptr i8, ptr %187, i64 24
-  br label %189
-189:
-  %190 = phi i64 [ 0, %184 ], [ %211, %189 ]
-  %191 = shl i64 %190, 3
-  %192 = getelementptr i8, ptr %188, i64 %191
-  %193 = getelementptr i8, ptr %192, i64 -24
-  %194 = load i64, ptr %193, align 8
-  %195 = icmp slt i64 %194, 0
-  %196 = select i1 %195, i64 %67, i64 0
-  %197 = getelementptr i8, ptr %65, i64 %194
-  %198 = getelementptr i8, ptr %197, i64 %196
-  store i8 1, ptr %198, align 1
-  %199 = getelementptr i8, ptr %192, i64 -16
-  %200 = load i64, ptr %199, align 8
-  %201 = icmp slt i64 %200, 0
-  %202 = select i1 %201, i64 %67, i64 0
-  %203 = getelementptr i8, ptr %65, i64 %200
-  %204 = getelementptr i8, ptr %203, i64 %202
-  store i8 1, ptr %204, align 1
-  %205 = getelementptr i8, ptr %192, i64 -8
-  %206 = load i64, ptr %205, align 8
-  %207 = icmp slt i64 %206, 0
-  %208 = select i1 %207, i64 %67, i64 0
-  %209 = getelementptr i8, ptr %65, i64 %206
-  %210 = getelementptr i8, ptr %209, i64 %208
-  store i8 1, ptr %210, align 1
-  %211 = add nuw nsw i64 %190, 4
-  %212 = load i64, ptr %192, align 8
-  %213 = icmp slt i64 %212, 0
-  %214 = select i1 %213, i64 %67, i64 0
-  %215 = getelementptr i8, ptr %65, i64 %212
-  %216 = getelementptr i8, ptr %215, i64 %214
-  store i8 1, ptr %216, align 1
-  %217 = icmp eq i64 %185, %211
-  br i1 %217, label %218, label %189
-218:
-  %219 = icmp eq i64 %182, 0
-  br i1 %219, label %940, label %220
-220:
-  %221 = phi i64 [ 0, %179 ], [ %185, %218 ]
-  %222 = mul i64 %181, %13
-  %223 = add i64 %221, %222
+  %138 = icmp eq i64 %137, 2
+  br i1 %138, label %139, label %153
+139:
+  %140 = icmp slt i64 %129, 0
+  %141 = select i1 %140, i64 %39, i64 0
+  %142 = getelementptr i8, ptr %37, i64 %129
+  %143 = getelementptr i8, ptr %142, i64 %141
+  %144 = load i8, ptr %143, align 1
+  %145 = icmp eq i8 %144, 0
+  br i1 %145, label %923, label %146
+146:
+  %147 = icmp slt i64 %131, 0
+  %148 = select i1 %147, i64 %39, i64 0
+  %149 = getelementptr i8, ptr %37, i64 %131
+  %150 = getelementptr i8, ptr %149, i64 %148
+  %151 = load i8, ptr %150, align 1
+  %152 = icmp eq i8 %151, 0
+  br i1 %152, label %923, label %153
+153:
+  %154 = shl i64 %127, 3
+  %155 = getelementptr i8, ptr %55, i64 %154
+  store i64 -1, ptr %155, align 8
+  br label %920
+156:
+  %157 = select i1 %140, i64 %63, i64 0
+  %158 = getelementptr i8, ptr %61, i64 %129
+  %159 = getelementptr i8, ptr %158, i64 %157
+  %160 = load i8, ptr %159, align 1
+  %161 = icmp eq i8 %160, 0
+  br i1 %161, label %162, label %920
+162:
+  %163 = icmp slt i64 %131, 0
+  %164 = select i1 %163, i64 %63, i64 0
+  %165 = getelementptr i8, ptr %61, i64 %131
+  %166 = getelementptr i8, ptr %165, i64 %164
+  %167 = load i8, ptr %166, align 1
+  %168 = icmp eq i8 %167, 0
+  br i1 %168, label %169, label %920
+169:
+  store i8 1, ptr %159, align 1
+  %170 = select i1 %140, i64 %18, i64 0
+  %171 = getelementptr i64, ptr %16, i64 %129
+  %172 = getelementptr i64, ptr %171, i64 %170
+  %173 = load i64, ptr %172, align 8
+  %174 = icmp slt i64 %173, 1
+  br i1 %174, label %936, label %175
+175:
+  %176 = select i1 %140, i64 %11, i64 0
+  %177 = add i64 %176, %129
+  %178 = and i64 %173, 3
+  %179 = icmp samesign ult i64 %173, 4
+  br i1 %179, label %216, label %180
+180:
+  %181 = and i64 %173, 9223372036854775804
+  %182 = mul i64 %177, %14
+  %183 = getelementptr i8, ptr %9, i64 %182
+  %184 = getelementptr i8, ptr %183, i64 24
+  br label %185
+185:
+  %186 = phi i64 [ 0, %180 ], [ %207, %185 ]
+  %187 = shl i64 %186, 3
+  %188 = getelementptr i8, ptr %184, i64 %187
+  %189 = getelementptr i8, ptr %188, i64 -24
+  %190 = load i64, ptr %189, align 8
+  %191 = icmp slt i64 %190, 0
+  %192 = select i1 %191, i64 %63, i64 0
+  %193 = getelementptr i8, ptr %61, i64 %190
+  %194 = getelementptr i8, ptr %193, i64 %192
+  store i8 1, ptr %194, align 1
+  %195 = getelementptr i8, ptr %188, i64 -16
+  %196 = load i64, ptr %195, align 8
+  %197 = icmp slt i64 %196, 0
+  %198 = select i1 %197, i64 %63, i64 0
+  %199 = getelementptr i8, ptr %61, i64 %196
+  %200 = getelementptr i8, ptr %199, i64 %198
+  store i8 1, ptr %200, align 1
+  %201 = getelementptr i8, ptr %188, i64 -8
+  %202 = load i64, ptr %201, align 8
+  %203 = icmp slt i64 %202, 0
+  %204 = select i1 %203, i64 %63, i64 0
+  %205 = getelementptr i8, ptr %61, i64 %202
+  %206 = getelementptr i8, ptr %205, i64 %204
+  store i8 1, ptr %206, align 1
+  %207 = add nuw nsw i64 %186, 4
+  %208 = load i64, ptr %188, align 8
+  %209 = icmp slt i64 %208, 0
+  %210 = select i1 %209, i64 %63, i64 0
+  %211 = getelementptr i8, ptr %61, i64 %208
+  %212 = getelementptr i8, ptr %211, i64 %210
+  store i8 1, ptr %212, align 1
+  %213 = icmp eq i64 %181, %207
+  br i1 %213, label %214, label %185
+214:
+  %215 = icmp eq i64 %178, 0
+  br i1 %215, label %936, label %216
+216:
+  %217 = phi i64 [ 0, %175 ], [ %181, %214 ]
+  %218 = mul i64 %177, %13
+  %219 = add i64 %217, %218
+  %220 = shl i64 %219, 3
+  %221 = getelementptr i8, ptr %9, i64 %220
+  br label %222
+222:
+  %223 = phi i64 [ 0, %216 ], [ %231, %222 ]
   %224 = shl i64 %223, 3
-  %225 = getelementptr i8, ptr %9, i64 %224
-  br label %226
-226:
-  %227 = phi i64 [ 0, %220 ], [ %235, %226 ]
-  %228 = shl i64 %227, 3
-  %229 = getelementptr i8, ptr %225, i64 %228
-  %230 = load i64, ptr %229, align 8
-  %231 = icmp slt i64 %230, 0
-  %232 = select i1 %231, i64 %67, i64 0
-  %233 = getelementptr i8, ptr %65, i64 %230
-  %234 = getelementptr i8, ptr %233, i64 %232
-  store i8 1, ptr %234, align 1
-  %235 = add i64 %227, 1
-  %236 = icmp eq i64 %182, %235
-  br i1 %236, label %940, label %226
-237:
-  %238 = select i1 %1012, i64 %18, i64 0
-  %239 = getelementptr i64, ptr %16, i64 %1010
-  %240 = getelementptr i64, ptr %239, i64 %238
-  %241 = load i64, ptr %240, align 8
-  %242 = icmp slt i64 %241, 1
-  br i1 %242, label %370, label %243
-243:
-  %244 = select i1 %1012, i64 %11, i64 0
-  %245 = add i64 %244, %1010
-  %246 = mul i64 %245, %13
-  %247 = getelementptr i64, ptr %9, i64 %246
-  %248 = select i1 %1012, i64 %4, i64 0
-  %249 = add i64 %248, %1010
-  %250 = icmp slt i64 %1011, 0
-  %251 = select i1 %250, i64 %4, i64 0
-  %252 = add i64 %251, %1011
-  %253 = mul i64 %249, %7
-  %254 = mul i64 %252, %7
-  %255 = getelementptr i8, ptr %2, i64 %253
-  %256 = getelementptr i8, ptr %255, i64 8
-  %257 = getelementptr i8, ptr %255, i64 16
-  %258 = getelementptr i8, ptr %2, i64 %254
-  %259 = getelementptr i8, ptr %258, i64 8
-  %260 = getelementptr i8, ptr %258, i64 16
-  br label %357
+  %225 = getelementptr i8, ptr %221, i64 %224
+  %226 = load i64, ptr %225, align 8
+  %227 = icmp slt i64 %226, 0
+  %228 = select i1 %227, i64 %63, i64 0
+  %229 = getelementptr i8, ptr %61, i64 %226
+  %230 = getelementptr i8, ptr %229, i64 %228
+  store i8 1, ptr %230, align 1
+  %231 = add i64 %223, 1
+  %232 = icmp eq i64 %178, %231
+  br i1 %232, label %936, label %222
+233:
+  %234 = select i1 %1008, i64 %18, i64 0
+  %235 = getelementptr i64, ptr %16, i64 %1006
+  %236 = getelementptr i64, ptr %235, i64 %234
+  %237 = load i64, ptr %236, align 8
+  %238 = icmp slt i64 %237, 1
+  br i1 %238, label %366, label %239
+239:
+  %240 = select i1 %1008, i64 %11, i64 0
+  %241 = add i64 %240, %1006
+  %242 = mul i64 %241, %13
+  %243 = getelementptr i64, ptr %9, i64 %242
+  %244 = select i1 %1008, i64 %4, i64 0
+  %245 = add i64 %244, %1006
+  %246 = icmp slt i64 %1007, 0
+  %247 = select i1 %246, i64 %4, i64 0
+  %248 = add i64 %247, %1007
+  %249 = mul i64 %245, %7
+  %250 = mul i64 %248, %7
+  %251 = getelementptr i8, ptr %2, i64 %249
+  %252 = getelementptr i8, ptr %251, i64 8
+  %253 = getelementptr i8, ptr %251, i64 16
+  %254 = getelementptr i8, ptr %2, i64 %250
+  %255 = getelementptr i8, ptr %254, i64 8
+  %256 = getelementptr i8, ptr %254, i64 16
+  br label %353
+257:
+  %258 = icmp ne i64 %1006, %362
+  %259 = icmp ne i64 %1007, %362
+  %260 = select i1 %258, i1 %259, i1 false
+  br i1 %260, label %261, label %350
 261:
-  %262 = icmp ne i64 %1010, %366
-  %263 = icmp ne i64 %1011, %366
-  %264 = select i1 %262, i1 %263, i1 false
-  br i1 %264, label %265, label %354
-265:
-  %266 = icmp slt i64 %362, 0
-  %267 = select i1 %266, i64 %4, i64 0
-  %268 = add i64 %267, %362
-  %269 = mul i64 %268, %6
-  %270 = getelementptr double, ptr %2, i64 %269
-  %271 = icmp slt i64 %366, 0
-  %272 = select i1 %271, i64 %4, i64 0
-  %273 = add i64 %272, %366
-  %274 = mul i64 %273, %6
-  %275 = getelementptr double, ptr %2, i64 %274
-  %276 = getelementptr i8, ptr %270, i64 8
+  %262 = icmp slt i64 %358, 0
+  %263 = select i1 %262, i64 %4, i64 0
+  %264 = add i64 %263, %358
+  %265 = mul i64 %264, %6
+  %266 = getelementptr double, ptr %2, i64 %265
+  %267 = icmp slt i64 %362, 0
+  %268 = select i1 %267, i64 %4, i64 0
+  %269 = add i64 %268, %362
+  %270 = mul i64 %269, %6
+  %271 = getelementptr double, ptr %2, i64 %270
+  %272 = getelementptr i8, ptr %266, i64 8
+  %273 = load double, ptr %272, align 8
+  %274 = getelementptr i8, ptr %266, i64 16
+  %275 = load double, ptr %274, align 8
+  %276 = getelementptr i8, ptr %271, i64 8
   %277 = load double, ptr %276, align 8
-  %278 = getelementptr i8, ptr %270, i64 16
+  %278 = getelementptr i8, ptr %271, i64 16
   %279 = load double, ptr %278, align 8
-  %280 = getelementptr i8, ptr %275, i64 8
-  %281 = load double, ptr %280, align 8
-  %282 = getelementptr i8, ptr %275, i64 16
-  %283 = load double, ptr %282, align 8
-  %284 = load double, ptr %256, align 8
-  %285 = load double, ptr %257, align 8
-  %286 = fsub double %277, %284
-  %287 = fsub double %283, %285
-  %288 = fmul double %286, %287
-  %289 = fsub double %279, %285
-  %290 = fsub double %281, %284
-  %291 = fmul double %290, %289
-  %292 = fsub double %288, %291
-  %293 = fmul double %292, %292
-  %294 = load double, ptr %270, align 8
-  %295 = load double, ptr %275, align 8
-  %296 = load double, ptr %255, align 8
+  %280 = load double, ptr %252, align 8
+  %281 = load double, ptr %253, align 8
+  %282 = fsub double %273, %280
+  %283 = fsub double %279, %281
+  %284 = fmul double %282, %283
+  %285 = fsub double %275, %281
+  %286 = fsub double %277, %280
+  %287 = fmul double %286, %285
+  %288 = fsub double %284, %287
+  %289 = fmul double %288, %288
+  %290 = load double, ptr %266, align 8
+  %291 = load double, ptr %271, align 8
+  %292 = load double, ptr %251, align 8
+  %293 = fsub double %290, %292
+  %294 = fmul double %286, %293
+  %295 = fsub double %291, %292
+  %296 = fmul double %282, %295
   %297 = fsub double %294, %296
-  %298 = fmul double %290, %297
-  %299 = fsub double %295, %296
-  %300 = fmul double %286, %299
-  %301 = fsub double %298, %300
-  %302 = fmul double %301, %301
-  %303 = fadd double %293, %302
-  %304 = fmul double %289, %299
-  %305 = fmul double %287, %297
-  %306 = fsub double %304, %305
-  %307 = fmul double %306, %306
-  %308 = fadd double %307, %303
-  %309 = fcmp ogt double %308, 0.000000e+00
-  br i1 %309, label %310, label %354
-310:
-  %311 = load double, ptr %259, align 8
-  %312 = fsub double %311, %284
-  %313 = fmul double %1018, %312
-  %314 = fadd double %284, %313
-  %315 = fsub double %277, %314
-  %316 = load double, ptr %260, align 8
-  %317 = fsub double %316, %285
-  %318 = fmul double %1018, %317
-  %319 = fadd double %285, %318
-  %320 = fsub double %283, %319
-  %321 = fmul double %315, %320
-  %322 = fsub double %281, %314
-  %323 = fsub double %279, %319
-  %324 = fmul double %322, %323
-  %325 = fsub double %321, %324
-  %326 = fmul double %325, %325
-  %327 = load double, ptr %258, align 8
-  %328 = fsub double %327, %296
-  %329 = fmul double %1018, %328
-  %330 = fadd double %296, %329
-  %331 = fsub double %294, %330
-  %332 = fmul double %322, %331
-  %333 = fsub double %295, %330
-  %334 = fmul double %315, %333
-  %335 = fsub double %332, %334
-  %336 = fmul double %335, %335
-  %337 = fadd double %326, %336
-  %338 = fmul double %323, %333
-  %339 = fmul double %320, %331
-  %340 = fsub double %338, %339
-  %341 = fmul double %340, %340
-  %342 = fadd double %341, %337
-  %343 = fmul double %292, %325
-  %344 = fadd double %343, 0.000000e+00
-  %345 = fmul double %301, %335
-  %346 = fadd double %344, %345
-  %347 = fmul double %306, %340
-  %348 = fadd double %347, %346
-  %349 = fmul double %308, %342
-  %350 = tail call double @llvm.sqrt.f64(double %349)
-  %351 = fmul double %350, 5.000000e-01
-  %352 = fcmp ole double %348, %351
-  %353 = or i1 %363, %352
-  br i1 %353, label %1019, label %355
-354:
-  br i1 %363, label %370, label %355
-355:
-  %356 = add nuw i64 %358, 1
-  br label %357
-357:
-  %358 = phi i64 [ %356, %355 ], [ 1, %243 ]
-  %359 = shl i64 %358, 3
-  %360 = getelementptr i8, ptr %247, i64 %359
-  %361 = getelementptr i8, ptr %360, i64 -8
+  %298 = fmul double %297, %297
+  %299 = fadd double %289, %298
+  %300 = fmul double %285, %295
+  %301 = fmul double %283, %293
+  %302 = fsub double %300, %301
+  %303 = fmul double %302, %302
+  %304 = fadd double %303, %299
+  %305 = fcmp ogt double %304, 0.000000e+00
+  br i1 %305, label %306, label %350
+306:
+  %307 = load double, ptr %255, align 8
+  %308 = fsub double %307, %280
+  %309 = fmul double %1014, %308
+  %310 = fadd double %280, %309
+  %311 = fsub double %273, %310
+  %312 = load double, ptr %256, align 8
+  %313 = fsub double %312, %281
+  %314 = fmul double %1014, %313
+  %315 = fadd double %281, %314
+  %316 = fsub double %279, %315
+  %317 = fmul double %311, %316
+  %318 = fsub double %277, %310
+  %319 = fsub double %275, %315
+  %320 = fmul double %318, %319
+  %321 = fsub double %317, %320
+  %322 = fmul double %321, %321
+  %323 = load double, ptr %254, align 8
+  %324 = fsub double %323, %292
+  %325 = fmul double %1014, %324
+  %326 = fadd double %292, %325
+  %327 = fsub double %290, %326
+  %328 = fmul double %318, %327
+  %329 = fsub double %291, %326
+  %330 = fmul double %311, %329
+  %331 = fsub double %328, %330
+  %332 = fmul double %331, %331
+  %333 = fadd double %322, %332
+  %334 = fmul double %319, %329
+  %335 = fmul double %316, %327
+  %336 = fsub double %334, %335
+  %337 = fmul double %336, %336
+  %338 = fadd double %337, %333
+  %339 = fmul double %288, %321
+  %340 = fadd double %339, 0.000000e+00
+  %341 = fmul double %297, %331
+  %342 = fadd double %340, %341
+  %343 = fmul double %302, %336
+  %344 = fadd double %343, %342
+  %345 = fmul double %304, %338
+  %346 = tail call double @llvm.sqrt.f64(double %345)
+  %347 = fmul double %346, 5.000000e-01
+  %348 = fcmp ole double %344, %347
+  %349 = or i1 %359, %348
+  br i1 %349, label %1015, label %351
+350:
+  br i1 %359, label %366, label %351
+351:
+  %352 = add nuw i64 %354, 1
+  br label %353
+353:
+  %354 = phi i64 [ %352, %351 ], [ 1, %239 ]
+  %355 = shl i64 %354, 3
+  %356 = getelementptr i8, ptr %243, i64 %355
+  %357 = getelementptr i8, ptr %356, i64 -8
+  %358 = load i64, ptr %357, align 8
+  %359 = icmp eq i64 %237, %354
+  %360 = select i1 %359, i64 0, i64 %354
+  %361 = getelementptr i64, ptr %243, i64 %360
   %362 = load i64, ptr %361, align 8
-  %363 = icmp eq i64 %241, %358
-  %364 = select i1 %363, i64 0, i64 %358
-  %365 = getelementptr i64, ptr %247, i64 %364
-  %366 = load i64, ptr %365, align 8
-  %367 = icmp ne i64 %1010, %362
-  %368 = icmp ne i64 %1011, %362
-  %369 = select i1 %367, i1 %368, i1 false
-  br i1 %369, label %261, label %354
-370:
-  %371 = icmp slt i64 %1011, 0
-  %372 = select i1 %371, i64 %18, i64 0
-  %373 = getelementptr i64, ptr %16, i64 %1011
-  %374 = getelementptr i64, ptr %373, i64 %372
-  %375 = load i64, ptr %374, align 8
-  %376 = icmp slt i64 %375, 1
-  br i1 %376, label %506, label %377
-377:
-  %378 = select i1 %371, i64 %11, i64 0
-  %379 = add i64 %378, %1011
-  %380 = mul i64 %379, %13
-  %381 = getelementptr i64, ptr %9, i64 %380
-  %382 = select i1 %371, i64 %4, i64 0
-  %383 = add i64 %382, %1011
-  %384 = select i1 %1012, i64 %4, i64 0
-  %385 = add i64 %384, %1010
-  %386 = mul i64 %383, %7
-  %387 = mul i64 %385, %7
-  %388 = getelementptr i8, ptr %2, i64 %386
-  %389 = getelementptr i8, ptr %388, i64 8
-  %390 = getelementptr i8, ptr %388, i64 16
-  %391 = getelementptr i8, ptr %2, i64 %387
-  %392 = getelementptr i8, ptr %391, i64 8
-  %393 = getelementptr i8, ptr %391, i64 16
-  br label %490
+  %363 = icmp ne i64 %1006, %358
+  %364 = icmp ne i64 %1007, %358
+  %365 = select i1 %363, i1 %364, i1 false
+  br i1 %365, label %257, label %350
+366:
+  %367 = icmp slt i64 %1007, 0
+  %368 = select i1 %367, i64 %18, i64 0
+  %369 = getelementptr i64, ptr %16, i64 %1007
+  %370 = getelementptr i64, ptr %369, i64 %368
+  %371 = load i64, ptr %370, align 8
+  %372 = icmp slt i64 %371, 1
+  br i1 %372, label %502, label %373
+373:
+  %374 = select i1 %367, i64 %11, i64 0
+  %375 = add i64 %374, %1007
+  %376 = mul i64 %375, %13
+  %377 = getelementptr i64, ptr %9, i64 %376
+  %378 = select i1 %367, i64 %4, i64 0
+  %379 = add i64 %378, %1007
+  %380 = select i1 %1008, i64 %4, i64 0
+  %381 = add i64 %380, %1006
+  %382 = mul i64 %379, %7
+  %383 = mul i64 %381, %7
+  %384 = getelementptr i8, ptr %2, i64 %382
+  %385 = getelementptr i8, ptr %384, i64 8
+  %386 = getelementptr i8, ptr %384, i64 16
+  %387 = getelementptr i8, ptr %2, i64 %383
+  %388 = getelementptr i8, ptr %387, i64 8
+  %389 = getelementptr i8, ptr %387, i64 16
+  br label %486
+390:
+  %391 = icmp ne i64 %1006, %495
+  %392 = icmp ne i64 %1007, %495
+  %393 = select i1 %391, i1 %392, i1 false
+  br i1 %393, label %394, label %483
 394:
-  %395 = icmp ne i64 %1010, %499
-  %396 = icmp ne i64 %1011, %499
-  %397 = select i1 %395, i1 %396, i1 false
-  br i1 %397, label %398, label %487
-398:
-  %399 = icmp slt i64 %495, 0
-  %400 = select i1 %399, i64 %4, i64 0
-  %401 = add i64 %400, %495
-  %402 = mul i64 %401, %6
-  %403 = getelementptr double, ptr %2, i64 %402
-  %404 = icmp slt i64 %499, 0
-  %405 = select i1 %404, i64 %4, i64 0
-  %406 = add i64 %405, %499
-  %407 = mul i64 %406, %6
-  %408 = getelementptr double, ptr %2, i64 %407
-  %409 = getelementptr i8, ptr %403, i64 8
+  %395 = icmp slt i64 %491, 0
+  %396 = select i1 %395, i64 %4, i64 0
+  %397 = add i64 %396, %491
+  %398 = mul i64 %397, %6
+  %399 = getelementptr double, ptr %2, i64 %398
+  %400 = icmp slt i64 %495, 0
+  %401 = select i1 %400, i64 %4, i64 0
+  %402 = add i64 %401, %495
+  %403 = mul i64 %402, %6
+  %404 = getelementptr double, ptr %2, i64 %403
+  %405 = getelementptr i8, ptr %399, i64 8
+  %406 = load double, ptr %405, align 8
+  %407 = getelementptr i8, ptr %399, i64 16
+  %408 = load double, ptr %407, align 8
+  %409 = getelementptr i8, ptr %404, i64 8
   %410 = load double, ptr %409, align 8
-  %411 = getelementptr i8, ptr %403, i64 16
+  %411 = getelementptr i8, ptr %404, i64 16
   %412 = load double, ptr %411, align 8
-  %413 = getelementptr i8, ptr %408, i64 8
-  %414 = load double, ptr %413, align 8
-  %415 = getelementptr i8, ptr %408, i64 16
-  %416 = load double, ptr %415, align 8
-  %417 = load double, ptr %389, align 8
-  %418 = load double, ptr %390, align 8
-  %419 = fsub double %410, %417
-  %420 = fsub double %416, %418
-  %421 = fmul double %419, %420
-  %422 = fsub double %412, %418
-  %423 = fsub double %414, %417
-  %424 = fmul double %423, %422
-  %425 = fsub double %421, %424
-  %426 = fmul double %425, %425
-  %427 = load double, ptr %403, align 8
-  %428 = load double, ptr %408, align 8
-  %429 = load double, ptr %388, align 8
+  %413 = load double, ptr %385, align 8
+  %414 = load double, ptr %386, align 8
+  %415 = fsub double %406, %413
+  %416 = fsub double %412, %414
+  %417 = fmul double %415, %416
+  %418 = fsub double %408, %414
+  %419 = fsub double %410, %413
+  %420 = fmul double %419, %418
+  %421 = fsub double %417, %420
+  %422 = fmul double %421, %421
+  %423 = load double, ptr %399, align 8
+  %424 = load double, ptr %404, align 8
+  %425 = load double, ptr %384, align 8
+  %426 = fsub double %423, %425
+  %427 = fmul double %419, %426
+  %428 = fsub double %424, %425
+  %429 = fmul double %415, %428
   %430 = fsub double %427, %429
-  %431 = fmul double %423, %430
-  %432 = fsub double %428, %429
-  %433 = fmul double %419, %432
-  %434 = fsub double %431, %433
-  %435 = fmul double %434, %434
-  %436 = fadd double %426, %435
-  %437 = fmul double %422, %432
-  %438 = fmul double %420, %430
-  %439 = fsub double %437, %438
-  %440 = fmul double %439, %439
-  %441 = fadd double %440, %436
-  %442 = fcmp ogt double %441, 0.000000e+00
-  br i1 %442, label %443, label %487
-443:
-  %444 = load double, ptr %392, align 8
-  %445 = fsub double %417, %444
-  %446 = fmul double %1018, %445
-  %447 = fadd double %444, %446
-  %448 = fsub double %410, %447
-  %449 = load double, ptr %393, align 8
-  %450 = fsub double %418, %449
-  %451 = fmul double %1018, %450
-  %452 = fadd double %449, %451
-  %453 = fsub double %416, %452
-  %454 = fmul double %448, %453
-  %455 = fsub double %414, %447
-  %456 = fsub double %412, %452
-  %457 = fmul double %455, %456
-  %458 = fsub double %454, %457
-  %459 = fmul double %458, %458
-  %460 = load double, ptr %391, align 8
-  %461 = fsub double %429, %460
-  %462 = fmul double %1018, %461
-  %463 = fadd double %460, %462
-  %464 = fsub double %427, %463
-  %465 = fmul double %455, %464
-  %466 = fsub double %428, %463
-  %467 = fmul double %448, %466
-  %468 = fsub double %465, %467
-  %469 = fmul double %468, %468
-  %470 = fadd double %459, %469
-  %471 = fmul double %456, %466
-  %472 = fmul double %453, %464
-  %473 = fsub double %471, %472
-  %474 = fmul double %473, %473
-  %475 = fadd double %474, %470
-  %476 = fmul double %425, %458
-  %477 = fadd double %476, 0.000000e+00
-  %478 = fmul double %434, %468
-  %479 = fadd double %477, %478
-  %480 = fmul double %439, %473
-  %481 = fadd double %480, %479
-  %482 = fmul double %441, %475
-  %483 = tail call double @llvm.sqrt.f64(double %482)
-  %484 = fmul double %483, 5.000000e-01
-  %485 = fcmp ole double %481, %484
-  %486 = or i1 %496, %485
-  br i1 %486, label %1020, label %488
-487:
-  br i1 %496, label %506, label %488
-488:
-  %489 = add nuw i64 %491, 1
-  br label %490
-490:
-  %491 = phi i64 [ %489, %488 ], [ 1, %377 ]
-  %492 = shl i64 %491, 3
-  %493 = getelementptr i8, ptr %381, i64 %492
-  %494 = getelementptr i8, ptr %493, i64 -8
+  %431 = fmul double %430, %430
+  %432 = fadd double %422, %431
+  %433 = fmul double %418, %428
+  %434 = fmul double %416, %426
+  %435 = fsub double %433, %434
+  %436 = fmul double %435, %435
+  %437 = fadd double %436, %432
+  %438 = fcmp ogt double %437, 0.000000e+00
+  br i1 %438, label %439, label %483
+439:
+  %440 = load double, ptr %388, align 8
+  %441 = fsub double %413, %440
+  %442 = fmul double %1014, %441
+  %443 = fadd double %440, %442
+  %444 = fsub double %406, %443
+  %445 = load double, ptr %389, align 8
+  %446 = fsub double %414, %445
+  %447 = fmul double %1014, %446
+  %448 = fadd double %445, %447
+  %449 = fsub double %412, %448
+  %450 = fmul double %444, %449
+  %451 = fsub double %410, %443
+  %452 = fsub double %408, %448
+  %453 = fmul double %451, %452
+  %454 = fsub double %450, %453
+  %455 = fmul double %454, %454
+  %456 = load double, ptr %387, align 8
+  %457 = fsub double %425, %456
+  %458 = fmul double %1014, %457
+  %459 = fadd double %456, %458
+  %460 = fsub double %423, %459
+  %461 = fmul double %451, %460
+  %462 = fsub double %424, %459
+  %463 = fmul double %444, %462
+  %464 = fsub double %461, %463
+  %465 = fmul double %464, %464
+  %466 = fadd double %455, %465
+  %467 = fmul double %452, %462
+  %468 = fmul double %449, %460
+  %469 = fsub double %467, %468
+  %470 = fmul double %469, %469
+  %471 = fadd double %470, %466
+  %472 = fmul double %421, %454
+  %473 = fadd double %472, 0.000000e+00
+  %474 = fmul double %430, %464
+  %475 = fadd double %473, %474
+  %476 = fmul double %435, %469
+  %477 = fadd double %476, %475
+  %478 = fmul double %437, %471
+  %479 = tail call double @llvm.sqrt.f64(double %478)
+  %480 = fmul double %479, 5.000000e-01
+  %481 = fcmp ole double %477, %480
+  %482 = or i1 %492, %481
+  br i1 %482, label %1016, label %484
+483:
+  br i1 %492, label %502, label %484
+484:
+  %485 = add nuw i64 %487, 1
+  br label %486
+486:
+  %487 = phi i64 [ %485, %484 ], [ 1, %373 ]
+  %488 = shl i64 %487, 3
+  %489 = getelementptr i8, ptr %377, i64 %488
+  %490 = getelementptr i8, ptr %489, i64 -8
+  %491 = load i64, ptr %490, align 8
+  %492 = icmp eq i64 %371, %487
+  %493 = select i1 %492, i64 0, i64 %487
+  %494 = getelementptr i64, ptr %377, i64 %493
   %495 = load i64, ptr %494, align 8
-  %496 = icmp eq i64 %375, %491
-  %497 = select i1 %496, i64 0, i64 %491
-  %498 = getelementptr i64, ptr %381, i64 %497
-  %499 = load i64, ptr %498, align 8
-  %500 = icmp ne i64 %1010, %495
-  %501 = icmp ne i64 %1011, %495
-  %502 = select i1 %500, i1 %501, i1 false
-  br i1 %502, label %394, label %487
-503:
-  %504 = shl i64 %131, 3
-  %505 = getelementptr i8, ptr %59, i64 %504
-  store i64 -1, ptr %505, align 8
-  br label %924
-506:
-  %507 = select i1 %1012, i64 %11, i64 0
-  %508 = add i64 %507, %1010
-  %509 = mul i64 %508, %13
-  %510 = getelementptr i64, ptr %9, i64 %509
-  %511 = load i64, ptr %510, align 8
-  %512 = icmp eq i64 %511, %1011
-  br i1 %512, label %679, label %513
+  %496 = icmp ne i64 %1006, %491
+  %497 = icmp ne i64 %1007, %491
+  %498 = select i1 %496, i1 %497, i1 false
+  br i1 %498, label %390, label %483
+499:
+  %500 = shl i64 %127, 3
+  %501 = getelementptr i8, ptr %55, i64 %500
+  store i64 -1, ptr %501, align 8
+  br label %920
+502:
+  %503 = select i1 %1008, i64 %11, i64 0
+  %504 = add i64 %503, %1006
+  %505 = mul i64 %504, %13
+  %506 = getelementptr i64, ptr %9, i64 %505
+  %507 = load i64, ptr %506, align 8
+  %508 = icmp eq i64 %507, %1007
+  br i1 %508, label %675, label %509
+509:
+  %510 = shl i64 %505, 3
+  %511 = getelementptr i8, ptr %9, i64 %510
+  %512 = getelementptr i8, ptr %511, i64 8
+  br label %513
 513:
-  %514 = shl i64 %509, 3
-  %515 = getelementptr i8, ptr %9, i64 %514
-  %516 = getelementptr i8, ptr %515, i64 8
-  br label %517
-517:
-  %518 = phi i64 [ %519, %517 ], [ 0, %513 ]
-  %519 = add i64 %518, 1
-  %520 = shl i64 %518, 3
-  %521 = getelementptr i8, ptr %516, i64 %520
-  %522 = load i64, ptr %521, align 8
-  %523 = icmp eq i64 %522, %1011
-  br i1 %523, label %679, label %517
-524:
-  %525 = phi i64 [ 0, %771 ], [ %526, %567 ]
-  %526 = add nuw nsw i64 %525, 1
-  %527 = shl i64 %525, 3
-  %528 = getelementptr i8, ptr %73, i64 %527
-  store i64 -1, ptr %528, align 8
-  %529 = getelementptr i8, ptr %100, i64 %527
-  store i64 0, ptr %529, align 8
-  %530 = load i64, ptr %775, align 8
-  %531 = add nsw i64 %530, -1
-  %532 = icmp slt i64 %525, %531
-  br i1 %532, label %533, label %536
-533:
-  %534 = add i64 %525, %698
-  %535 = icmp eq i64 %530, 0
-  br i1 %535, label %541, label %778
-536:
-  %537 = add i64 %525, %697
-  %538 = sub i64 %537, %530
-  %539 = load i64, ptr %777, align 8
-  %540 = icmp eq i64 %539, 0
-  br i1 %540, label %541, label %801
+  %514 = phi i64 [ %515, %513 ], [ 0, %509 ]
+  %515 = add i64 %514, 1
+  %516 = shl i64 %514, 3
+  %517 = getelementptr i8, ptr %512, i64 %516
+  %518 = load i64, ptr %517, align 8
+  %519 = icmp eq i64 %518, %1007
+  br i1 %519, label %675, label %513
+520:
+  %521 = phi i64 [ 0, %767 ], [ %522, %563 ]
+  %522 = add nuw nsw i64 %521, 1
+  %523 = shl i64 %521, 3
+  %524 = getelementptr i8, ptr %69, i64 %523
+  store i64 -1, ptr %524, align 8
+  %525 = getelementptr i8, ptr %96, i64 %523
+  store i64 0, ptr %525, align 8
+  %526 = load i64, ptr %771, align 8
+  %527 = add nsw i64 %526, -1
+  %528 = icmp slt i64 %521, %527
+  br i1 %528, label %529, label %532
+529:
+  %530 = add i64 %521, %694
+  %531 = icmp eq i64 %526, 0
+  br i1 %531, label %537, label %774
+532:
+  %533 = add i64 %521, %693
+  %534 = sub i64 %533, %526
+  %535 = load i64, ptr %773, align 8
+  %536 = icmp eq i64 %535, 0
+  br i1 %536, label %537, label %797
+537:
+  %538 = phi i64 [ %796, %789 ], [ 0, %529 ], [ 0, %774 ], [ %819, %812 ], [ 0, %532 ], [ 0, %797 ]
+  %539 = phi i64 [ %1006, %789 ], [ %1006, %529 ], [ %1006, %774 ], [ %1007, %812 ], [ %1007, %532 ], [ %1007, %797 ]
+  %540 = icmp slt i64 %521, %766
+  br i1 %540, label %541, label %563
 541:
-  %542 = phi i64 [ %800, %793 ], [ 0, %533 ], [ 0, %778 ], [ %823, %816 ], [ 0, %536 ], [ 0, %801 ]
-  %543 = phi i64 [ %1010, %793 ], [ %1010, %533 ], [ %1010, %778 ], [ %1011, %816 ], [ %1011, %536 ], [ %1011, %801 ]
-  %544 = icmp slt i64 %525, %770
-  br i1 %544, label %545, label %567
-545:
-  %546 = icmp slt i64 %543, 0
-  %547 = select i1 %546, i64 %11, i64 0
-  %548 = add i64 %547, %543
-  %549 = icmp slt i64 %542, 0
-  %550 = select i1 %549, i64 %13, i64 0
-  %551 = mul i64 %548, %13
-  %552 = getelementptr i64, ptr %9, i64 %551
-  %553 = getelementptr i64, ptr %552, i64 %542
-  %554 = getelementptr i64, ptr %553, i64 %550
-  %555 = load i64, ptr %554, align 8
-  store i64 %555, ptr %528, align 8
-  %556 = select i1 %546, i64 %22, i64 0
-  %557 = add i64 %556, %543
-  %558 = select i1 %549, i64 %24, i64 0
-  %559 = mul i64 %557, %24
-  %560 = getelementptr i64, ptr %20, i64 %559
-  %561 = getelementptr i64, ptr %560, i64 %542
-  %562 = getelementptr i64, ptr %561, i64 %558
-  %563 = load i64, ptr %562, align 8
-  %564 = icmp eq i64 %543, %1011
-  %565 = select i1 %564, i64 %764, i64 0
-  %566 = add nsw i64 %563, %565
-  store i64 %566, ptr %529, align 8
-  br label %567
-567:
-  %568 = icmp eq i64 %13, %526
-  br i1 %568, label %824, label %524
-569:
-  %570 = phi i64 [ %571, %677 ], [ 0, %826 ]
-  %571 = add nuw nsw i64 %570, 1
-  %572 = getelementptr i64, ptr %685, i64 %570
-  %573 = load i64, ptr %572, align 8
-  %574 = icmp eq i64 %573, %1010
-  br i1 %574, label %677, label %575
-575:
-  %576 = icmp slt i64 %573, 0
-  %577 = select i1 %576, i64 %11, i64 0
-  %578 = add i64 %577, %573
-  %579 = mul i64 %578, %13
-  %580 = getelementptr i64, ptr %9, i64 %579
-  %581 = load i64, ptr %580, align 8
-  %582 = icmp eq i64 %581, %1011
-  br i1 %582, label %829, label %583
+  %542 = icmp slt i64 %539, 0
+  %543 = select i1 %542, i64 %11, i64 0
+  %544 = add i64 %543, %539
+  %545 = icmp slt i64 %538, 0
+  %546 = select i1 %545, i64 %13, i64 0
+  %547 = mul i64 %544, %13
+  %548 = getelementptr i64, ptr %9, i64 %547
+  %549 = getelementptr i64, ptr %548, i64 %538
+  %550 = getelementptr i64, ptr %549, i64 %546
+  %551 = load i64, ptr %550, align 8
+  store i64 %551, ptr %524, align 8
+  %552 = select i1 %542, i64 %22, i64 0
+  %553 = add i64 %552, %539
+  %554 = select i1 %545, i64 %24, i64 0
+  %555 = mul i64 %553, %24
+  %556 = getelementptr i64, ptr %20, i64 %555
+  %557 = getelementptr i64, ptr %556, i64 %538
+  %558 = getelementptr i64, ptr %557, i64 %554
+  %559 = load i64, ptr %558, align 8
+  %560 = icmp eq i64 %539, %1007
+  %561 = select i1 %560, i64 %760, i64 0
+  %562 = add nsw i64 %559, %561
+  store i64 %562, ptr %525, align 8
+  br label %563
+563:
+  %564 = icmp eq i64 %13, %522
+  br i1 %564, label %820, label %520
+565:
+  %566 = phi i64 [ %567, %673 ], [ 0, %822 ]
+  %567 = add nuw nsw i64 %566, 1
+  %568 = getelementptr i64, ptr %681, i64 %566
+  %569 = load i64, ptr %568, align 8
+  %570 = icmp eq i64 %569, %1006
+  br i1 %570, label %673, label %571
+571:
+  %572 = icmp slt i64 %569, 0
+  %573 = select i1 %572, i64 %11, i64 0
+  %574 = add i64 %573, %569
+  %575 = mul i64 %574, %13
+  %576 = getelementptr i64, ptr %9, i64 %575
+  %577 = load i64, ptr %576, align 8
+  %578 = icmp eq i64 %577, %1007
+  br i1 %578, label %825, label %579
+579:
+  %580 = shl i64 %575, 3
+  %581 = getelementptr i8, ptr %9, i64 %580
+  %582 = getelementptr i8, ptr %581, i64 8
+  br label %583
 583:
-  %584 = shl i64 %579, 3
-  %585 = getelementptr i8, ptr %9, i64 %584
-  %586 = getelementptr i8, ptr %585, i64 8
-  br label %587
-587:
-  %588 = phi i64 [ %589, %587 ], [ 0, %583 ]
-  %589 = add i64 %588, 1
-  %590 = shl i64 %588, 3
-  %591 = getelementptr i8, ptr %586, i64 %590
-  %592 = load i64, ptr %591, align 8
-  %593 = icmp eq i64 %592, %1011
-  br i1 %593, label %829, label %587
-594:
-  %595 = getelementptr i64, ptr %580, i64 %830
-  store i64 %1010, ptr %595, align 8
-  %596 = select i1 %576, i64 %22, i64 0
-  %597 = add i64 %596, %573
-  %598 = mul i64 %597, %24
-  %599 = getelementptr i64, ptr %20, i64 %598
-  %600 = getelementptr i64, ptr %599, i64 %830
-  %601 = load i64, ptr %600, align 8
-  %602 = sub nsw i64 %601, %764
-  store i64 %602, ptr %600, align 8
-  br label %677
-603:
-  %604 = phi i64 [ %639, %603 ], [ %864, %863 ]
-  %605 = icmp slt i64 %604, -1
-  %606 = shl i64 %604, 3
-  %607 = select i1 %605, i64 %101, i64 8
-  %608 = getelementptr i8, ptr %580, i64 %607
-  %609 = getelementptr i8, ptr %608, i64 %606
+  %584 = phi i64 [ %585, %583 ], [ 0, %579 ]
+  %585 = add i64 %584, 1
+  %586 = shl i64 %584, 3
+  %587 = getelementptr i8, ptr %582, i64 %586
+  %588 = load i64, ptr %587, align 8
+  %589 = icmp eq i64 %588, %1007
+  br i1 %589, label %825, label %583
+590:
+  %591 = getelementptr i64, ptr %576, i64 %826
+  store i64 %1006, ptr %591, align 8
+  %592 = select i1 %572, i64 %22, i64 0
+  %593 = add i64 %592, %569
+  %594 = mul i64 %593, %24
+  %595 = getelementptr i64, ptr %20, i64 %594
+  %596 = getelementptr i64, ptr %595, i64 %826
+  %597 = load i64, ptr %596, align 8
+  %598 = sub nsw i64 %597, %760
+  store i64 %598, ptr %596, align 8
+  br label %673
+599:
+  %600 = phi i64 [ %635, %599 ], [ %860, %859 ]
+  %601 = icmp slt i64 %600, -1
+  %602 = shl i64 %600, 3
+  %603 = select i1 %601, i64 %97, i64 8
+  %604 = getelementptr i8, ptr %576, i64 %603
+  %605 = getelementptr i8, ptr %604, i64 %602
+  %606 = load i64, ptr %605, align 8
+  %607 = select i1 %601, i64 %98, i64 8
+  %608 = getelementptr i8, ptr %842, i64 %607
+  %609 = getelementptr i8, ptr %608, i64 %602
   %610 = load i64, ptr %609, align 8
-  %611 = select i1 %605, i64 %102, i64 8
-  %612 = getelementptr i8, ptr %846, i64 %611
-  %613 = getelementptr i8, ptr %612, i64 %606
-  %614 = load i64, ptr %613, align 8
-  %615 = icmp slt i64 %604, 0
-  %616 = select i1 %615, i64 %14, i64 0
-  %617 = getelementptr i8, ptr %580, i64 %616
-  %618 = getelementptr i8, ptr %617, i64 %606
-  store i64 %610, ptr %618, align 8
-  %619 = select i1 %615, i64 %25, i64 0
-  %620 = getelementptr i8, ptr %846, i64 %619
-  %621 = getelementptr i8, ptr %620, i64 %606
-  store i64 %614, ptr %621, align 8
-  %622 = add i64 %604, 1
-  %623 = icmp slt i64 %622, -1
-  %624 = select i1 %623, i64 %103, i64 16
-  %625 = getelementptr i8, ptr %580, i64 %624
-  %626 = getelementptr i8, ptr %625, i64 %606
+  %611 = icmp slt i64 %600, 0
+  %612 = select i1 %611, i64 %14, i64 0
+  %613 = getelementptr i8, ptr %576, i64 %612
+  %614 = getelementptr i8, ptr %613, i64 %602
+  store i64 %606, ptr %614, align 8
+  %615 = select i1 %611, i64 %25, i64 0
+  %616 = getelementptr i8, ptr %842, i64 %615
+  %617 = getelementptr i8, ptr %616, i64 %602
+  store i64 %610, ptr %617, align 8
+  %618 = add i64 %600, 1
+  %619 = icmp slt i64 %618, -1
+  %620 = select i1 %619, i64 %99, i64 16
+  %621 = getelementptr i8, ptr %576, i64 %620
+  %622 = getelementptr i8, ptr %621, i64 %602
+  %623 = load i64, ptr %622, align 8
+  %624 = select i1 %619, i64 %100, i64 16
+  %625 = getelementptr i8, ptr %842, i64 %624
+  %626 = getelementptr i8, ptr %625, i64 %602
   %627 = load i64, ptr %626, align 8
-  %628 = select i1 %623, i64 %104, i64 16
-  %629 = getelementptr i8, ptr %846, i64 %628
-  %630 = getelementptr i8, ptr %629, i64 %606
-  %631 = load i64, ptr %630, align 8
-  %632 = icmp slt i64 %622, 0
-  %633 = select i1 %632, i64 %101, i64 8
-  %634 = getelementptr i8, ptr %580, i64 %633
-  %635 = getelementptr i8, ptr %634, i64 %606
-  store i64 %627, ptr %635, align 8
-  %636 = select i1 %632, i64 %102, i64 8
-  %637 = getelementptr i8, ptr %846, i64 %636
-  %638 = getelementptr i8, ptr %637, i64 %606
-  store i64 %631, ptr %638, align 8
-  %639 = add i64 %604, 2
-  %640 = icmp eq i64 %639, %839
-  br i1 %640, label %641, label %603
+  %628 = icmp slt i64 %618, 0
+  %629 = select i1 %628, i64 %97, i64 8
+  %630 = getelementptr i8, ptr %576, i64 %629
+  %631 = getelementptr i8, ptr %630, i64 %602
+  store i64 %623, ptr %631, align 8
+  %632 = select i1 %628, i64 %98, i64 8
+  %633 = getelementptr i8, ptr %842, i64 %632
+  %634 = getelementptr i8, ptr %633, i64 %602
+  store i64 %627, ptr %634, align 8
+  %635 = add i64 %600, 2
+  %636 = icmp eq i64 %635, %835
+  br i1 %636, label %637, label %599
+637:
+  %638 = shl i64 %831, 3
+  %639 = getelementptr inbounds i8, ptr %832, i64 %638
+  %640 = load i64, ptr %639, align 8
+  br label %641
 641:
-  %642 = shl i64 %835, 3
-  %643 = getelementptr inbounds i8, ptr %836, i64 %642
-  %644 = load i64, ptr %643, align 8
-  br label %645
-645:
-  %646 = phi i64 [ %644, %641 ], [ %839, %834 ]
-  %647 = icmp slt i64 %646, 0
-  %648 = select i1 %647, i64 %13, i64 0
-  %649 = getelementptr i64, ptr %580, i64 %646
-  %650 = getelementptr i64, ptr %649, i64 %648
-  store i64 -1, ptr %650, align 8
-  br label %677
-651:
-  %652 = phi i64 [ 0, %868 ], [ %665, %651 ]
-  %653 = shl i64 %652, 3
-  %654 = getelementptr i8, ptr %73, i64 %653
-  %655 = load i64, ptr %654, align 8
-  %656 = getelementptr i8, ptr %871, i64 %653
+  %642 = phi i64 [ %640, %637 ], [ %835, %830 ]
+  %643 = icmp slt i64 %642, 0
+  %644 = select i1 %643, i64 %13, i64 0
+  %645 = getelementptr i64, ptr %576, i64 %642
+  %646 = getelementptr i64, ptr %645, i64 %644
+  store i64 -1, ptr %646, align 8
+  br label %673
+647:
+  %648 = phi i64 [ 0, %864 ], [ %661, %647 ]
+  %649 = shl i64 %648, 3
+  %650 = getelementptr i8, ptr %69, i64 %649
+  %651 = load i64, ptr %650, align 8
+  %652 = getelementptr i8, ptr %867, i64 %649
+  %653 = getelementptr i8, ptr %652, i64 -8
+  store i64 %651, ptr %653, align 8
+  %654 = getelementptr i8, ptr %870, i64 %649
+  %655 = getelementptr i8, ptr %654, i64 -8
+  store i64 -1, ptr %655, align 8
+  %656 = getelementptr i8, ptr %105, i64 %649
   %657 = getelementptr i8, ptr %656, i64 -8
-  store i64 %655, ptr %657, align 8
-  %658 = getelementptr i8, ptr %874, i64 %653
-  %659 = getelementptr i8, ptr %658, i64 -8
-  store i64 -1, ptr %659, align 8
-  %660 = getelementptr i8, ptr %109, i64 %653
-  %661 = getelementptr i8, ptr %660, i64 -8
-  %662 = load i64, ptr %661, align 8
-  %663 = getelementptr i8, ptr %877, i64 %653
-  %664 = getelementptr i8, ptr %663, i64 -8
-  store i64 %662, ptr %664, align 8
-  %665 = add nuw i64 %652, 2
-  %666 = getelementptr i8, ptr %654, i64 8
-  %667 = load i64, ptr %666, align 8
-  store i64 %667, ptr %656, align 8
-  store i64 -1, ptr %658, align 8
-  %668 = load i64, ptr %660, align 8
-  store i64 %668, ptr %663, align 8
-  %669 = icmp eq i64 %107, %665
-  br i1 %669, label %670, label %651
-670:
-  br i1 %111, label %878, label %671
-671:
-  %672 = load i64, ptr %119, align 8
-  %673 = getelementptr i64, ptr %510, i64 %107
-  store i64 %672, ptr %673, align 8
-  %674 = getelementptr i64, ptr %685, i64 %107
-  store i64 -1, ptr %674, align 8
-  %675 = load i64, ptr %120, align 8
-  %676 = getelementptr i64, ptr %762, i64 %107
-  store i64 %675, ptr %676, align 8
-  br label %878
-677:
-  %678 = icmp eq i64 %571, %827
-  br i1 %678, label %866, label %569
-679:
-  %680 = phi i64 [ 0, %506 ], [ %519, %517 ]
-  %681 = icmp slt i64 %1011, 0
-  %682 = select i1 %681, i64 %11, i64 0
-  %683 = add i64 %682, %1011
-  %684 = mul i64 %683, %13
-  %685 = getelementptr i64, ptr %9, i64 %684
-  %686 = load i64, ptr %685, align 8
-  %687 = icmp eq i64 %686, %1010
-  br i1 %687, label %696, label %688
-688:
-  %689 = phi i64 [ %695, %688 ], [ 3, %679 ]
-  %690 = shl i64 %689, 3
-  %691 = getelementptr i8, ptr %685, i64 %690
-  %692 = getelementptr i8, ptr %691, i64 -16
-  %693 = load i64, ptr %692, align 8
-  %694 = icmp eq i64 %693, %1010
-  %695 = add i64 %689, 1
-  br i1 %694, label %696, label %688
-696:
-  %697 = phi i64 [ 3, %679 ], [ %695, %688 ]
-  %698 = add i64 %680, 1
-  %699 = select i1 %1012, i64 %18, i64 0
-  %700 = getelementptr i64, ptr %16, i64 %1010
-  %701 = getelementptr i64, ptr %700, i64 %699
-  %702 = load i64, ptr %701, align 8
-  %703 = icmp eq i64 %702, 0
-  br i1 %703, label %756, label %704
-704:
-  %705 = or i64 %702, %698
-  %706 = icmp ult i64 %705, 4294967296
-  br i1 %706, label %707, label %712
-707:
-  %708 = trunc nuw i64 %702 to i32
-  %709 = trunc nuw i64 %698 to i32
-  %710 = urem i32 %709, %708
-  %711 = zext i32 %710 to i64
-  br label %714
-712:
-  %713 = srem i64 %698, %702
-  br label %714
-714:
-  %715 = phi i64 [ %711, %707 ], [ %713, %712 ]
-  %716 = xor i64 %715, %702
-  %717 = icmp slt i64 %716, 0
-  %718 = icmp ne i64 %715, 0
-  %719 = and i1 %718, %717
-  %720 = select i1 %719, i64 %702, i64 0
-  %721 = add i64 %720, %715
-  %722 = freeze i64 %721
-  %723 = icmp slt i64 %722, 0
-  %724 = select i1 %723, i64 %13, i64 0
-  %725 = getelementptr i64, ptr %510, i64 %722
-  %726 = getelementptr i64, ptr %725, i64 %724
-  %727 = load i64, ptr %726, align 8
-  %728 = add nsw i64 %680, -1
-  %729 = icmp ne i64 %728, -9223372036854775808
-  %730 = icmp ne i64 %702, -1
-  %731 = or i1 %729, %730
-  br i1 %731, label %732, label %756
-732:
-  %733 = or i64 %702, %728
-  %734 = icmp ult i64 %733, 4294967296
-  br i1 %734, label %735, label %740
-735:
-  %736 = trunc nuw i64 %702 to i32
-  %737 = trunc nuw i64 %728 to i32
-  %738 = urem i32 %737, %736
-  %739 = zext i32 %738 to i64
-  br label %742
-740:
-  %741 = srem i64 %728, %702
-  br label %742
-742:
-  %743 = phi i64 [ %739, %735 ], [ %741, %740 ]
-  %744 = xor i64 %743, %702
-  %745 = icmp slt i64 %744, 0
-  %746 = icmp ne i64 %743, 0
-  %747 = and i1 %746, %745
-  %748 = select i1 %747, i64 %702, i64 0
-  %749 = add i64 %748, %743
-  %750 = freeze i64 %749
-  %751 = icmp slt i64 %750, 0
-  %752 = select i1 %751, i64 %13, i64 0
-  %753 = getelementptr i64, ptr %510, i64 %752
-  %754 = getelementptr i64, ptr %753, i64 %750
-  %755 = load i64, ptr %754, align 8
-  br label %756
-756:
-  %757 = phi i64 [ %511, %714 ], [ %755, %742 ], [ %511, %696 ]
-  %758 = phi i64 [ %727, %714 ], [ %727, %742 ], [ %511, %696 ]
-  %759 = select i1 %1012, i64 %22, i64 0
-  %760 = add i64 %759, %1010
-  %761 = mul i64 %760, %24
-  %762 = getelementptr i64, ptr %20, i64 %761
-  %763 = getelementptr i64, ptr %762, i64 %680
+  %658 = load i64, ptr %657, align 8
+  %659 = getelementptr i8, ptr %873, i64 %649
+  %660 = getelementptr i8, ptr %659, i64 -8
+  store i64 %658, ptr %660, align 8
+  %661 = add nuw i64 %648, 2
+  %662 = getelementptr i8, ptr %650, i64 8
+  %663 = load i64, ptr %662, align 8
+  store i64 %663, ptr %652, align 8
+  store i64 -1, ptr %654, align 8
+  %664 = load i64, ptr %656, align 8
+  store i64 %664, ptr %659, align 8
+  %665 = icmp eq i64 %103, %661
+  br i1 %665, label %666, label %647
+666:
+  br i1 %107, label %874, label %667
+667:
+  %668 = load i64, ptr %115, align 8
+  %669 = getelementptr i64, ptr %506, i64 %103
+  store i64 %668, ptr %669, align 8
+  %670 = getelementptr i64, ptr %681, i64 %103
+  store i64 -1, ptr %670, align 8
+  %671 = load i64, ptr %116, align 8
+  %672 = getelementptr i64, ptr %758, i64 %103
+  store i64 %671, ptr %672, align 8
+  br label %874
+673:
+  %674 = icmp eq i64 %567, %823
+  br i1 %674, label %862, label %565
+675:
+  %676 = phi i64 [ 0, %502 ], [ %515, %513 ]
+  %677 = icmp slt i64 %1007, 0
+  %678 = select i1 %677, i64 %11, i64 0
+  %679 = add i64 %678, %1007
+  %680 = mul i64 %679, %13
+  %681 = getelementptr i64, ptr %9, i64 %680
+  %682 = load i64, ptr %681, align 8
+  %683 = icmp eq i64 %682, %1006
+  br i1 %683, label %692, label %684
+684:
+  %685 = phi i64 [ %691, %684 ], [ 3, %675 ]
+  %686 = shl i64 %685, 3
+  %687 = getelementptr i8, ptr %681, i64 %686
+  %688 = getelementptr i8, ptr %687, i64 -16
+  %689 = load i64, ptr %688, align 8
+  %690 = icmp eq i64 %689, %1006
+  %691 = add i64 %685, 1
+  br i1 %690, label %692, label %684
+692:
+  %693 = phi i64 [ 3, %675 ], [ %691, %684 ]
+  %694 = add i64 %676, 1
+  %695 = select i1 %1008, i64 %18, i64 0
+  %696 = getelementptr i64, ptr %16, i64 %1006
+  %697 = getelementptr i64, ptr %696, i64 %695
+  %698 = load i64, ptr %697, align 8
+  %699 = icmp eq i64 %698, 0
+  br i1 %699, label %752, label %700
+700:
+  %701 = or i64 %698, %694
+  %702 = icmp ult i64 %701, 4294967296
+  br i1 %702, label %703, label %708
+703:
+  %704 = trunc nuw i64 %698 to i32
+  %705 = trunc nuw i64 %694 to i32
+  %706 = urem i32 %705, %704
+  %707 = zext i32 %706 to i64
+  br label %710
+708:
+  %709 = srem i64 %694, %698
+  br label %710
+710:
+  %711 = phi i64 [ %707, %703 ], [ %709, %708 ]
+  %712 = xor i64 %711, %698
+  %713 = icmp slt i64 %712, 0
+  %714 = icmp ne i64 %711, 0
+  %715 = and i1 %714, %713
+  %716 = select i1 %715, i64 %698, i64 0
+  %717 = add i64 %716, %711
+  %718 = freeze i64 %717
+  %719 = icmp slt i64 %718, 0
+  %720 = select i1 %719, i64 %13, i64 0
+  %721 = getelementptr i64, ptr %506, i64 %718
+  %722 = getelementptr i64, ptr %721, i64 %720
+  %723 = load i64, ptr %722, align 8
+  %724 = add nsw i64 %676, -1
+  %725 = icmp ne i64 %724, -9223372036854775808
+  %726 = icmp ne i64 %698, -1
+  %727 = or i1 %725, %726
+  br i1 %727, label %728, label %752
+728:
+  %729 = or i64 %698, %724
+  %730 = icmp ult i64 %729, 4294967296
+  br i1 %730, label %731, label %736
+731:
+  %732 = trunc nuw i64 %698 to i32
+  %733 = trunc nuw i64 %724 to i32
+  %734 = urem i32 %733, %732
+  %735 = zext i32 %734 to i64
+  br label %738
+736:
+  %737 = srem i64 %724, %698
+  br label %738
+738:
+  %739 = phi i64 [ %735, %731 ], [ %737, %736 ]
+  %740 = xor i64 %739, %698
+  %741 = icmp slt i64 %740, 0
+  %742 = icmp ne i64 %739, 0
+  %743 = and i1 %742, %741
+  %744 = select i1 %743, i64 %698, i64 0
+  %745 = add i64 %744, %739
+  %746 = freeze i64 %745
+  %747 = icmp slt i64 %746, 0
+  %748 = select i1 %747, i64 %13, i64 0
+  %749 = getelementptr i64, ptr %506, i64 %748
+  %750 = getelementptr i64, ptr %749, i64 %746
+  %751 = load i64, ptr %750, align 8
+  br label %752
+752:
+  %753 = phi i64 [ %507, %710 ], [ %751, %738 ], [ %507, %692 ]
+  %754 = phi i64 [ %723, %710 ], [ %723, %738 ], [ %507, %692 ]
+  %755 = select i1 %1008, i64 %22, i64 0
+  %756 = add i64 %755, %1006
+  %757 = mul i64 %756, %24
+  %758 = getelementptr i64, ptr %20, i64 %757
+  %759 = getelementptr i64, ptr %758, i64 %676
+  %760 = load i64, ptr %759, align 8
+  %761 = select i1 %677, i64 %18, i64 0
+  %762 = getelementptr i64, ptr %16, i64 %1007
+  %763 = getelementptr i64, ptr %762, i64 %761
   %764 = load i64, ptr %763, align 8
-  %765 = select i1 %681, i64 %18, i64 0
-  %766 = getelementptr i64, ptr %16, i64 %1011
-  %767 = getelementptr i64, ptr %766, i64 %765
-  %768 = load i64, ptr %767, align 8
-  %769 = add i64 %702, -4
-  %770 = add i64 %769, %768
-  br i1 %99, label %771, label %826
-771:
-  %772 = xor i64 %697, -9223372036854775808
-  %773 = add i64 %680, 9223372036854775807
-  %774 = shl i64 %699, 3
-  %775 = getelementptr i8, ptr %700, i64 %774
-  %776 = shl i64 %765, 3
-  %777 = getelementptr i8, ptr %766, i64 %776
-  br label %524
-778:
-  %779 = add i64 %773, %525
-  %780 = icmp ne i64 %779, -2
-  %781 = icmp ne i64 %530, -1
-  %782 = or i1 %780, %781
-  br i1 %782, label %783, label %541
-783:
-  %784 = or i64 %530, %534
-  %785 = icmp ult i64 %784, 4294967296
-  br i1 %785, label %786, label %791
-786:
-  %787 = trunc nuw i64 %530 to i32
-  %788 = trunc nuw i64 %534 to i32
-  %789 = urem i32 %788, %787
-  %790 = zext i32 %789 to i64
-  br label %793
-791:
-  %792 = srem i64 %534, %530
-  br label %793
-793:
-  %794 = phi i64 [ %790, %786 ], [ %792, %791 ]
-  %795 = xor i64 %794, %530
-  %796 = icmp slt i64 %795, 0
-  %797 = icmp ne i64 %794, 0
-  %798 = and i1 %797, %796
-  %799 = select i1 %798, i64 %530, i64 0
-  %800 = add i64 %799, %794
-  br label %541
-801:
-  %802 = add i64 %525, %772
-  %803 = icmp ne i64 %802, %530
-  %804 = icmp ne i64 %539, -1
-  %805 = or i1 %803, %804
-  br i1 %805, label %806, label %541
-806:
-  %807 = or i64 %539, %538
-  %808 = icmp ult i64 %807, 4294967296
-  br i1 %808, label %809, label %814
-809:
-  %810 = trunc nuw i64 %539 to i32
-  %811 = trunc nuw i64 %538 to i32
-  %812 = urem i32 %811, %810
-  %813 = zext i32 %812 to i64
-  br label %816
-814:
-  %815 = srem i64 %538, %539
-  br label %816
-816:
-  %817 = phi i64 [ %813, %809 ], [ %815, %814 ]
-  %818 = xor i64 %817, %539
-  %819 = icmp slt i64 %818, 0
-  %820 = icmp ne i64 %817, 0
-  %821 = and i1 %820, %819
-  %822 = select i1 %821, i64 %539, i64 0
-  %823 = add i64 %822, %817
-  br label %541
-824:
-  %825 = load i64, ptr %777, align 8
-  br label %826
-826:
-  %827 = phi i64 [ %825, %824 ], [ %768, %756 ]
-  %828 = icmp slt i64 %827, 1
-  br i1 %828, label %866, label %569
-829:
-  %830 = phi i64 [ 0, %575 ], [ %589, %587 ]
-  %831 = icmp ne i64 %573, %758
-  %832 = icmp ne i64 %573, %757
-  %833 = select i1 %831, i1 %832, i1 false
-  br i1 %833, label %594, label %834
-834:
-  %835 = select i1 %576, i64 %18, i64 0
-  %836 = getelementptr i64, ptr %16, i64 %573
-  %837 = getelementptr i64, ptr %836, i64 %835
-  %838 = load i64, ptr %837, align 8
-  %839 = add nsw i64 %838, -1
-  store i64 %839, ptr %837, align 8
-  %840 = sub i64 %839, %830
-  %841 = icmp slt i64 %840, 1
-  br i1 %841, label %645, label %842
-842:
-  %843 = select i1 %576, i64 %22, i64 0
-  %844 = add i64 %843, %573
-  %845 = mul i64 %844, %24
-  %846 = getelementptr i64, ptr %20, i64 %845
-  %847 = add i64 %838, -2
-  %848 = and i64 %840, 1
-  %849 = icmp eq i64 %848, 0
-  br i1 %849, label %863, label %850
-850:
-  %851 = add i64 %830, 1
-  %852 = icmp slt i64 %830, -1
-  %853 = select i1 %852, i64 %13, i64 0
-  %854 = getelementptr i64, ptr %580, i64 %851
+  %765 = add i64 %698, -4
+  %766 = add i64 %765, %764
+  br i1 %95, label %767, label %822
+767:
+  %768 = xor i64 %693, -9223372036854775808
+  %769 = add i64 %676, 9223372036854775807
+  %770 = shl i64 %695, 3
+  %771 = getelementptr i8, ptr %696, i64 %770
+  %772 = shl i64 %761, 3
+  %773 = getelementptr i8, ptr %762, i64 %772
+  br label %520
+774:
+  %775 = add i64 %769, %521
+  %776 = icmp ne i64 %775, -2
+  %777 = icmp ne i64 %526, -1
+  %778 = or i1 %776, %777
+  br i1 %778, label %779, label %537
+779:
+  %780 = or i64 %526, %530
+  %781 = icmp ult i64 %780, 4294967296
+  br i1 %781, label %782, label %787
+782:
+  %783 = trunc nuw i64 %526 to i32
+  %784 = trunc nuw i64 %530 to i32
+  %785 = urem i32 %784, %783
+  %786 = zext i32 %785 to i64
+  br label %789
+787:
+  %788 = srem i64 %530, %526
+  br label %789
+789:
+  %790 = phi i64 [ %786, %782 ], [ %788, %787 ]
+  %791 = xor i64 %790, %526
+  %792 = icmp slt i64 %791, 0
+  %793 = icmp ne i64 %790, 0
+  %794 = and i1 %793, %792
+  %795 = select i1 %794, i64 %526, i64 0
+  %796 = add i64 %795, %790
+  br label %537
+797:
+  %798 = add i64 %521, %768
+  %799 = icmp ne i64 %798, %526
+  %800 = icmp ne i64 %535, -1
+  %801 = or i1 %799, %800
+  br i1 %801, label %802, label %537
+802:
+  %803 = or i64 %535, %534
+  %804 = icmp ult i64 %803, 4294967296
+  br i1 %804, label %805, label %810
+805:
+  %806 = trunc nuw i64 %535 to i32
+  %807 = trunc nuw i64 %534 to i32
+  %808 = urem i32 %807, %806
+  %809 = zext i32 %808 to i64
+  br label %812
+810:
+  %811 = srem i64 %534, %535
+  br label %812
+812:
+  %813 = phi i64 [ %809, %805 ], [ %811, %810 ]
+  %814 = xor i64 %813, %535
+  %815 = icmp slt i64 %814, 0
+  %816 = icmp ne i64 %813, 0
+  %817 = and i1 %816, %815
+  %818 = select i1 %817, i64 %535, i64 0
+  %819 = add i64 %818, %813
+  br label %537
+820:
+  %821 = load i64, ptr %773, align 8
+  br label %822
+822:
+  %823 = phi i64 [ %821, %820 ], [ %764, %752 ]
+  %824 = icmp slt i64 %823, 1
+  br i1 %824, label %862, label %565
+825:
+  %826 = phi i64 [ 0, %571 ], [ %585, %583 ]
+  %827 = icmp ne i64 %569, %754
+  %828 = icmp ne i64 %569, %753
+  %829 = select i1 %827, i1 %828, i1 false
+  br i1 %829, label %590, label %830
+830:
+  %831 = select i1 %572, i64 %18, i64 0
+  %832 = getelementptr i64, ptr %16, i64 %569
+  %833 = getelementptr i64, ptr %832, i64 %831
+  %834 = load i64, ptr %833, align 8
+  %835 = add nsw i64 %834, -1
+  store i64 %835, ptr %833, align 8
+  %836 = sub i64 %835, %826
+  %837 = icmp slt i64 %836, 1
+  br i1 %837, label %641, label %838
+838:
+  %839 = select i1 %572, i64 %22, i64 0
+  %840 = add i64 %839, %569
+  %841 = mul i64 %840, %24
+  %842 = getelementptr i64, ptr %20, i64 %841
+  %843 = add i64 %834, -2
+  %844 = and i64 %836, 1
+  %845 = icmp eq i64 %844, 0
+  br i1 %845, label %859, label %846
+846:
+  %847 = add i64 %826, 1
+  %848 = icmp slt i64 %826, -1
+  %849 = select i1 %848, i64 %13, i64 0
+  %850 = getelementptr i64, ptr %576, i64 %847
+  %851 = getelementptr i64, ptr %850, i64 %849
+  %852 = load i64, ptr %851, align 8
+  %853 = select i1 %848, i64 %24, i64 0
+  %854 = getelementptr i64, ptr %842, i64 %847
   %855 = getelementptr i64, ptr %854, i64 %853
   %856 = load i64, ptr %855, align 8
-  %857 = select i1 %852, i64 %24, i64 0
-  %858 = getelementptr i64, ptr %846, i64 %851
-  %859 = getelementptr i64, ptr %858, i64 %857
-  %860 = load i64, ptr %859, align 8
-  %861 = getelementptr i64, ptr %580, i64 %830
-  store i64 %856, ptr %861, align 8
-  %862 = getelementptr i64, ptr %846, i64 %830
-  store i64 %860, ptr %862, align 8
-  br label %863
+  %857 = getelementptr i64, ptr %576, i64 %826
+  store i64 %852, ptr %857, align 8
+  %858 = getelementptr i64, ptr %842, i64 %826
+  store i64 %856, ptr %858, align 8
+  br label %859
+859:
+  %860 = phi i64 [ %826, %838 ], [ %847, %846 ]
+  %861 = icmp eq i64 %843, %826
+  br i1 %861, label %637, label %599
+862:
+  br i1 %101, label %874, label %863
 863:
-  %864 = phi i64 [ %830, %842 ], [ %851, %850 ]
-  %865 = icmp eq i64 %847, %830
-  br i1 %865, label %641, label %603
-866:
-  br i1 %105, label %878, label %867
-867:
-  br i1 %106, label %671, label %868
-868:
-  %869 = shl i64 %509, 3
-  %870 = getelementptr i8, ptr %9, i64 %869
-  %871 = getelementptr i8, ptr %870, i64 8
-  %872 = shl i64 %684, 3
-  %873 = getelementptr i8, ptr %9, i64 %872
-  %874 = getelementptr i8, ptr %873, i64 8
-  %875 = shl i64 %761, 3
-  %876 = getelementptr i8, ptr %20, i64 %875
-  %877 = getelementptr i8, ptr %876, i64 8
-  br label %651
-878:
-  %879 = shl i64 %699, 3
-  %880 = getelementptr i8, ptr %700, i64 %879
-  store i64 %770, ptr %880, align 8
-  %881 = shl i64 %765, 3
-  %882 = getelementptr i8, ptr %766, i64 %881
-  store i64 0, ptr %882, align 8
-  %883 = icmp slt i64 %122, 0
-  %884 = select i1 %883, i64 %77, i64 0
-  %885 = add i64 %884, %122
-  %886 = mul i64 %885, %79
-  %887 = getelementptr i64, ptr %75, i64 %886
-  store i64 %1010, ptr %887, align 8
-  %888 = getelementptr i8, ptr %887, i64 8
-  store i64 %1011, ptr %888, align 8
-  %889 = select i1 %883, i64 %83, i64 0
-  %890 = getelementptr double, ptr %81, i64 %122
-  %891 = getelementptr double, ptr %890, i64 %889
-  store double %1018, ptr %891, align 8
-  %892 = select i1 %1012, i64 %4, i64 0
-  %893 = add i64 %892, %1010
+  br i1 %102, label %667, label %864
+864:
+  %865 = shl i64 %505, 3
+  %866 = getelementptr i8, ptr %9, i64 %865
+  %867 = getelementptr i8, ptr %866, i64 8
+  %868 = shl i64 %680, 3
+  %869 = getelementptr i8, ptr %9, i64 %868
+  %870 = getelementptr i8, ptr %869, i64 8
+  %871 = shl i64 %757, 3
+  %872 = getelementptr i8, ptr %20, i64 %871
+  %873 = getelementptr i8, ptr %872, i64 8
+  br label %647
+874:
+  %875 = shl i64 %695, 3
+  %876 = getelementptr i8, ptr %696, i64 %875
+  store i64 %766, ptr %876, align 8
+  %877 = shl i64 %761, 3
+  %878 = getelementptr i8, ptr %762, i64 %877
+  store i64 0, ptr %878, align 8
+  %879 = icmp slt i64 %118, 0
+  %880 = select i1 %879, i64 %73, i64 0
+  %881 = add i64 %880, %118
+  %882 = mul i64 %881, %75
+  %883 = getelementptr i64, ptr %71, i64 %882
+  store i64 %1006, ptr %883, align 8
+  %884 = getelementptr i8, ptr %883, i64 8
+  store i64 %1007, ptr %884, align 8
+  %885 = select i1 %879, i64 %79, i64 0
+  %886 = getelementptr double, ptr %77, i64 %118
+  %887 = getelementptr double, ptr %886, i64 %885
+  store double %1014, ptr %887, align 8
+  %888 = select i1 %1008, i64 %4, i64 0
+  %889 = add i64 %888, %1006
+  %890 = mul i64 %889, %6
+  %891 = getelementptr double, ptr %2, i64 %890
+  %892 = select i1 %677, i64 %4, i64 0
+  %893 = add i64 %892, %1007
   %894 = mul i64 %893, %6
   %895 = getelementptr double, ptr %2, i64 %894
-  %896 = select i1 %681, i64 %4, i64 0
-  %897 = add i64 %896, %1011
-  %898 = mul i64 %897, %6
-  %899 = getelementptr double, ptr %2, i64 %898
-  %900 = load double, ptr %895, align 8
-  %901 = load double, ptr %899, align 8
-  %902 = fsub double %901, %900
-  %903 = fmul double %1018, %902
-  %904 = fadd double %900, %903
-  store double %904, ptr %895, align 8
-  %905 = getelementptr i8, ptr %895, i64 8
-  %906 = load double, ptr %905, align 8
-  %907 = getelementptr i8, ptr %899, i64 8
-  %908 = load double, ptr %907, align 8
-  %909 = fsub double %908, %906
-  %910 = fmul double %1018, %909
-  %911 = fadd double %906, %910
-  store double %911, ptr %905, align 8
-  %912 = getelementptr i8, ptr %895, i64 16
-  %913 = load double, ptr %912, align 8
-  %914 = getelementptr i8, ptr %899, i64 16
-  %915 = load double, ptr %914, align 8
-  %916 = fsub double %915, %913
-  %917 = fmul double %1018, %916
-  %918 = fadd double %913, %917
-  store double %918, ptr %912, align 8
-  %919 = select i1 %681, i64 %35, i64 0
-  %920 = getelementptr i8, ptr %33, i64 %1011
-  %921 = getelementptr i8, ptr %920, i64 %919
-  %922 = load i8, ptr %921, align 1
-  %923 = icmp eq i8 %922, 0
-  br i1 %923, label %1064, label %1021
-924:
-  %925 = phi i64 [ %122, %157 ], [ %1244, %1243 ], [ %122, %503 ], [ %122, %160 ], [ %122, %166 ]
-  %926 = icmp eq i64 %127, %57
-  br i1 %926, label %1245, label %121
-927:
-  %928 = icmp slt i64 %137, 0
-  %929 = select i1 %928, i64 %18, i64 0
-  %930 = getelementptr i64, ptr %16, i64 %137
-  %931 = getelementptr i64, ptr %930, i64 %929
-  %932 = load i64, ptr %931, align 8
-  %933 = icmp slt i64 %139, 0
-  %934 = select i1 %933, i64 %18, i64 0
-  %935 = getelementptr i64, ptr %16, i64 %139
-  %936 = getelementptr i64, ptr %935, i64 %934
-  %937 = load i64, ptr %936, align 8
-  %938 = tail call i64 @llvm.smin.i64(i64 %937, i64 %932)
-  %939 = icmp slt i64 %938, 4
-  br i1 %939, label %157, label %160
-940:
-  store i8 1, ptr %170, align 1
-  %941 = select i1 %167, i64 %18, i64 0
-  %942 = getelementptr i64, ptr %16, i64 %135
-  %943 = getelementptr i64, ptr %942, i64 %941
-  %944 = load i64, ptr %943, align 8
-  %945 = icmp slt i64 %944, 1
-  br i1 %945, label %1004, label %946
-946:
-  %947 = select i1 %167, i64 %11, i64 0
-  %948 = add i64 %947, %135
-  %949 = and i64 %944, 3
-  %950 = icmp samesign ult i64 %944, 4
-  br i1 %950, label %987, label %951
-951:
-  %952 = and i64 %944, 9223372036854775804
-  %953 = mul i64 %948, %14
-  %954 = getelementptr i8, ptr %9, i64 %953
-  %955 = getelementptr i8, ptr %954, i64 24
-  br label %956
-956:
-  %957 = phi i64 [ 0, %951 ], [ %978, %956 ]
-  %958 = shl i64 %957, 3
-  %959 = getelementptr i8, ptr %955, i64 %958
-  %960 = getelementptr i8, ptr %959, i64 -24
-  %961 = load i64, ptr %960, align 8
-  %962 = icmp slt i64 %961, 0
-  %963 = select i1 %962, i64 %67, i64 0
-  %964 = getelementptr i8, ptr %65, i64 %961
-  %965 = getelementptr i8, ptr %964, i64 %963
-  store i8 1, ptr %965, align 1
-  %966 = getelementptr i8, ptr %959, i64 -16
-  %967 = load i64, ptr %966, align 8
-  %968 = icmp slt i64 %967, 0
-  %969 = select i1 %968, i64 %67, i64 0
-  %970 = getelementptr i8, ptr %65, i64 %967
-  %971 = getelementptr i8, ptr %970, i64 %969
-  store i8 1, ptr %971, align 1
-  %972 = getelementptr i8, ptr %959, i64 -8
-  %973 = load i64, ptr %972, align 8
-  %974 = icmp slt i64 %973, 0
-  %975 = select i1 %974, i64 %67, i64 0
-  %976 = getelementptr i8, ptr %65, i64 %973
-  %977 = getelementptr i8, ptr %976, i64 %975
-  store i8 1, ptr %977, align 1
-  %978 = add nuw nsw i64 %957, 4
-  %979 = load i64, ptr %959, align 8
-  %980 = icmp slt i64 %979, 0
-  %981 = select i1 %980, i64 %67, i64 0
-  %982 = getelementptr i8, ptr %65, i64 %979
-  %983 = getelementptr i8, ptr %982, i64 %981
-  store i8 1, ptr %983, align 1
-  %984 = icmp eq i64 %952, %978
-  br i1 %984, label %985, label %956
-985:
-  %986 = icmp eq i64 %949, 0
-  br i1 %986, label %1004, label %987
-987:
-  %988 = phi i64 [ 0, %946 ], [ %952, %985 ]
-  %989 = mul i64 %948, %13
-  %990 = add i64 %988, %989
+  %896 = load double, ptr %891, align 8
+  %897 = load double, ptr %895, align 8
+  %898 = fsub double %897, %896
+  %899 = fmul double %1014, %898
+  %900 = fadd double %896, %899
+  store double %900, ptr %891, align 8
+  %901 = getelementptr i8, ptr %891, i64 8
+  %902 = load double, ptr %901, align 8
+  %903 = getelementptr i8, ptr %895, i64 8
+  %904 = load double, ptr %903, align 8
+  %905 = fsub double %904, %902
+  %906 = fmul double %1014, %905
+  %907 = fadd double %902, %906
+  store double %907, ptr %901, align 8
+  %908 = getelementptr i8, ptr %891, i64 16
+  %909 = load double, ptr %908, align 8
+  %910 = getelementptr i8, ptr %895, i64 16
+  %911 = load double, ptr %910, align 8
+  %912 = fsub double %911, %909
+  %913 = fmul double %1014, %912
+  %914 = fadd double %909, %913
+  store double %914, ptr %908, align 8
+  %915 = select i1 %677, i64 %35, i64 0
+  %916 = getelementptr i8, ptr %33, i64 %1007
+  %917 = getelementptr i8, ptr %916, i64 %915
+  %918 = load i8, ptr %917, align 1
+  %919 = icmp eq i8 %918, 0
+  br i1 %919, label %1060, label %1017
+920:
+  %921 = phi i64 [ %118, %153 ], [ %1233, %1232 ], [ %118, %499 ], [ %118, %156 ], [ %118, %162 ]
+  %922 = icmp eq i64 %123, %53
+  br i1 %922, label %1234, label %117
+923:
+  %924 = icmp slt i64 %133, 0
+  %925 = select i1 %924, i64 %18, i64 0
+  %926 = getelementptr i64, ptr %16, i64 %133
+  %927 = getelementptr i64, ptr %926, i64 %925
+  %928 = load i64, ptr %927, align 8
+  %929 = icmp slt i64 %135, 0
+  %930 = select i1 %929, i64 %18, i64 0
+  %931 = getelementptr i64, ptr %16, i64 %135
+  %932 = getelementptr i64, ptr %931, i64 %930
+  %933 = load i64, ptr %932, align 8
+  %934 = tail call i64 @llvm.smin.i64(i64 %933, i64 %928)
+  %935 = icmp slt i64 %934, 4
+  br i1 %935, label %153, label %156
+936:
+  store i8 1, ptr %166, align 1
+  %937 = select i1 %163, i64 %18, i64 0
+  %938 = getelementptr i64, ptr %16, i64 %131
+  %939 = getelementptr i64, ptr %938, i64 %937
+  %940 = load i64, ptr %939, align 8
+  %941 = icmp slt i64 %940, 1
+  br i1 %941, label %1000, label %942
+942:
+  %943 = select i1 %163, i64 %11, i64 0
+  %944 = add i64 %943, %131
+  %945 = and i64 %940, 3
+  %946 = icmp samesign ult i64 %940, 4
+  br i1 %946, label %983, label %947
+947:
+  %948 = and i64 %940, 9223372036854775804
+  %949 = mul i64 %944, %14
+  %950 = getelementptr i8, ptr %9, i64 %949
+  %951 = getelementptr i8, ptr %950, i64 24
+  br label %952
+952:
+  %953 = phi i64 [ 0, %947 ], [ %974, %952 ]
+  %954 = shl i64 %953, 3
+  %955 = getelementptr i8, ptr %951, i64 %954
+  %956 = getelementptr i8, ptr %955, i64 -24
+  %957 = load i64, ptr %956, align 8
+  %958 = icmp slt i64 %957, 0
+  %959 = select i1 %958, i64 %63, i64 0
+  %960 = getelementptr i8, ptr %61, i64 %957
+  %961 = getelementptr i8, ptr %960, i64 %959
+  store i8 1, ptr %961, align 1
+  %962 = getelementptr i8, ptr %955, i64 -16
+  %963 = load i64, ptr %962, align 8
+  %964 = icmp slt i64 %963, 0
+  %965 = select i1 %964, i64 %63, i64 0
+  %966 = getelementptr i8, ptr %61, i64 %963
+  %967 = getelementptr i8, ptr %966, i64 %965
+  store i8 1, ptr %967, align 1
+  %968 = getelementptr i8, ptr %955, i64 -8
+  %969 = load i64, ptr %968, align 8
+  %970 = icmp slt i64 %969, 0
+  %971 = select i1 %970, i64 %63, i64 0
+  %972 = getelementptr i8, ptr %61, i64 %969
+  %973 = getelementptr i8, ptr %972, i64 %971
+  store i8 1, ptr %973, align 1
+  %974 = add nuw nsw i64 %953, 4
+  %975 = load i64, ptr %955, align 8
+  %976 = icmp slt i64 %975, 0
+  %977 = select i1 %976, i64 %63, i64 0
+  %978 = getelementptr i8, ptr %61, i64 %975
+  %979 = getelementptr i8, ptr %978, i64 %977
+  store i8 1, ptr %979, align 1
+  %980 = icmp eq i64 %948, %974
+  br i1 %980, label %981, label %952
+981:
+  %982 = icmp eq i64 %945, 0
+  br i1 %982, label %1000, label %983
+983:
+  %984 = phi i64 [ 0, %942 ], [ %948, %981 ]
+  %985 = mul i64 %944, %13
+  %986 = add i64 %984, %985
+  %987 = shl i64 %986, 3
+  %988 = getelementptr i8, ptr %9, i64 %987
+  br label %989
+989:
+  %990 = phi i64 [ 0, %983 ], [ %998, %989 ]
   %991 = shl i64 %990, 3
-  %992 = getelementptr i8, ptr %9, i64 %991
-  br label %993
-993:
-  %994 = phi i64 [ 0, %987 ], [ %1002, %993 ]
-  %995 = shl i64 %994, 3
-  %996 = getelementptr i8, ptr %992, i64 %995
-  %997 = load i64, ptr %996, align 8
-  %998 = icmp slt i64 %997, 0
-  %999 = select i1 %998, i64 %67, i64 0
-  %1000 = getelementptr i8, ptr %65, i64 %997
-  %1001 = getelementptr i8, ptr %1000, i64 %999
-  store i8 1, ptr %1001, align 1
-  %1002 = add i64 %994, 1
-  %1003 = icmp eq i64 %949, %1002
-  br i1 %1003, label %1004, label %993
-1004:
-  %1005 = select i1 %167, i64 %39, i64 0
-  %1006 = getelementptr i8, ptr %37, i64 %135
-  %1007 = getelementptr i8, ptr %1006, i64 %1005
-  %1008 = load i8, ptr %1007, align 1
-  %1009 = icmp eq i8 %1008, 0
-  %1010 = select i1 %1009, i64 %133, i64 %135
-  %1011 = select i1 %1009, i64 %135, i64 %133
-  %1012 = icmp slt i64 %1010, 0
-  %1013 = select i1 %1012, i64 %39, i64 0
-  %1014 = getelementptr i8, ptr %37, i64 %1010
-  %1015 = getelementptr i8, ptr %1014, i64 %1013
-  %1016 = load i8, ptr %1015, align 1
-  %1017 = icmp eq i8 %1016, 0
-  %1018 = select i1 %1017, double 5.000000e-01, double 0.000000e+00
-  br i1 %98, label %506, label %237
-1019:
-  br i1 %352, label %503, label %370
-1020:
-  br i1 %485, label %503, label %506
-1021:
-  %1022 = select i1 %681, i64 %29, i64 0
-  %1023 = add i64 %1022, %1011
-  %1024 = mul i64 %1023, %31
-  %1025 = getelementptr double, ptr %27, i64 %1024
+  %992 = getelementptr i8, ptr %988, i64 %991
+  %993 = load i64, ptr %992, align 8
+  %994 = icmp slt i64 %993, 0
+  %995 = select i1 %994, i64 %63, i64 0
+  %996 = getelementptr i8, ptr %61, i64 %993
+  %997 = getelementptr i8, ptr %996, i64 %995
+  store i8 1, ptr %997, align 1
+  %998 = add i64 %990, 1
+  %999 = icmp eq i64 %945, %998
+  br i1 %999, label %1000, label %989
+1000:
+  %1001 = select i1 %163, i64 %39, i64 0
+  %1002 = getelementptr i8, ptr %37, i64 %131
+  %1003 = getelementptr i8, ptr %1002, i64 %1001
+  %1004 = load i8, ptr %1003, align 1
+  %1005 = icmp eq i8 %1004, 0
+  %1006 = select i1 %1005, i64 %129, i64 %131
+  %1007 = select i1 %1005, i64 %131, i64 %129
+  %1008 = icmp slt i64 %1006, 0
+  %1009 = select i1 %1008, i64 %39, i64 0
+  %1010 = getelementptr i8, ptr %37, i64 %1006
+  %1011 = getelementptr i8, ptr %1010, i64 %1009
+  %1012 = load i8, ptr %1011, align 1
+  %1013 = icmp eq i8 %1012, 0
+  %1014 = select i1 %1013, double 5.000000e-01, double 0.000000e+00
+  br i1 %94, label %502, label %233
+1015:
+  br i1 %348, label %499, label %366
+1016:
+  br i1 %481, label %499, label %502
+1017:
+  %1018 = select i1 %677, i64 %29, i64 0
+  %1019 = add i64 %1018, %1007
+  %1020 = mul i64 %1019, %31
+  %1021 = getelementptr double, ptr %27, i64 %1020
+  %1022 = load double, ptr %1021, align 8
+  %1023 = fsub double %1022, %900
+  %1024 = fmul double %1023, %1023
+  %1025 = getelementptr i8, ptr %1021, i64 8
   %1026 = load double, ptr %1025, align 8
-  %1027 = fsub double %1026, %904
+  %1027 = fsub double %1026, %907
   %1028 = fmul double %1027, %1027
-  %1029 = getelementptr i8, ptr %1025, i64 8
-  %1030 = load double, ptr %1029, align 8
-  %1031 = fsub double %1030, %911
-  %1032 = fmul double %1031, %1031
-  %1033 = fadd double %1028, %1032
-  %1034 = getelementptr i8, ptr %1025, i64 16
-  %1035 = load double, ptr %1034, align 8
-  %1036 = fsub double %1035, %918
-  %1037 = fmul double %1036, %1036
-  %1038 = fadd double %1033, %1037
-  %1039 = tail call double @llvm.sqrt.f64(double %1038)
-  br label %1064
-1040:
-  br i1 %116, label %1041, label %1056
-1041:
-  %1042 = phi i64 [ 0, %1134 ], [ %1168, %1040 ]
-  %1043 = shl i64 %1042, 3
-  %1044 = getelementptr i8, ptr %1137, i64 %1043
-  %1045 = getelementptr i8, ptr %1044, i64 -8
-  %1046 = load double, ptr %1045, align 8
-  %1047 = getelementptr i8, ptr %1140, i64 %1043
-  %1048 = getelementptr i8, ptr %1047, i64 -8
-  %1049 = load double, ptr %1048, align 8
-  %1050 = fadd double %1046, %1049
+  %1029 = fadd double %1024, %1028
+  %1030 = getelementptr i8, ptr %1021, i64 16
+  %1031 = load double, ptr %1030, align 8
+  %1032 = fsub double %1031, %914
+  %1033 = fmul double %1032, %1032
+  %1034 = fadd double %1029, %1033
+  %1035 = tail call double @llvm.sqrt.f64(double %1034)
+  br label %1060
+1036:
+  br i1 %112, label %1037, label %1052
+1037:
+  %1038 = phi i64 [ 0, %1123 ], [ %1157, %1036 ]
+  %1039 = shl i64 %1038, 3
+  %1040 = getelementptr i8, ptr %1126, i64 %1039
+  %1041 = getelementptr i8, ptr %1040, i64 -8
+  %1042 = load double, ptr %1041, align 8
+  %1043 = getelementptr i8, ptr %1129, i64 %1039
+  %1044 = getelementptr i8, ptr %1043, i64 -8
+  %1045 = load double, ptr %1044, align 8
+  %1046 = fadd double %1042, %1045
+  %1047 = fmul double %1046, 5.000000e-01
+  store double %1047, ptr %1041, align 8
+  %1048 = load double, ptr %1040, align 8
+  %1049 = load double, ptr %1043, align 8
+  %1050 = fadd double %1048, %1049
   %1051 = fmul double %1050, 5.000000e-01
-  store double %1051, ptr %1045, align 8
-  %1052 = load double, ptr %1044, align 8
-  %1053 = load double, ptr %1047, align 8
-  %1054 = fadd double %1052, %1053
-  %1055 = fmul double %1054, 5.000000e-01
-  store double %1055, ptr %1044, align 8
-  br label %1056
-1056:
-  br i1 %118, label %1175, label %1057
-1057:
-  %1058 = getelementptr double, ptr %92, i64 %1130
-  %1059 = load double, ptr %1058, align 8
-  %1060 = getelementptr double, ptr %92, i64 %1133
-  %1061 = load double, ptr %1060, align 8
-  %1062 = fadd double %1059, %1061
-  %1063 = fmul double %1062, 5.000000e-01
-  store double %1063, ptr %1058, align 8
-  br label %1175
-1064:
-  %1065 = phi double [ %1039, %1021 ], [ 0x7FF0000000000000, %878 ]
-  %1066 = select i1 %1012, i64 %35, i64 0
-  %1067 = getelementptr i8, ptr %33, i64 %1010
-  %1068 = getelementptr i8, ptr %1067, i64 %1066
-  %1069 = load i8, ptr %1068, align 1
-  %1070 = icmp eq i8 %1069, 0
-  br i1 %1070, label %1090, label %1071
-1071:
-  %1072 = select i1 %1012, i64 %29, i64 0
-  %1073 = add i64 %1072, %1010
-  %1074 = mul i64 %1073, %31
-  %1075 = getelementptr double, ptr %27, i64 %1074
+  store double %1051, ptr %1040, align 8
+  br label %1052
+1052:
+  br i1 %114, label %1164, label %1053
+1053:
+  %1054 = getelementptr double, ptr %88, i64 %1119
+  %1055 = load double, ptr %1054, align 8
+  %1056 = getelementptr double, ptr %88, i64 %1122
+  %1057 = load double, ptr %1056, align 8
+  %1058 = fadd double %1055, %1057
+  %1059 = fmul double %1058, 5.000000e-01
+  store double %1059, ptr %1054, align 8
+  br label %1164
+1060:
+  %1061 = phi double [ %1035, %1017 ], [ 0x7FF0000000000000, %874 ]
+  %1062 = select i1 %1008, i64 %35, i64 0
+  %1063 = getelementptr i8, ptr %33, i64 %1006
+  %1064 = getelementptr i8, ptr %1063, i64 %1062
+  %1065 = load i8, ptr %1064, align 1
+  %1066 = icmp eq i8 %1065, 0
+  br i1 %1066, label %1086, label %1067
+1067:
+  %1068 = select i1 %1008, i64 %29, i64 0
+  %1069 = add i64 %1068, %1006
+  %1070 = mul i64 %1069, %31
+  %1071 = getelementptr double, ptr %27, i64 %1070
+  %1072 = load double, ptr %1071, align 8
+  %1073 = fsub double %1072, %900
+  %1074 = fmul double %1073, %1073
+  %1075 = getelementptr i8, ptr %1071, i64 8
   %1076 = load double, ptr %1075, align 8
-  %1077 = fsub double %1076, %904
+  %1077 = fsub double %1076, %907
   %1078 = fmul double %1077, %1077
-  %1079 = getelementptr i8, ptr %1075, i64 8
-  %1080 = load double, ptr %1079, align 8
-  %1081 = fsub double %1080, %911
-  %1082 = fmul double %1081, %1081
-  %1083 = fadd double %1078, %1082
-  %1084 = getelementptr i8, ptr %1075, i64 16
-  %1085 = load double, ptr %1084, align 8
-  %1086 = fsub double %1085, %918
-  %1087 = fmul double %1086, %1086
-  %1088 = fadd double %1083, %1087
-  %1089 = tail call double @llvm.sqrt.f64(double %1088)
-  br label %1090
-1090:
-  %1091 = phi double [ %1089, %1071 ], [ 0x7FF0000000000000, %1064 ]
-  %1092 = fcmp olt double %1065, %1091
-  br i1 %1092, label %1093, label %1116
-1093:
-  %1094 = select i1 %681, i64 %43, i64 0
-  %1095 = getelementptr double, ptr %41, i64 %1011
-  %1096 = getelementptr double, ptr %1095, i64 %1094
-  %1097 = load double, ptr %1096, align 8
-  store i8 1, ptr %1068, align 1
-  %1098 = select i1 %1012, i64 %43, i64 0
-  %1099 = getelementptr double, ptr %41, i64 %1010
-  %1100 = getelementptr double, ptr %1099, i64 %1098
-  store double %1097, ptr %1100, align 8
-  %1101 = select i1 %681, i64 %29, i64 0
-  %1102 = add i64 %1101, %1011
-  %1103 = mul i64 %1102, %31
-  %1104 = getelementptr double, ptr %27, i64 %1103
-  %1105 = select i1 %1012, i64 %29, i64 0
-  %1106 = add i64 %1105, %1010
-  %1107 = mul i64 %1106, %31
-  %1108 = getelementptr double, ptr %27, i64 %1107
-  %1109 = load double, ptr %1104, align 8
-  store double %1109, ptr %1108, align 8
-  %1110 = getelementptr i8, ptr %1104, i64 8
-  %1111 = load double, ptr %1110, align 8
-  %1112 = getelementptr i8, ptr %1108, i64 8
-  store double %1111, ptr %1112, align 8
-  %1113 = getelementptr i8, ptr %1104, i64 16
-  %1114 = load double, ptr %1113, align 8
-  %1115 = getelementptr i8, ptr %1108, i64 16
-  store double %1114, ptr %1115, align 8
-  br label %1116
+  %1079 = fadd double %1074, %1078
+  %1080 = getelementptr i8, ptr %1071, i64 16
+  %1081 = load double, ptr %1080, align 8
+  %1082 = fsub double %1081, %914
+  %1083 = fmul double %1082, %1082
+  %1084 = fadd double %1079, %1083
+  %1085 = tail call double @llvm.sqrt.f64(double %1084)
+  br label %1086
+1086:
+  %1087 = phi double [ %1085, %1067 ], [ 0x7FF0000000000000, %1060 ]
+  %1088 = fcmp olt double %1061, %1087
+  br i1 %1088, label %1089, label %1105
+1089:
+  store i8 1, ptr %1064, align 1
+  %1090 = select i1 %677, i64 %29, i64 0
+  %1091 = add i64 %1090, %1007
+  %1092 = mul i64 %1091, %31
+  %1093 = getelementptr double, ptr %27, i64 %1092
+  %1094 = select i1 %1008, i64 %29, i64 0
+  %1095 = add i64 %1094, %1006
+  %1096 = mul i64 %1095, %31
+  %1097 = getelementptr double, ptr %27, i64 %1096
+  %1098 = load double, ptr %1093, align 8
+  store double %1098, ptr %1097, align 8
+  %1099 = getelementptr i8, ptr %1093, i64 8
+  %1100 = load double, ptr %1099, align 8
+  %1101 = getelementptr i8, ptr %1097, i64 8
+  store double %1100, ptr %1101, align 8
+  %1102 = getelementptr i8, ptr %1093, i64 16
+  %1103 = load double, ptr %1102, align 8
+  %1104 = getelementptr i8, ptr %1097, i64 16
+  store double %1103, ptr %1104, align 8
+  br label %1105
+1105:
+  %1106 = select i1 %1008, i64 %43, i64 0
+  %1107 = getelementptr double, ptr %41, i64 %1006
+  %1108 = getelementptr double, ptr %1107, i64 %1106
+  %1109 = load double, ptr %1108, align 8
+  %1110 = select i1 %677, i64 %43, i64 0
+  %1111 = getelementptr double, ptr %41, i64 %1007
+  %1112 = getelementptr double, ptr %1111, i64 %1110
+  %1113 = load double, ptr %1112, align 8
+  %1114 = fcmp olt double %1113, %1109
+  %1115 = select i1 %1114, double %1113, double %1109
+  store double %1115, ptr %1108, align 8
+  br i1 %108, label %1164, label %1116
 1116:
-  %1117 = select i1 %1012, i64 %47, i64 0
-  %1118 = getelementptr double, ptr %45, i64 %1010
-  %1119 = getelementptr double, ptr %1118, i64 %1117
-  %1120 = load double, ptr %1119, align 8
-  %1121 = select i1 %681, i64 %47, i64 0
-  %1122 = getelementptr double, ptr %45, i64 %1011
-  %1123 = getelementptr double, ptr %1122, i64 %1121
-  %1124 = load double, ptr %1123, align 8
-  %1125 = fcmp olt double %1124, %1120
-  %1126 = select i1 %1125, double %1124, double %1120
-  store double %1126, ptr %1119, align 8
-  br i1 %112, label %1175, label %1127
-1127:
-  %1128 = select i1 %1012, i64 %51, i64 0
-  %1129 = add i64 %1128, %1010
-  %1130 = mul i64 %1129, %53
-  %1131 = select i1 %681, i64 %51, i64 0
-  %1132 = add i64 %1131, %1011
-  %1133 = mul i64 %1132, %53
-  br i1 %113, label %1057, label %1134
-1134:
-  %1135 = shl i64 %1130, 3
-  %1136 = getelementptr i8, ptr %49, i64 %1135
-  %1137 = getelementptr i8, ptr %1136, i64 8
-  %1138 = shl i64 %1133, 3
-  %1139 = getelementptr i8, ptr %49, i64 %1138
-  %1140 = getelementptr i8, ptr %1139, i64 8
-  br i1 %114, label %1041, label %1141
-1141:
-  %1142 = getelementptr i8, ptr %97, i64 %1135
-  %1143 = getelementptr i8, ptr %97, i64 %1138
-  br label %1144
-1144:
-  %1145 = phi i64 [ %96, %1141 ], [ %1173, %1144 ]
-  %1146 = phi i64 [ 0, %1141 ], [ %1168, %1144 ]
-  %1147 = shl i64 %1146, 3
-  %1148 = getelementptr i8, ptr %1142, i64 %1147
-  %1149 = getelementptr i8, ptr %1148, i64 -16
-  %1150 = getelementptr i8, ptr %1148, i64 -24
-  %1151 = load double, ptr %1150, align 8
-  %1152 = getelementptr i8, ptr %1143, i64 %1147
-  %1153 = getelementptr i8, ptr %1152, i64 -16
-  %1154 = getelementptr i8, ptr %1152, i64 -24
-  %1155 = load double, ptr %1154, align 8
-  %1156 = fadd double %1151, %1155
-  %1157 = fmul double %1156, 5.000000e-01
-  store double %1157, ptr %1150, align 8
-  %1158 = load double, ptr %1149, align 8
-  %1159 = load double, ptr %1153, align 8
+  %1117 = select i1 %1008, i64 %47, i64 0
+  %1118 = add i64 %1117, %1006
+  %1119 = mul i64 %1118, %49
+  %1120 = select i1 %677, i64 %47, i64 0
+  %1121 = add i64 %1120, %1007
+  %1122 = mul i64 %1121, %49
+  br i1 %109, label %1053, label %1123
+1123:
+  %1124 = shl i64 %1119, 3
+  %1125 = getelementptr i8, ptr %45, i64 %1124
+  %1126 = getelementptr i8, ptr %1125, i64 8
+  %1127 = shl i64 %1122, 3
+  %1128 = getelementptr i8, ptr %45, i64 %1127
+  %1129 = getelementptr i8, ptr %1128, i64 8
+  br i1 %110, label %1037, label %1130
+1130:
+  %1131 = getelementptr i8, ptr %93, i64 %1124
+  %1132 = getelementptr i8, ptr %93, i64 %1127
+  br label %1133
+1133:
+  %1134 = phi i64 [ %92, %1130 ], [ %1162, %1133 ]
+  %1135 = phi i64 [ 0, %1130 ], [ %1157, %1133 ]
+  %1136 = shl i64 %1135, 3
+  %1137 = getelementptr i8, ptr %1131, i64 %1136
+  %1138 = getelementptr i8, ptr %1137, i64 -16
+  %1139 = getelementptr i8, ptr %1137, i64 -24
+  %1140 = load double, ptr %1139, align 8
+  %1141 = getelementptr i8, ptr %1132, i64 %1136
+  %1142 = getelementptr i8, ptr %1141, i64 -16
+  %1143 = getelementptr i8, ptr %1141, i64 -24
+  %1144 = load double, ptr %1143, align 8
+  %1145 = fadd double %1140, %1144
+  %1146 = fmul double %1145, 5.000000e-01
+  store double %1146, ptr %1139, align 8
+  %1147 = load double, ptr %1138, align 8
+  %1148 = load double, ptr %1142, align 8
+  %1149 = fadd double %1147, %1148
+  %1150 = fmul double %1149, 5.000000e-01
+  store double %1150, ptr %1138, align 8
+  %1151 = getelementptr i8, ptr %1137, i64 -8
+  %1152 = load double, ptr %1151, align 8
+  %1153 = getelementptr i8, ptr %1141, i64 -8
+  %1154 = load double, ptr %1153, align 8
+  %1155 = fadd double %1152, %1154
+  %1156 = fmul double %1155, 5.000000e-01
+  store double %1156, ptr %1151, align 8
+  %1157 = add i64 %1135, 4
+  %1158 = load double, ptr %1137, align 8
+  %1159 = load double, ptr %1141, align 8
   %1160 = fadd double %1158, %1159
   %1161 = fmul double %1160, 5.000000e-01
-  store double %1161, ptr %1149, align 8
-  %1162 = getelementptr i8, ptr %1148, i64 -8
-  %1163 = load double, ptr %1162, align 8
-  %1164 = getelementptr i8, ptr %1152, i64 -8
-  %1165 = load double, ptr %1164, align 8
-  %1166 = fadd double %1163, %1165
-  %1167 = fmul double %1166, 5.000000e-01
-  store double %1167, ptr %1162, align 8
-  %1168 = add i64 %1146, 4
-  %1169 = load double, ptr %1148, align 8
-  %1170 = load double, ptr %1152, align 8
-  %1171 = fadd double %1169, %1170
-  %1172 = fmul double %1171, 5.000000e-01
-  store double %1172, ptr %1148, align 8
-  %1173 = add i64 %1145, -2
-  %1174 = icmp eq i64 %1173, 0
-  br i1 %1174, label %1040, label %1144
-1175:
-  %1176 = zext i1 %1092 to i64
-  %1177 = shl i64 %886, 3
-  %1178 = getelementptr i8, ptr %75, i64 %1177
-  %1179 = getelementptr i8, ptr %1178, i64 16
-  store i64 %1176, ptr %1179, align 8
-  %1180 = select i1 %681, i64 %71, i64 0
-  %1181 = getelementptr i8, ptr %69, i64 %1011
-  %1182 = getelementptr i8, ptr %1181, i64 %1180
-  store i8 1, ptr %1182, align 1
-  %1183 = select i1 %1012, i64 %71, i64 0
-  %1184 = getelementptr i8, ptr %69, i64 %1010
-  %1185 = getelementptr i8, ptr %1184, i64 %1183
-  store i8 1, ptr %1185, align 1
-  %1186 = load i64, ptr %701, align 8
-  %1187 = icmp slt i64 %1186, 1
-  br i1 %1187, label %1243, label %1188
-1188:
-  %1189 = and i64 %1186, 3
-  %1190 = icmp samesign ult i64 %1186, 4
-  br i1 %1190, label %1227, label %1191
-1191:
-  %1192 = and i64 %1186, 9223372036854775804
-  %1193 = mul i64 %508, %14
-  %1194 = getelementptr i8, ptr %9, i64 %1193
-  %1195 = getelementptr i8, ptr %1194, i64 24
-  br label %1196
-1196:
-  %1197 = phi i64 [ 0, %1191 ], [ %1218, %1196 ]
-  %1198 = shl i64 %1197, 3
-  %1199 = getelementptr i8, ptr %1195, i64 %1198
-  %1200 = getelementptr i8, ptr %1199, i64 -24
-  %1201 = load i64, ptr %1200, align 8
-  %1202 = icmp slt i64 %1201, 0
-  %1203 = select i1 %1202, i64 %71, i64 0
-  %1204 = getelementptr i8, ptr %69, i64 %1201
-  %1205 = getelementptr i8, ptr %1204, i64 %1203
-  store i8 1, ptr %1205, align 1
-  %1206 = getelementptr i8, ptr %1199, i64 -16
-  %1207 = load i64, ptr %1206, align 8
-  %1208 = icmp slt i64 %1207, 0
-  %1209 = select i1 %1208, i64 %71, i64 0
-  %1210 = getelementptr i8, ptr %69, i64 %1207
-  %1211 = getelementptr i8, ptr %1210, i64 %1209
-  store i8 1, ptr %1211, align 1
-  %1212 = getelementptr i8, ptr %1199, i64 -8
-  %1213 = load i64, ptr %1212, align 8
-  %1214 = icmp slt i64 %1213, 0
-  %1215 = select i1 %1214, i64 %71, i64 0
-  %1216 = getelementptr i8, ptr %69, i64 %1213
-  %1217 = getelementptr i8, ptr %1216, i64 %1215
-  store i8 1, ptr %1217, align 1
-  %1218 = add nuw nsw i64 %1197, 4
-  %1219 = load i64, ptr %1199, align 8
-  %1220 = icmp slt i64 %1219, 0
-  %1221 = select i1 %1220, i64 %71, i64 0
-  %1222 = getelementptr i8, ptr %69, i64 %1219
-  %1223 = getelementptr i8, ptr %1222, i64 %1221
-  store i8 1, ptr %1223, align 1
-  %1224 = icmp eq i64 %1192, %1218
-  br i1 %1224, label %1225, label %1196
-1225:
-  %1226 = icmp eq i64 %1189, 0
-  br i1 %1226, label %1243, label %1227
-1227:
-  %1228 = phi i64 [ 0, %1188 ], [ %1192, %1225 ]
-  %1229 = add i64 %1228, %509
-  %1230 = shl i64 %1229, 3
-  %1231 = getelementptr i8, ptr %9, i64 %1230
-  br label %1232
+  store double %1161, ptr %1137, align 8
+  %1162 = add i64 %1134, -2
+  %1163 = icmp eq i64 %1162, 0
+  br i1 %1163, label %1036, label %1133
+1164:
+  %1165 = zext i1 %1088 to i64
+  %1166 = shl i64 %882, 3
+  %1167 = getelementptr i8, ptr %71, i64 %1166
+  %1168 = getelementptr i8, ptr %1167, i64 16
+  store i64 %1165, ptr %1168, align 8
+  %1169 = select i1 %677, i64 %67, i64 0
+  %1170 = getelementptr i8, ptr %65, i64 %1007
+  %1171 = getelementptr i8, ptr %1170, i64 %1169
+  store i8 1, ptr %1171, align 1
+  %1172 = select i1 %1008, i64 %67, i64 0
+  %1173 = getelementptr i8, ptr %65, i64 %1006
+  %1174 = getelementptr i8, ptr %1173, i64 %1172
+  store i8 1, ptr %1174, align 1
+  %1175 = load i64, ptr %697, align 8
+  %1176 = icmp slt i64 %1175, 1
+  br i1 %1176, label %1232, label %1177
+1177:
+  %1178 = and i64 %1175, 3
+  %1179 = icmp samesign ult i64 %1175, 4
+  br i1 %1179, label %1216, label %1180
+1180:
+  %1181 = and i64 %1175, 9223372036854775804
+  %1182 = mul i64 %504, %14
+  %1183 = getelementptr i8, ptr %9, i64 %1182
+  %1184 = getelementptr i8, ptr %1183, i64 24
+  br label %1185
+1185:
+  %1186 = phi i64 [ 0, %1180 ], [ %1207, %1185 ]
+  %1187 = shl i64 %1186, 3
+  %1188 = getelementptr i8, ptr %1184, i64 %1187
+  %1189 = getelementptr i8, ptr %1188, i64 -24
+  %1190 = load i64, ptr %1189, align 8
+  %1191 = icmp slt i64 %1190, 0
+  %1192 = select i1 %1191, i64 %67, i64 0
+  %1193 = getelementptr i8, ptr %65, i64 %1190
+  %1194 = getelementptr i8, ptr %1193, i64 %1192
+  store i8 1, ptr %1194, align 1
+  %1195 = getelementptr i8, ptr %1188, i64 -16
+  %1196 = load i64, ptr %1195, align 8
+  %1197 = icmp slt i64 %1196, 0
+  %1198 = select i1 %1197, i64 %67, i64 0
+  %1199 = getelementptr i8, ptr %65, i64 %1196
+  %1200 = getelementptr i8, ptr %1199, i64 %1198
+  store i8 1, ptr %1200, align 1
+  %1201 = getelementptr i8, ptr %1188, i64 -8
+  %1202 = load i64, ptr %1201, align 8
+  %1203 = icmp slt i64 %1202, 0
+  %1204 = select i1 %1203, i64 %67, i64 0
+  %1205 = getelementptr i8, ptr %65, i64 %1202
+  %1206 = getelementptr i8, ptr %1205, i64 %1204
+  store i8 1, ptr %1206, align 1
+  %1207 = add nuw nsw i64 %1186, 4
+  %1208 = load i64, ptr %1188, align 8
+  %1209 = icmp slt i64 %1208, 0
+  %1210 = select i1 %1209, i64 %67, i64 0
+  %1211 = getelementptr i8, ptr %65, i64 %1208
+  %1212 = getelementptr i8, ptr %1211, i64 %1210
+  store i8 1, ptr %1212, align 1
+  %1213 = icmp eq i64 %1181, %1207
+  br i1 %1213, label %1214, label %1185
+1214:
+  %1215 = icmp eq i64 %1178, 0
+  br i1 %1215, label %1232, label %1216
+1216:
+  %1217 = phi i64 [ 0, %1177 ], [ %1181, %1214 ]
+  %1218 = add i64 %1217, %505
+  %1219 = shl i64 %1218, 3
+  %1220 = getelementptr i8, ptr %9, i64 %1219
+  br label %1221
+1221:
+  %1222 = phi i64 [ 0, %1216 ], [ %1230, %1221 ]
+  %1223 = shl i64 %1222, 3
+  %1224 = getelementptr i8, ptr %1220, i64 %1223
+  %1225 = load i64, ptr %1224, align 8
+  %1226 = icmp slt i64 %1225, 0
+  %1227 = select i1 %1226, i64 %67, i64 0
+  %1228 = getelementptr i8, ptr %65, i64 %1225
+  %1229 = getelementptr i8, ptr %1228, i64 %1227
+  store i8 1, ptr %1229, align 1
+  %1230 = add i64 %1222, 1
+  %1231 = icmp eq i64 %1178, %1230
+  br i1 %1231, label %1232, label %1221
 1232:
-  %1233 = phi i64 [ 0, %1227 ], [ %1241, %1232 ]
-  %1234 = shl i64 %1233, 3
-  %1235 = getelementptr i8, ptr %1231, i64 %1234
-  %1236 = load i64, ptr %1235, align 8
-  %1237 = icmp slt i64 %1236, 0
-  %1238 = select i1 %1237, i64 %71, i64 0
-  %1239 = getelementptr i8, ptr %69, i64 %1236
-  %1240 = getelementptr i8, ptr %1239, i64 %1238
-  store i8 1, ptr %1240, align 1
-  %1241 = add i64 %1233, 1
-  %1242 = icmp eq i64 %1189, %1241
-  br i1 %1242, label %1243, label %1232
-1243:
-  %1244 = add nsw i64 %122, 1
-  br label %924
-1245:
-  %1246 = phi i64 [ 0, %1 ], [ %925, %924 ]
-  ret i64 %1246
+  %1233 = add nsw i64 %118, 1
+  br label %920
+1234:
+  %1235 = phi i64 [ 0, %1 ], [ %921, %920 ]
+  ret i64 %1235
 }
 define noundef i64 @msf_jax.meso.kernels.cut(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
@@ -9079,27 +9067,27 @@ define noundef i64 @msf_jax.meso.kernels.cut(ptr readonly %0) local_unnamed_addr
   %28 = load i64, ptr %27, align 8
   %29 = getelementptr i8, ptr %0, i64 104
   %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 160
+  %31 = getelementptr i8, ptr %0, i64 144
   %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 168
+  %33 = getelementptr i8, ptr %0, i64 152
   %34 = load i64, ptr %33, align 8
-  %35 = getelementptr i8, ptr %0, i64 184
+  %35 = getelementptr i8, ptr %0, i64 168
   %36 = load i64, ptr %35, align 8
-  %37 = getelementptr i8, ptr %0, i64 192
+  %37 = getelementptr i8, ptr %0, i64 176
   %38 = load i64, ptr %37, align 8
   %39 = shl i64 %38, 3
-  %40 = getelementptr i8, ptr %0, i64 200
+  %40 = getelementptr i8, ptr %0, i64 184
   %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr i8, ptr %0, i64 208
+  %42 = getelementptr i8, ptr %0, i64 192
   %43 = load i64, ptr %42, align 8
-  %44 = getelementptr i8, ptr %0, i64 216
+  %44 = getelementptr i8, ptr %0, i64 200
   %45 = load ptr, ptr %44, align 8
-  %46 = getelementptr i8, ptr %0, i64 232
+  %46 = getelementptr i8, ptr %0, i64 216
   %47 = load ptr, ptr %46, align 8
   %48 = icmp slt i64 %43, 1
   br i1 %48, label %489, label %49
 49:
-  %50 = getelementptr i8, ptr %0, i64 176
+  %50 = getelementptr i8, ptr %0, i64 160
   %51 = load ptr, ptr %50, align 8
   %52 = sub i64 %10, %43
   %53 = and i64 %38, 9223372036854775806

@@ -14,9 +14,8 @@ from scipy import sparse
 
 from msf_jax.base.layout import Layout, fits, layout_for
 from msf_jax.meso import packing
-from msf_jax.meso.collapse import CollapseRound
+from msf_jax.meso.edits import CollapseRound, SplitRound
 from msf_jax.meso.meso import Compaction, Meso
-from msf_jax.meso.split import SplitRound
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import ComponentRecord, FoundPoles, Step
 

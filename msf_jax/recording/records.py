@@ -12,7 +12,7 @@ class FoundPoles(NamedTuple):
     """Poles of a surface of n vertices.
 
     kept: the filter from its vertices to the sites. sites: (n, 3). poles: (n, 3). tetrahedron: (n, 4) the sites whose
-    circumcentre the pole is. is_inside: (n,) whether the pole pulls. trust: (n,) from 0 to 1.
+    circumcentre the pole is. is_inside: (n,) whether the pole pulls.
     """
 
     kept: LowPass | None
@@ -20,7 +20,6 @@ class FoundPoles(NamedTuple):
     poles: np.ndarray
     tetrahedron: np.ndarray
     is_inside: np.ndarray
-    trust: np.ndarray
 
 
 class Start(NamedTuple):

@@ -125,7 +125,7 @@ def test_bad_input_is_one_clear_line_and_exit_2(name, tmp_path, capsys):
     ],
 )
 def test_bad_options_are_one_clear_line_and_exit_2_before_the_flow(options, message, limb, capsys, monkeypatch):
-    monkeypatch.setattr("msf_jax.flow.skeletonize.skeletonize", pytest.fail)
+    monkeypatch.setattr("msf_jax.flow.loop.skeletonize", pytest.fail)
     monkeypatch.chdir(limb.parent)
     (limb.parent / "link.swc").symlink_to("nowhere/out.swc")
     trimesh.load(limb, process=False).export("copy.obj")

@@ -94,13 +94,6 @@ def test_the_search_for_limbs_ends_between_two_tips(mesh, monkeypatch):
     assert over.reason == ""  # the run itself has not asked yet
 
 
-def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_c):
-    pressing(monkeypatch, starting, "_coarsened", 2)
-    with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
-        msf_jax.skeletonize(mesh, jittered_runs=1)
-    assert at.value.flow.skeleton.report.is_sound
-
-
 def test_what_follows_the_end_has_a_grace():
     over = Clock(max_seconds=0.0)
     with pytest.raises(Stopped):

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from msf_jax.base import layout as capacities
 from msf_jax.base.layout import Layout, capacity_for, fits, layout_after, layout_for, rectangle, staircase
-from msf_jax.meso import collapse, packing
+from msf_jax.meso import edits, packing
 from msf_jax.meso.meso import Meso
 
 
@@ -37,7 +37,7 @@ def ragged() -> Meso:
     """A collapsed blob: degrees from 3 to many."""
     mesh = blob(31)
     meso = Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces))
-    collapse.collapse_short_edges(meso, 0.25)
+    edits.collapse_short_edges(meso, 0.25)
     return meso.compacted()
 
 

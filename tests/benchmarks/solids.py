@@ -13,7 +13,7 @@ import numpy as np
 import trimesh
 from scipy.spatial.transform import Rotation
 
-from msf_jax.meso import split
+from msf_jax.meso import edits
 from msf_jax.meso.meso import Meso
 
 SIDES = 32  # of round solids and of holes; a multiple of four keeps a cylinder's quarter turns
@@ -562,6 +562,6 @@ def _as_mesh(solid: Manifold, longest: float | None) -> trimesh.Trimesh:
     vertices, faces = found.vert_properties[:, :3], found.tri_verts.astype(np.int64)
     if longest is not None:
         meso = Meso.from_mesh(vertices, faces)
-        split.split_long_edges(meso, longest)
+        edits.split_long_edges(meso, longest)
         vertices, faces = meso.positions, meso.faces()
     return trimesh.Trimesh(vertices, faces, process=False)

@@ -73,10 +73,10 @@ def solves(mesh: trimesh.Trimesh, weights: Weights | None, config: Config, most:
     weights = weights or Weights()
     state = starting.init(component, 0, config, Clock(), weights=of_vertices)
     while len(found) < most and not state.failure and state.meso.num_live - int(state.meso.is_fixed.sum()) > 20:
-        packed = stepping._pack(state, weights, Clock())
-        given = jax.tree_util.tree_map(lambda value: jax.numpy.asarray(value, float), packed.weights)
-        given, buffers = replace(given, smoothing=jax.numpy.zeros(())), jax.device_put(packed.buffers)
-        settings, layout = config.on_device, packed.layout
+        layout, _, _, buffers, given = stepping.packed(state, weights)
+        given = jax.tree_util.tree_map(lambda value: jax.numpy.asarray(value, float), given)
+        given, buffers = replace(given, smoothing=jax.numpy.zeros(())), jax.device_put(buffers)
+        settings = config.on_device
         operator, b = _equations(buffers, _energies(buffers, given, settings, layout)[0], settings, layout)
         moved = jitted_move(buffers, given, settings, layout)
         free = np.asarray(operator.free) > 0
@@ -85,7 +85,7 @@ def solves(mesh: trimesh.Trimesh, weights: Weights | None, config: Config, most:
         report, unit = moved.contraction, float(buffers.t_c) * free.sum() ** 0.5
         figures = {"steps": report.steps.item(), "has_ended": report.has_ended.item()}
         found.append(figures | {"error": np.linalg.norm(error) / unit})
-        state = stepping.step(state, weights, config, Clock())
+        stepping.step(state, weights, config, Clock())
     return found
 
 

@@ -38,7 +38,7 @@ def test_recentring_brings_a_shifted_contraction_back():
 
 def test_the_system_contracts_to_a_millionth_and_draws_the_curve():
     shape = ground_truth.make("helix_coarse")
-    config = Config.au2008(check=True, evaluate=True, curve={"centre": True, "extend_tips": True})
+    config = Config.au2008(evaluate=True, curve={"centre": True, "extend_tips": True})
     done = msf_jax.skeletonize(shape.mesh, config=config)
     report = done.report
     assert report.converged

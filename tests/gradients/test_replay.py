@@ -61,7 +61,7 @@ CASES = {
         ellipsoid,
         Weights(),
         Config.tagliasacchi2012(
-            preprocessing={"resample": 0.05, "reconstruct_mesh": 80, "pole_confidence": True},
+            preprocessing={"resample": 0.05, "reconstruct_mesh": 80},
             flow={"threshold_min": 0.01, "laplacian": "uniform"},
         ),
         None,

@@ -4,7 +4,7 @@ import numpy as np
 import trimesh
 
 from msf_jax.inside import balls
-from msf_jax.meso import collapse, split
+from msf_jax.meso import edits
 from msf_jax.meso.meso import Meso
 from tests.benchmarks import ground_truth
 
@@ -35,8 +35,8 @@ def test_edges_of_a_thin_limb_outlive_a_length_that_others_do_not():
     meso.scale = np.full(meso.num_rows, 0.1)
     whole = meso.copied()
     whole.scale = None
-    assert collapse.collapse_short_edges(whole, 0.004) and not collapse.collapse_short_edges(meso, 0.004)
+    assert edits.collapse_short_edges(whole, 0.004) and not edits.collapse_short_edges(meso, 0.004)
     meso.scale = np.linspace(0.1, 1.0, meso.num_rows)
-    split.split_long_edges(meso, 0.001)
+    edits.split_long_edges(meso, 0.001)
     meso = meso.compacted()
     assert meso.scale is not None and len(meso.scale) == meso.num_rows and meso.scale.min() >= 0.1

@@ -1,13 +1,19 @@
-"""Ring tables: to faces and back, their edges, and what is wrong with a broken one."""
+"""Ring tables, to faces and back, and the compiled edits against NumPy, or against their own text interpreted."""
+
+import types
 
 import numpy as np
 import pytest
 import trimesh
-from conftest import blob
-from meso_cases import SURFACES, case, meso_of, neighbours_of, turned
+from conftest import blob, torus
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from meso_cases import SURFACES, case, manifold_euler, meso_of, neighbours_of, turned, typical_length
 
-from msf_jax.base.errors import FlowError, MeshError
-from msf_jax.meso import ring_tables
+from msf_jax.base.errors import MeshError
+from msf_jax.meso import edits, kernels, ring_tables
+from msf_jax.meso.meso import Meso
+from msf_jax.numerics import compiled
 
 
 @pytest.mark.parametrize("name", [*SURFACES, "three-holes"])
@@ -32,15 +38,10 @@ def test_rings_do_not_depend_on_how_the_faces_are_written(seed):
     for vertex, around in neighbours_of(faces).items():
         assert set(rings[vertex][rings[vertex] >= 0].tolist()) == around
         assert (rings[vertex] >= 0).sum() == len(around)
-
-
-def test_rings_run_counter_clockwise_seen_from_outside():
-    """Around each vertex of a sphere, consecutive neighbours turn left about the outward direction."""
-    mesh = trimesh.creation.icosphere(2)
-    rings = ring_tables.rings_from_faces(np.array(mesh.faces), len(mesh.vertices))
-    for vertex, ring in enumerate(rings):
-        ring = ring[ring >= 0]
-        turn = np.cross(mesh.vertices[ring], mesh.vertices[np.roll(ring, -1)]) @ mesh.vertices[vertex]
+    ball = trimesh.creation.icosphere(2)
+    for vertex, ring in enumerate(ring_tables.rings_from_faces(np.array(ball.faces), len(ball.vertices))):
+        ring = ring[ring >= 0]  # counter-clockwise, seen from outside
+        turn = np.cross(ball.vertices[ring], ball.vertices[np.roll(ring, -1)]) @ ball.vertices[vertex]
         assert (turn > 0).all()
 
 
@@ -69,82 +70,91 @@ def test_a_surface_with_a_hole_or_a_pinch_has_no_rings():
         ring_tables.rings_from_faces(pinched, 83)
 
 
-def test_a_vertex_of_large_degree_has_slots():
-    """A double pyramid over a 50-gon: two vertices of degree 50."""
-    around = np.arange(50)
-    after = (around + 1) % 50
-    faces = np.concatenate(
-        [np.stack([around, after, np.full(50, 50)], 1), np.stack([after, around, np.full(50, 51)], 1)]
-    )
-    rings = ring_tables.rings_from_faces(faces, 52)
-    assert ring_tables.ring_degrees(rings).tolist() == [4] * 50 + [50, 50]
-    assert turned(ring_tables.faces_from_rings(rings)) == turned(faces)
+def test_compaction_renumbers_everything():
+    mesh = blob(7)
+    meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
+    edits.collapse_short_edges(meso, 2 * typical_length(meso))
+    small = meso.compacted()
+    live = np.flatnonzero(meso.degree)
+    assert small.num_rows == small.num_live == len(live) < meso.num_rows
+    assert turned(live[small.faces()]) == turned(meso.faces())
+    for name in ("positions", "poles", "has_pole", "is_fixed"):
+        np.testing.assert_array_equal(getattr(small, name), getattr(meso, name)[live])
+    np.testing.assert_array_equal(live[small.node_of_input], meso.node_of_input)
+    assert small.volume() == pytest.approx(meso.volume(), rel=1e-12)
+    assert manifold_euler(small.faces()) == 2
 
 
-def sound_rings() -> np.ndarray:
-    """Rings of a sphere with 42 vertices."""
-    return ring_tables.rings_from_faces(np.array(trimesh.creation.icosphere(1).faces), 42)
+def short_edges(meso: Meso, is_touched: np.ndarray, limit: float) -> np.ndarray:
+    return edits.Waiting().find(kernels.short_edges, meso, is_touched, limit).T
 
 
-def swap_two(rings):
-    rings[20, [0, 1]] = rings[20, [1, 0]]
+def edges_in_numpy(meso: Meso, is_touched: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Every edge with an end that is touched, from the smaller one that is, and what `short_edges` says of it."""
+    vertex, slot = np.nonzero((meso.rings >= 0) & is_touched[:, None])
+    other = meso.rings[vertex, slot]
+    rows = (other > vertex) | ~is_touched[other]
+    a, b = np.minimum(vertex, other)[rows], np.maximum(vertex, other)[rows]
+    return a, b, *ring_tables.apexes(meso.rings, meso.degree, a, b), edits.edge_lengths(meso.positions, a, b)
 
 
-def forget_one(rings):
-    rings[20] = np.append(np.delete(rings[20], 2), -1)
+@pytest.mark.parametrize("share", [0.0, 0.1, 1.0])
+@pytest.mark.parametrize("mesh", [blob(71, 2), torus()], ids=["blob", "torus"])
+def test_short_edges_are_those_of_numpy(mesh, share):
+    """In the same order; on the torus, lengths are tied."""
+    meso, random = Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces)), np.random.default_rng(2)
+    is_touched = random.uniform(size=meso.num_rows) < share
+    a, b, left, right, length = edges_in_numpy(meso, is_touched)
+    if share == 1.0:  # thin vertices make their edges long
+        meso.scale = random.uniform(0.5, 1.0, meso.num_rows)
+        length = length / np.minimum(meso.scale[a], meso.scale[b])
+    around = [set(ring[ring >= 0].tolist()) for ring in meso.rings]
+    for limit in (0.0, np.median(length) if len(length) else 1.0, 9.0):
+        rows = np.flatnonzero(length < limit)
+        common = [len(around[i] & around[j]) for i, j in zip(a[rows], b[rows], strict=True)]
+        expected = np.stack([a[rows], b[rows], left[rows], right[rows], np.array(common, dtype=np.int64)])
+        np.testing.assert_array_equal(short_edges(meso, is_touched, float(limit)), expected)
 
 
-def repeat_one(rings):
-    rings[20, 1] = rings[20, 0]
+@given(st.data())
+@settings(deadline=None, max_examples=60)
+def test_what_is_chosen_apart_is_what_a_greedy_loop_chooses(data):
+    vertex = st.integers(0, 9)
+    claims = data.draw(st.lists(st.lists(vertex, min_size=3, max_size=3, unique=True), max_size=12))
+    order = data.draw(st.permutations(range(len(claims))))
+    taken: set[int] = set()
+    expected = []
+    for row in order:
+        if not taken & set(claims[row]):
+            taken |= set(claims[row])
+            expected.append(row)
+    rows = np.array(claims, dtype=np.int64).reshape(-1, 3)
+    found = edits.first_apart(rows, np.array(order, dtype=np.int64), 10)
+    assert found.tolist() == sorted(expected)
 
 
-def make_self(rings):
-    rings[20, 1] = 20
+def interpreted(kernel: compiled.Kernel) -> types.FunctionType:
+    """The kernel as Python runs it, with its parts."""
+    names = kernel.function.__globals__
+    used = {name: names[name] for name in kernel.function.__code__.co_names if name in names}
+    parts = {name: interpreted(value) for name, value in used.items() if isinstance(value, compiled.Kernel)}
+    return types.FunctionType(kernel.function.__code__, {**names, **parts})
 
 
-def leave_gap(rings):
-    degree = (rings[20] >= 0).sum()
-    rings[20, degree - 1], rings[20, degree] = -1, rings[20, degree - 1]
-
-
-def reverse_one(rings):
-    degree = (rings[20] >= 0).sum()
-    rings[20, :degree] = rings[20, :degree][::-1].copy()
-
-
-def strange_neighbour(rings):
-    far = np.setdiff1d(np.arange(42), [*rings[20], 20])[0]
-    rings[20, 0] = far
-
-
-@pytest.mark.parametrize(
-    ("damage", "what"),
-    [
-        (swap_two, "has a face that its neighbours do not have"),
-        (reverse_one, "has a face that its neighbours do not have"),
-        (forget_one, "is not a neighbour of its neighbour"),
-        (strange_neighbour, "is not a neighbour of its neighbour"),
-        (repeat_one, "neighbour twice"),
-        (make_self, "its own neighbour"),
-        (leave_gap, "gap in its ring"),
-    ],
-)
-def test_a_broken_table_is_found(damage, what):
-    rings = sound_rings()
-    ring_tables.check_closed_manifold(rings, 2)
-    damage(rings)
-    with pytest.raises(FlowError, match=what):
-        ring_tables.check_closed_manifold(rings, 2)
-
-
-def test_a_change_of_topology_is_found():
-    with pytest.raises(FlowError, match="Euler characteristic 2, was 0"):
-        ring_tables.check_closed_manifold(sound_rings(), 0)
-
-
-def test_two_faces_back_to_back_are_no_surface():
-    """Three vertices, two faces: every vertex has two neighbours only."""
-    rings = np.full((3, 8), -1)
-    rings[:, :2] = [[1, 2], [2, 0], [0, 1]]
-    with pytest.raises(FlowError, match="fewer than three neighbours"):
-        ring_tables.check_closed_manifold(rings, 2)
+@pytest.mark.parametrize("kernel", [kernels.collapse, kernels.cut], ids=["collapse", "cut"])
+def test_surgery_does_what_its_text_says(kernel, monkeypatch):
+    """A surface of random classes, edited by the compiled loop and by the same text, interpreted."""
+    ring, found = torus(around=12, across=8), []
+    for name in ("compiled", "interpreted"):
+        meso = meso_of(ring.vertices, ring.faces)
+        meso.classes = np.where(meso.rings >= 0, np.random.default_rng(4).integers(-99, 99, meso.rings.shape), 0)
+        if name == "interpreted":
+            monkeypatch.setattr(kernels, kernel.__name__, interpreted(kernel))
+        if kernel.__name__ == "collapse":
+            edits.collapse_short_edges(meso, 0.12)
+        else:
+            edits.split_long_edges(meso, 0.12)
+        found.append((meso.rings, meso.classes * (meso.rings >= 0), meso.degree, meso.positions))
+        assert len(meso.edits) > 1
+    for one, other in zip(*found, strict=True):
+        np.testing.assert_array_equal(one, other)
