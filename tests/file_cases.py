@@ -37,9 +37,9 @@ def obj_of(vertices, faces) -> str:
     )
 
 
-def glb(path: Path, change=lambda _: None, mesh: trimesh.Trimesh | None = None) -> Path:
-    """A mesh, by default a ball, as a binary glTF, its JSON changed."""
-    content = trimesh.Scene(mesh or trimesh.creation.icosphere(1)).export(file_type="glb")
+def glb(path: Path, change=lambda _: None) -> Path:
+    """A ball as a binary glTF, its JSON changed."""
+    content = trimesh.Scene(trimesh.creation.icosphere(1)).export(file_type="glb")
     size = struct.unpack("<I", content[12:16])[0]
     document = json.loads(content[20 : 20 + size])
     change(document)

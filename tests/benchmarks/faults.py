@@ -29,9 +29,9 @@ LONGEST = 300.0  # seconds; what takes longer hangs
 Pair = tuple[Any, Any]
 
 
-def limb(sections: int = 12, rings: int = 14) -> trimesh.Trimesh:
+def limb() -> trimesh.Trimesh:
     """A capsule that is not symmetric."""
-    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[sections, rings])
+    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 14])
     mesh.vertices += 0.2 * np.sin(2 * mesh.vertices[:, [2, 2, 0]])
     return trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
 

@@ -109,10 +109,8 @@ def row_of(name: str, make: Callable[[str], Job], limit: float, pictures: Path |
 
 
 def in_turn(work: Callable[[Any], Any], jobs: Sequence[Any], num: int = 1) -> Iterator[Any]:
-    """What ``work`` makes of each job, in their order, by ``num`` processes that stay; or, for 0, by one for each job.
-
-    Of a process that ends in the midst of a job, the last two are a row that says so.
-    """
+    """What ``work`` makes of each job, in their order, by ``num`` processes that stay; or, for 0, by one for each job,
+    and a row that says so where that ends in the midst of the job."""
     context = multiprocessing.get_context("spawn")
     if num:
         with ProcessPoolExecutor(num, mp_context=context, initializer=configure_jax) as pool:

@@ -515,10 +515,7 @@ def bracket(num_holes: int = 4, longest: float | None = None) -> trimesh.Trimesh
 
 
 def rings(are_linked: bool, minor: float = 0.2, around: int = 48, across: int = 12) -> trimesh.Trimesh:
-    """Two separate rings of radius 1, each of genus 1: linked as in a chain, or side by side.
-
-    Their true curves are the circles of `ring_curves`.
-    """
+    """Two separate rings of radius 1, each of genus 1: linked as in a chain, or side by side."""
     shift = np.linspace(0, 2 * np.pi, across, endpoint=False)
     vertices, faces = [], []
     i, j = np.divmod(np.arange(around * across), across)
