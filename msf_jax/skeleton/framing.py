@@ -25,8 +25,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.skeleton.formats.text import number
-from msf_jax.skeleton.formats.vtk import polydata
+from msf_jax.skeleton.formats.writers import number, polydata
 from msf_jax.skeleton.measures import axes_across, section_of, sections_through
 from msf_jax.solid.geometry import arc_length, at, cross, to_segment, unit
 from msf_jax.solid.solid import Solid
@@ -131,7 +130,7 @@ def _vtp(frame: Frame) -> str:
         "eccentricity": frame.eccentricity,
         "variation": frame.variation,
     }
-    return polydata(frame.joints, [], frame.members.tolist(), {"joint": np.arange(len(frame.joints))}, columns)
+    return polydata(frame.joints, frame.members.tolist(), {"joint": np.arange(len(frame.joints))}, columns)
 
 
 def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:

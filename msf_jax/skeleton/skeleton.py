@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from plotly.graph_objects import Figure as PlotlyFigure
     from trimesh import Trimesh
-    from trimesh.path import Path3D
 
     from msf_jax.base.binding import Binding
     from msf_jax.meshes.reading import MeshLike
@@ -448,9 +447,15 @@ class Skeleton:
         Raises:
             ConfigError: ``of`` is neither.
         """
-        from msf_jax.skeleton import converting
-
-        return converting.columns_of(self, of)
+        tables = {
+            "branches": centrelines.branch_columns,
+            "nodes": centrelines.node_columns,
+            "axes": centrelines.axis_columns,
+            "cylinders": centrelines.cylinder_columns,
+        }
+        if of not in tables:
+            raise ConfigError(f"there is no table of {of!r}: expected one of {', '.join(map(repr, tables))}")
+        return tables[of](self)
 
     def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
@@ -484,9 +489,9 @@ class Skeleton:
         Raises:
             ConfigError: the id or the units are none, or the folder has skeletons of other units.
         """
-        from msf_jax.skeleton import converting
+        from msf_jax.skeleton.formats import precomputed
 
-        converting.save_precomputed(self, folder, segment)
+        precomputed.save(self, folder, segment)
 
     def rig(self, mesh: "MeshLike | None" = None, names: str | None = None) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
@@ -566,27 +571,20 @@ class Skeleton:
 
     def to_networkx(self) -> "Graph":
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
-        from msf_jax.skeleton import converting
+        import networkx as nx
 
-        return converting.networkx_of(self)
+        graph = nx.Graph()
+        for node, (position, radius) in enumerate(zip(self.vertices.tolist(), self.radii.tolist(), strict=True)):
+            graph.add_node(node, position=tuple(position), radius=radius)
+        for (a, b), length in zip(self.edges.tolist(), graphs.lengths(self.vertices, self.edges), strict=True):
+            graph.add_edge(a, b, length=float(length))
+        return graph
 
     def to_pandas(self, of: str = "branches") -> "DataFrame":
-        """The `columns` as a `pandas.DataFrame`; a ConfigError if there is no pandas."""
-        from msf_jax.skeleton import converting
+        """The `columns` as a `pandas.DataFrame`."""
+        import pandas
 
-        return converting.pandas_of(self, of)
-
-    def to_navis(self) -> Any:
-        """A `navis.TreeNeuron` with radii, labels and units, without loops; a ConfigError if there is no navis."""
-        from msf_jax.skeleton import converting
-
-        return converting.navis_of(self)
-
-    def to_path3d(self) -> "Path3D":
-        """The edges as a `trimesh.path.Path3D`, one line entity for each branch."""
-        from msf_jax.skeleton import converting
-
-        return converting.path3d_of(self)
+        return pandas.DataFrame(self.columns(of))
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:

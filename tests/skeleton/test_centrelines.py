@@ -1,7 +1,6 @@
 """Measurements of centrelines against closed forms: lengths, angles, areas, curvature; open ends; tables in files."""
 
 import csv
-import sys
 from itertools import pairwise
 
 import numpy as np
@@ -138,7 +137,7 @@ def test_what_faces_sweep_is_the_volume_of_the_part():
     np.testing.assert_allclose(found, 1.0)
 
 
-def test_tables_are_written_and_are_columns_of_arrays_also_without_pandas(tmp_path, monkeypatch):
+def test_tables_are_written_and_are_columns_of_arrays(tmp_path):
     shape = ground_truth.make("y")
     nodes, edges = refined(shape, 0.1)
     skeleton = measured(nodes, edges, shape.mesh)
@@ -154,10 +153,6 @@ def test_tables_are_written_and_are_columns_of_arrays_also_without_pandas(tmp_pa
         columns = skeleton.columns(of)
         assert type(columns) is dict and list(columns) == list(table.columns)
         assert all(isinstance(values, np.ndarray) and len(values) == len(rows) for values in columns.values())
-    monkeypatch.setitem(sys.modules, "pandas", None)
-    assert type(skeleton.columns()) is dict and skeleton.columns()["length"].shape == (3,)
-    with pytest.raises(ConfigError, match="to_pandas needs pandas: install it with pip install pandas, or use columns"):
-        skeleton.to_pandas()
     with pytest.raises(ConfigError, match="no table of 'edges': expected one of 'branches', 'nodes'"):
         skeleton.columns("edges")
 

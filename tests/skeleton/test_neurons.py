@@ -1,7 +1,6 @@
 """What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces joined, what radii are."""
 
 import json
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -136,19 +135,12 @@ def test_navis_knows_the_units_and_the_labels(tmp_path):
     navis = pytest.importorskip("navis")
     curve = replace(neuron(2.0).to_tree("soma"), units="um")
     curve.save(tmp_path / "a.swc")
-    for read in (navis.read_swc(str(tmp_path / "a.swc"), read_meta=True), curve.to_navis()):
-        assert str(read.units) in ("1 micrometer", "micrometer") and read.n_nodes == 50
-        assert read.cable_length == pytest.approx(curve.length, rel=1e-5)
-        nodes = read.nodes
-        soma = nodes[nodes["label"] == 1]
-        assert len(soma) == 1 and soma[["x", "y", "z"]].to_numpy().tolist() == [[3.0, 0.0, 0.0]]
+    read = navis.read_swc(str(tmp_path / "a.swc"), read_meta=True)
+    assert str(read.units) in ("1 micrometer", "micrometer") and read.n_nodes == 50
+    assert read.cable_length == pytest.approx(curve.length, rel=1e-5)
+    soma = read.nodes[read.nodes["label"] == 1]
+    assert len(soma) == 1 and soma[["x", "y", "z"]].to_numpy().tolist() == [[3.0, 0.0, 0.0]]
     assert msf_jax.read_curve(tmp_path / "a.swc").length == pytest.approx(curve.length)
-
-
-def test_without_navis_it_says_what_to_install(monkeypatch):
-    monkeypatch.setitem(sys.modules, "navis", None)
-    with pytest.raises(ConfigError, match="pip install navis"):
-        neuron(2.0).to_navis()
 
 
 def test_neuroglancers_skeletons_hold_radii_labels_and_units(tmp_path):

@@ -1,7 +1,7 @@
 """A mesh on the bones of a rig, as one binary glTF 2.0 file, with its materials, UVs, normals and colours.
 
 trimesh writes the mesh, and this module adds the skin: joints and weights. A vertex of the format has one of each
-attribute, so a vertex with several, at a seam or a crease, is written several times. A joint has the name of its bone,
+attribute, so a vertex with several, at a seam, is written several times. A joint has the name of its bone,
 and the end of the bone in its "extras". Numbers in the format are float32. So coordinates of a mesh far from the origin
 are relative to its centre.
 """
@@ -14,7 +14,7 @@ from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
-from msf_jax.meshes import reading, shading
+from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 
 if TYPE_CHECKING:
@@ -27,12 +27,15 @@ AT_ONCE = 4  # influences in one set of attributes of the format
 FLOAT, USHORT = 5126, 5123  # component types of the format
 
 
-def skinned(skeleton: "Skeleton", mesh: "MeshLike") -> bytes:
+def skinned(skeleton: "Skeleton", mesh: "MeshLike | None") -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``skeleton``.
 
     Raises:
+        ConfigError: there is no mesh.
         MeshError: the mesh cannot be read, or has another number of vertices than the curve's map.
     """
+    if mesh is None:
+        raise ConfigError("a .glb file contains the mesh, too: expected save(path, mesh)")
     return of_rig(skeleton.rig(mesh=mesh), mesh)
 
 
@@ -56,7 +59,7 @@ def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
     middle = (low + high) / 2 if is_far else np.zeros(3)
     for part in parts:
         part.vertices = np.where(np.isfinite(part.vertices), part.vertices, middle)
-    rows = _shaded(parts, rows)
+    _add_normals(parts, rows)
     scene = trimesh.Scene()
     for number, part in enumerate(parts):
         if is_far:
@@ -66,26 +69,16 @@ def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
     return export_glb(scene, buffer_postprocessor=lambda data, document: _add_skin(document, data, rig, rows, middle))
 
 
-def _shaded(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> list[np.ndarray]:
-    """Give normals to those of ``parts`` that have none: without them, viewers show every face flat. Returns ``rows``
-    with those of the vertices that are new, at creases."""
-    first = np.cumsum([0, *(len(part.vertices) for part in parts)])
-    faces = np.concatenate([part.faces + start for part, start in zip(parts, first[:-1], strict=True)])
-    normals, fans = shading.corner_normals(np.concatenate([part.vertices for part in parts]), faces)
-    shaded, last = [], 0
+def _add_normals(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> None:
+    """Give smooth normals to those of ``parts`` that have none: without them, viewers show every face flat. Vertices at
+    one place, as at the seam of a texture, have one normal."""
+    places, place = np.unique(np.concatenate([part.vertices for part in parts]), axis=0, return_inverse=True)
+    faces = np.concatenate([place.ravel()[row[part.faces]] for part, row in zip(parts, rows, strict=True)])
+    normals = np.array(trimesh.Trimesh(places, faces, process=False).vertex_normals)
+    normals[~normals.any(axis=1)] = [0.0, 0.0, 1.0]  # of vertices in no face
     for part, row in zip(parts, rows, strict=True):
-        span = slice(last, last + len(part.faces))
-        last = span.stop
-        if not len(part.faces) or reading.has_normals(part):
-            shaded.append(row)
-            continue
-        corners = np.stack([part.faces.ravel(), fans[span].ravel()], axis=1)
-        pairs, at, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
-        part.update_vertices(pairs[:, 0], np.arange(len(part.vertices)))  # this keeps colours and UVs
-        part.faces = inverse.reshape(-1, 3)
-        part.vertex_normals = normals[span].reshape(-1, 3)[at]
-        shaded.append(row[pairs[:, 0]])
-    return shaded
+        if not reading.has_normals(part):
+            part.vertex_normals = normals[place.ravel()[row]]
 
 
 def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.ndarray], middle: np.ndarray) -> None:

@@ -1,24 +1,35 @@
-"""Reading of curves and reports from files, of this program and of others."""
+"""Reading of curves and reports from files, of this program and of others; nothing in a file is trusted.
 
+Curves of all formats go through `checked_curve`: types, shapes, ranges and indices.
+"""
+
+import json
 import os
-from dataclasses import replace
+import re
+import sys
+from collections.abc import Callable, Mapping
+from itertools import pairwise
 from pathlib import Path
+from typing import Any, get_args, get_origin, get_type_hints
 
+import networkx as nx
 import numpy as np
 
+from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import plain
 from msf_jax.meshes import decoding
-from msf_jax.skeleton.formats import export, text, whole
-from msf_jax.skeleton.skeleton import Skeleton, curve_of
+from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, KIND, REPORT, UNITS
+from msf_jax.skeleton.report import SENTENCES, Report
+from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
 
-READERS = {
-    ".swc": text.read_swc,
-    ".polylines.txt": text.read_polylines,
-    ".obj": text.read_obj,
-    ".ply": text.read_ply,
-    ".graphml": text.read_graphml,
-}
+LARGEST_NUMBER = 1e150  # coordinate or radius: squares of larger ones overflow
+ROUNDED = 1e-9  # over 1 that a fraction may be
+FRACTIONS = ("inside", "in_sheets", "unexplained")  # of a report
+Curve = dict[str, Any]  # attributes of a skeleton by name
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
@@ -32,31 +43,32 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
         radii if the file has. In OBJ and polylines radii are 0, and coincident ends of polylines become one node.
 
     Raises:
-        ConfigError: the suffix is unknown, a line is not of the format (the message says which, and what was expected),
-            or an ``.npz`` is damaged or of another kind.
+        ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was
+            expected), or an ``.npz`` is damaged or of another kind.
         OSError: the file cannot be read.
     """
     name = Path(path).name
     if name.lower().endswith(".npz"):
-        return Skeleton(**whole.read_npz(path))
-    suffix = next((suffix for suffix in [".json", *READERS] if name.lower().endswith(suffix)), None)
+        with archive.reading(path, KIND, FORMAT_VERSION, "save the skeleton anew") as (_, arrays):
+            return Skeleton(**_of_arrays(arrays))
+    suffix = next((suffix for suffix in READERS if name.lower().endswith(suffix)), None)
     if suffix is None:
-        raise ConfigError(f"cannot read {name!r}: expected one of {', '.join(['.npz', '.json', *READERS])}")
-    content = _text_of(path)
-    if suffix == ".json":
-        return Skeleton(**whole.read_json(name, content))
-    lines = decoding.lines_of(content)
-    vertices, edges, radii = READERS[suffix](name, lines)
+        raise ConfigError(f"cannot read {name!r}: expected one of {', '.join(['.npz', *READERS])}")
+    lines = _lines_of(path)
+    read, expected = READERS[suffix]
     try:
-        pairs = np.unique(np.sort(np.array(edges, dtype=np.int64).reshape(-1, 2), axis=1), axis=0)
-        pairs = pairs[pairs[:, 0] != pairs[:, 1]]
-        curve = whole.checked_curve({"vertices": vertices, "edges": pairs, "radii": radii})
-    except OverflowError:  # an id is too large for the array
-        raise ConfigError(f"{name!r} has edges to nodes that it does not have: its ids have too many digits") from None
-    except ValueError as error:
-        raise ConfigError(f"{name!r} is no curve: {error}") from None
-    units = text.comments(lines, text.UNITS) if suffix == ".swc" else []
-    return replace(curve_of(curve["vertices"], curve["edges"], curve["radii"]), units=units[0] if units else "")
+        curve = read(lines)
+        if suffix == ".json":
+            return Skeleton(**curve)
+        pairs = np.unique(np.sort(np.array(curve["edges"]).reshape(-1, 2), axis=1), axis=0)
+        curve["edges"] = pairs[pairs[:, 0] != pairs[:, 1]].astype(np.int64)
+        curve = checked_curve({"radii": np.zeros(len(curve["vertices"])), **curve})
+    except Exception as error:  # for a damaged file, parsers raise exceptions of many types
+        kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
+        raise ConfigError(f"{name!r} has no curve ({kind}{str(error)[:300]}): expected {expected}") from error
+    skeleton = curve_of(curve["vertices"], curve["edges"], curve["radii"])
+    vars(skeleton)["units"] = curve["units"]
+    return skeleton
 
 
 def report_lines(path: str | os.PathLike[str]) -> list[str]:
@@ -72,16 +84,237 @@ def report_lines(path: str | os.PathLike[str]) -> list[str]:
         raise ConfigError(f"{name!r} has no report: expected an {export.HOLD_REPORT} file that msf_jax has written")
     lines = str(read_curve(path).report).splitlines()  # also of SWC: a report of a curve that is damaged says nothing
     if suffix == ".swc":
-        lines = text.comments(decoding.lines_of(_text_of(path)), text.REPORT)
+        lines = _comments(_lines_of(path), REPORT)
     if not lines:
         raise ConfigError(f"{name!r} has no report: expected a file that msf_jax wrote after a run")
     return [plain(line) for line in lines]
 
 
-def _text_of(path: str | os.PathLike[str]) -> str:
+def _lines_of(path: str | os.PathLike[str]) -> list[str]:
     if Path(path).exists() and not Path(path).is_file():  # opening a pipe would block
         raise ConfigError(f"{Path(path).name!r} is no file: expected one of a curve")
     try:
-        return decoding.decoded(Path(path).read_bytes())
+        return decoding.lines_of(decoding.decoded(Path(path).read_bytes()))
     except ValueError as error:
         raise ConfigError(f"{Path(path).name!r} is no text: expected a file of a curve as text ({error})") from None
+
+
+def _comments(lines: list[str], start: str) -> list[str]:
+    """The rest of each comment that begins with ``start``."""
+    return [line.removeprefix(start).strip() for line in lines if line.startswith(start)]
+
+
+def _parse(lines: list[str], parse: Callable[[list[str]], Any]) -> None:
+    """Call ``parse`` with the words of each line, without its comment; a ValueError names the line."""
+    for number, line in enumerate(lines, 1):
+        try:
+            if words := line.split("#")[0].split():
+                parse(words)
+        except (ValueError, IndexError, OverflowError) as error:
+            raise ValueError(f"line {number} is {line[:60]!r}") from error
+
+
+def _read_swc(lines: list[str]) -> Curve:
+    """Edges that were cut, to have a tree, are joined again."""
+    rows: dict[float, list[float]] = {}
+
+    def parse(words: list[str]) -> None:
+        key, parent = float(words[0]), float(words[6])  # some programs write 1.0
+        if key in rows or parent == key or not (key.is_integer() and parent.is_integer()):
+            raise ValueError
+        rows[key] = [*map(float, words[2:6]), parent]
+
+    _parse(lines, parse)
+    cuts = [map(int, ours.groups()) for line in lines if (ours := re.match(CUT + r" (\d+) (\d+)\b", line))]
+    pairs = [*((key, row[4]) for key, row in rows.items() if row[4] >= 0), *cuts]
+    place = {key: number for number, key in enumerate(rows)}
+    edges = [[place.get(key, -1) for key in pair] for pair in pairs]
+    table = np.array(list(rows.values())).reshape(-1, 5)
+    units = _comments(lines, UNITS)
+    return {"vertices": table[:, :3], "edges": edges, "radii": table[:, 3], "units": units[0] if units else ""}
+
+
+def _read_obj(lines: list[str]) -> Curve:
+    """Line elements may be polylines, and count from the end with negative numbers."""
+    nodes: list[tuple[float, float, float]] = []
+    edges: list[tuple[int, int]] = []
+
+    def parse(words: list[str]) -> None:
+        if words[0] == "v":
+            x, y, z = map(float, words[1:4])
+            nodes.append((x, y, z))
+        elif words[0] == "l":
+            chain = [int(word.split("/")[0]) for word in words[1:]]
+            edges.extend(pairwise(len(nodes) + node if node < 0 else node - 1 for node in chain))
+
+    _parse(lines, parse)
+    return {"vertices": np.array(nodes).reshape(-1, 3), "edges": edges}
+
+
+def _read_ply(lines: list[str]) -> Curve:
+    end = [line.strip() for line in lines].index("end_header")
+    header, rows = [line.split() for line in lines[:end]], [line.split() for line in lines[end + 1 :] if line.strip()]
+    if header[1:2] != [["format", "ascii", "1.0"]]:
+        raise ValueError(f"it begins with {header[:2]}")
+    tables: dict[str, dict[str, np.ndarray]] = {}
+    starts = [number for number, words in enumerate(header) if words[:1] == ["element"]]
+    for start, stop in pairwise([*starts, len(header)]):
+        num, names = int(header[start][2]), [words[2] for words in header[start:stop] if words[0] == "property"]
+        if not 0 <= num <= len(rows):
+            raise ValueError(f"it has fewer rows than {num}, as its header says")
+        values = np.array(rows[:num], dtype=np.float64).reshape(num, len(names))
+        tables[header[start][1]], rows = dict(zip(names, values.T, strict=True)), rows[num:]
+    edges = np.stack([tables["edge"][end] for end in ("vertex1", "vertex2")], axis=1)
+    if rows or (edges != np.rint(edges)).any():
+        raise ValueError("it has more rows than its header says, or edges that are no whole numbers")
+    vertices = np.stack([tables["vertex"][axis] for axis in "xyz"], axis=1)
+    return {"vertices": vertices, "edges": edges, "radii": tables["vertex"].get("radius", np.zeros(len(vertices)))}
+
+
+def _read_polylines(lines: list[str]) -> Curve:
+    """Coincident ends become one node, in the order of the file."""
+    points: list[list[float]] = []
+    edges: list[tuple[int, int]] = []
+
+    def parse(words: list[str]) -> None:
+        path = np.array(words[1:], dtype=np.float64).reshape(max(int(words[0]), 0), 3)
+        edges.extend(pairwise(range(len(points), len(points) + len(path))))
+        points.extend(path.tolist())
+
+    _parse(lines, parse)
+    given = np.array(points).reshape(-1, 3)
+    first, inverse = np.unique(given, axis=0, return_index=True, return_inverse=True)[1:]
+    order = np.argsort(first)
+    joined = np.argsort(order)[inverse.ravel()][np.array(edges, dtype=np.int64).reshape(-1, 2)]
+    return {"vertices": given[first[order]], "edges": joined}
+
+
+def _read_graphml(lines: list[str]) -> Curve:
+    if any("<!ENTITY" in line or "<!DOCTYPE" in line for line in lines):
+        raise ValueError("it declares entities")
+    graph = nx.convert_node_labels_to_integers(nx.parse_graphml("\n".join(lines)))
+    data = [each for _, each in graph.nodes(data=True)]
+    nodes = np.array([[float(one[axis]) for axis in "xyz"] for one in data]).reshape(-1, 3)
+    radii = np.array([float(one.get("radius", 0.0)) for one in data])
+    return {"vertices": nodes, "edges": [edge[:2] for edge in graph.edges], "radii": radii}
+
+
+def _read_json(lines: list[str]) -> Curve:
+    content = json.loads("\n".join(lines))
+    if content["format"] != f"msf_jax {KIND}" or content["version"] != FORMAT_VERSION:
+        raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
+    for key in ("vertices", "edges", "radii", "mesh_map", "roots", "openings"):
+        if bool in map(type, np.array(content.get(key, ()), dtype=object).ravel()):
+            raise TypeError(f"{key} are true or false: expected numbers")  # NumPy takes them for 1 and 0
+    # Whole numbers are coordinates, too. Asked for numbers, NumPy would take a text for one.
+    curve = checked_curve(content | {key: np.array(content[key]) + 0.0 for key in ("vertices", "radii")})
+    return curve | {"report": checked_report(content["report"], curve)}
+
+
+READERS: dict[str, tuple[Callable[[list[str]], Curve], str]] = {  # and what they expect
+    ".json": (_read_json, "a file of msf_jax"),
+    ".swc": (_read_swc, "id, type, x, y, z, radius, parent in each line, each id once, and -1 for no parent"),
+    ".polylines.txt": (_read_polylines, "a count, and as many points of three numbers in each line"),
+    ".obj": (_read_obj, "lines of v and three numbers, or l and nodes from 1"),
+    ".ply": (_read_ply, "elements vertex, with x, y and z, and edge, with vertex1 and vertex2, as text without lists"),
+    ".graphml": (_read_graphml, "plain GraphML of nodes with x, y and z"),
+}
+
+
+def _of_arrays(arrays: Mapping[str, Any]) -> Curve:
+    """The attributes of a `Skeleton` from the arrays of an ``.npz``; its source has no stages of the flow."""
+    curve = checked_curve({**arrays, **{name: str(arrays[name]) for name in ("radius_of", "units") if name in arrays}})
+    curve["report"] = checked_report(json.loads(str(arrays["report"])), curve)
+    if "surface_vertices" in arrays:
+        vertices = checked("surface_vertices", arrays["surface_vertices"], (-1, 3))
+        faces = checked("surface_faces", arrays["surface_faces"], (-1, 3), below=len(vertices))
+        areas = checked("areas", arrays["areas"], curve["mesh_map"].shape)
+        pins = checked("pins", arrays["pins"], (-1,), below=len(areas))
+        lids = checked("lids", arrays.get("lids", np.empty(0, dtype=np.int64)), (-1,), below=len(faces))
+        if (origin := arrays.get("input_of_vertex")) is not None:
+            origin = checked("input_of_vertex", origin, (len(vertices),), below=len(areas))
+        if not len(faces) or not np.ptp(vertices, axis=0).any() or (areas < 0).any():
+            raise ValueError("the surface has no faces, no extent, or a negative area")
+        curve["source"] = Source(Solid(vertices, faces, lids), areas, pins, (), origin)
+    return curve
+
+
+def checked(name: str, values: Any, shape: tuple[int, ...], below: int | None = None) -> np.ndarray:
+    """``values`` as float64 if they are finite numbers of that ``shape``, in which -1 is any length; or as int64, if
+    they are whole and ``below`` is given, which they must be, and not negative.
+
+    Raises:
+        ValueError: they are not; the message says what they are.
+    """
+    array = np.asarray(values)
+    fits = [want in (-1, have) for want, have in zip(shape, array.shape, strict=False)]
+    is_number = array.dtype.kind in ("f" if below is None else "iu") or not array.size
+    if not is_number or array.ndim != len(shape) or not all(fits):
+        kind = "float" if below is None else "int"
+        raise ValueError(f"the {name} are {array.dtype} of shape {array.shape}: expected {kind}, {shape}")
+    if below is None:
+        if not np.isfinite(array).all():
+            raise ValueError(f"the {name} are not all finite: expected numbers")
+        return np.array(array, dtype=np.float64)
+    if array.size and not (array.min() >= 0 and array.max() < below):
+        raise ValueError(f"it has {name} to nodes that it does not have: expected ids below {below}")
+    return array.astype(np.int64)
+
+
+def checked_curve(values: Mapping[str, Any]) -> Curve:
+    """The attributes of a `Skeleton` but its report and source, from arrays by name. Files of other programs, and old
+    ones, have no more than vertices, radii and edges.
+
+    Raises:
+        ValueError, KeyError, OverflowError: they are no curve; the message says why.
+    """
+    curve: Curve = {"vertices": checked("vertices", values["vertices"], (-1, 3))}
+    num = len(curve["vertices"])
+    curve["radii"] = checked("radii", values["radii"], (num,))
+    if not num:
+        raise ValueError("it has 0 nodes: expected at least one")
+    if (largest := max(float(np.abs(curve[name]).max()) for name in ("vertices", "radii"))) > LARGEST_NUMBER:
+        raise ValueError(f"it has numbers up to {largest:.3g}, not under {LARGEST_NUMBER:g}: choose another unit")
+    if (least := curve["radii"].min()) < 0:
+        raise ValueError(f"node {curve['radii'].argmin()} has a negative radius, {least:.6g}: expected 0 or more")
+    edges = np.asarray(values["edges"])
+    curve["edges"] = checked("edges", edges if edges.size else edges.reshape(0, 2), (-1, 2), below=num)
+    curve["mesh_map"] = checked("mesh_map", values.get("mesh_map", ()), (-1,), below=num)
+    for name in ("roots", "openings"):
+        curve[name] = tuple(checked(name, values.get(name, ()), (-1,), below=num).tolist())
+    curve |= {name: values.get(name, other) for name, other in (("radius_of", "ball"), ("units", ""))}
+    if curve["radius_of"] not in ("ball", "section"):
+        raise ValueError(f"the radii are of {curve['radius_of']!r:.60}: expected ball or section")
+    if not isinstance(curve["units"], str) or curve["units"].encode(errors="replace").decode() != curve["units"]:
+        raise ValueError("the units are no text")
+    return curve
+
+
+def checked_report(values: Any, curve: Curve) -> Report:
+    """The report from ``values`` of `Report.to_dict`; raises a KeyError, a TypeError or a ValueError for others, and
+    for those of a curve with other counts."""
+    if not all(isinstance(values.get(key, []), list) for key in SENTENCES):
+        raise TypeError(f"{', '.join(SENTENCES)} of the report are no lists")
+    report = Report.from_dict(values)
+    for name, hint in get_type_hints(Report).items():
+        value = getattr(report, name)
+        most = 1 + ROUNDED if name in FRACTIONS else sys.float_info.max
+        if not _is_a(value, hint) or (isinstance(value, int | float) and (value < 0 or value > most)):  # NaN: not known
+            raise TypeError(f"{name} of the report is {value!r:.60}")
+    edges = np.sort(curve["edges"], axis=1)
+    if (edges[:, 0] == edges[:, 1]).any() or len(np.unique(edges, axis=0)) < len(edges):
+        raise ValueError("it has an edge twice, or from a node to itself")
+    if (counts := graphs.cycle_count(len(curve["vertices"]), edges)) != (report.components, report.cycles):
+        raise ValueError(f"it has {counts[0]} components and {counts[1]} cycles, which its report does not say")
+    return report
+
+
+def _is_a(value: Any, hint: Any) -> bool:
+    """Whether ``value`` has the type ``hint``: a plain type, or a tuple, dictionary or union of plain types. An integer
+    is a float, and a bool is neither."""
+    kind, parts = get_origin(hint), get_args(hint)
+    if kind in (tuple, dict):
+        members = value.values() if isinstance(value, dict) else value
+        return type(value) is kind and all(_is_a(each, parts[1 if kind is dict else 0]) for each in members)
+    kinds = parts or (hint,)
+    return type(value) in kinds or (float in kinds and type(value) is int)

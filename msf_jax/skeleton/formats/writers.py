@@ -1,0 +1,176 @@
+"""The content of files, as text or bytes: a function of a skeleton for each format, see `export`."""
+
+import base64
+import csv
+import io
+import json
+from typing import TYPE_CHECKING, Any
+
+import networkx as nx
+import numpy as np
+
+from msf_jax.base import archive
+from msf_jax.skeleton.centrelines import branch_columns, node_columns
+from msf_jax.topology import graphs
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+KIND = "skeleton"  # of an .npz or a .json file, see `archive`
+FORMAT_VERSION = 2  # of these two formats
+WRITTEN = "curve skeleton written by msf_jax"
+CUT = "# cut edge"  # begins the comment of an SWC file that lists a cut edge by its two ids
+REPORT = "# report: "  # begins the comment with a line of the report
+UNITS = "# units: "  # begins the comment with the unit of lengths
+SOMA, FORK, END, OTHER = 1, 5, 6, 0  # labels of SWC, as CNIC counts them
+RADII = {"ball": "of the largest ball inside", "section": "of a disc with the area of the cross-section"}
+
+
+def number(value: float) -> str:
+    """The shortest text that reads back to the same float64."""
+    return repr(float(value))
+
+
+def _point(position: np.ndarray) -> str:
+    return " ".join(map(number, position))
+
+
+def swc(skeleton: "Skeleton") -> str:
+    """SWC (id, label, x, y, z, radius, parent): ids from 1, parents before children, -1 for the parent of a root; a
+    tree's root first. The root is labelled as soma only if that is sure."""
+    parent = graphs.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
+    row_of = {node: row for row, node in enumerate(parent, 1)} | {-1: -1}
+    cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
+    header = [f"# {WRITTEN}"]
+    if not np.isnan(skeleton.report.inside):  # a curve that was read from a file has no report
+        header += [REPORT + " ".join(line.split()) for line in skeleton.report.lines()]
+    header.append(f"# labels: {SOMA} soma, {FORK} fork, {END} end, {OTHER} other")
+    header.append(f"# radius: {RADII[skeleton.radius_of]}")
+    if units := " ".join(skeleton.units.split()):
+        header += [UNITS + units, f"# Meta: {json.dumps({'units': units})}"]  # navis reads the second
+    header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")
+    label = swc_labels(skeleton, parent)
+    rows = [
+        f"{row_of[node]} {label[node]} {_point(skeleton.vertices[node])} {number(skeleton.radii[node])} {row_of[above]}"
+        for node, above in parent.items()
+    ]
+    return "\n".join([*header, *cut, *rows]) + "\n"
+
+
+def swc_labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
+    """(N,) the label of each node in the tree of ``parent``."""
+    above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
+    children = np.bincount(above, minlength=len(skeleton.vertices))
+    label = np.select([children > 1, children == 0], [FORK, END], OTHER)
+    if skeleton.roots and (soma := skeleton.soma()).is_sure and soma.node == skeleton.roots[0]:
+        label[soma.node] = SOMA
+    return label
+
+
+def obj(skeleton: "Skeleton") -> str:
+    """Wavefront OBJ: vertices and line elements."""
+    vertices = [f"v {_point(position)}" for position in skeleton.vertices]
+    return "\n".join([f"# {WRITTEN}", *vertices, *(f"l {a + 1} {b + 1}" for a, b in skeleton.edges.tolist())]) + "\n"
+
+
+def ply(skeleton: "Skeleton") -> str:
+    """PLY: vertices with radius, edges."""
+    header = ["ply", "format ascii 1.0", f"comment {WRITTEN}", f"element vertex {len(skeleton.vertices)}"]
+    header += [f"property double {name}" for name in ("x", "y", "z", "radius")]
+    header += [f"element edge {len(skeleton.edges)}", "property int vertex1", "property int vertex2", "end_header"]
+    rows = map(_point, np.column_stack([skeleton.vertices, skeleton.radii]))
+    return "\n".join([*header, *rows, *(f"{a} {b}" for a, b in skeleton.edges.tolist())]) + "\n"
+
+
+def polylines(skeleton: "Skeleton") -> str:
+    """CGAL's polylines: a line for each branch, the number of points and their coordinates."""
+    paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
+    return "".join(f"{len(path)} {' '.join(map(_point, skeleton.vertices[path]))}\n" for path in paths)
+
+
+def graphml(skeleton: "Skeleton") -> str:
+    """Nodes with x, y, z and radius, edges with length, by NetworkX."""
+    graph = skeleton.to_networkx()
+    for _, data in graph.nodes(data=True):  # attributes must be numbers
+        data["x"], data["y"], data["z"] = data.pop("position")
+    return "\n".join(nx.generate_graphml(graph)) + "\n"
+
+
+def table(skeleton: "Skeleton", of: str) -> str:
+    """One of the tables of `Skeleton.columns` as comma-separated text; unknown values are empty."""
+    columns, buffer = skeleton.columns(of), io.StringIO()
+    rows = csv.writer(buffer, lineterminator="\n")
+    rows.writerow(columns)
+    for row in zip(*(values.tolist() for values in columns.values()), strict=True):
+        rows.writerow(["" if value != value else value for value in row])  # NaN is not itself
+    return buffer.getvalue()
+
+
+def vtp(skeleton: "Skeleton") -> str:
+    """VTK's XML PolyData: a line for each branch, or a vertex for an isolated node; point data are the columns of
+    nodes, cell data those of branches."""
+    paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
+    order = sorted(range(len(paths)), key=lambda number: len(paths[number]) > 1)  # VTK has vertices before lines
+    of_node = node_columns(skeleton)
+    tangent = np.stack([of_node.pop(f"tangent_{axis}") for axis in "xyz"], axis=1)
+    of_node = {name: values for name, values in of_node.items() if name not in ("node", "x", "y", "z", "radius")}
+    of_branch = {name: values[order] for name, values in branch_columns(skeleton).items()}
+    of_point = {"radius": skeleton.radii, "tangent": tangent, **of_node}
+    return polydata(skeleton.vertices, [paths[number] for number in order], of_point, of_branch)
+
+
+def polydata(
+    points: np.ndarray, paths: list[list[int]], of_point: dict[str, np.ndarray], of_cell: dict[str, np.ndarray]
+) -> str:
+    """The text of PolyData with ``paths`` between ``points`` (N, 3), those of one point first, and columns of data.
+
+    The first column of points is shown first. A column without a known value is left out."""
+
+    def array(name: str, values: np.ndarray) -> str:
+        """The number of bytes and the values in base64, because VTK's text has no NaN."""
+        is_whole = values.dtype.kind in "bi"
+        data = values.astype("<i8" if is_whole else "<f8").tobytes()
+        text = base64.b64encode(len(data).to_bytes(8, "little") + data).decode()
+        head = f'type="{"Int64" if is_whole else "Float64"}" Name="{name}" NumberOfComponents="{values[:1].size or 1}"'
+        return f'<DataArray {head} format="binary">{text}</DataArray>'
+
+    def cells(name: str, chosen: list[list[int]]) -> str:
+        nodes = np.array([node for path in chosen for node in path], dtype=np.int64)
+        ends = np.cumsum([len(path) for path in chosen], dtype=np.int64)
+        return f"<{name}>{array('connectivity', nodes)}{array('offsets', ends)}</{name}>"
+
+    lone, lines = [path for path in paths if len(path) == 1], [path for path in paths if len(path) > 1]
+    point_data, cell_data = (
+        "".join(array(name, values) for name, values in columns.items() if not np.isnan(values.astype(float)).all())
+        for columns in (of_point, of_cell)
+    )
+    counts = f'NumberOfPoints="{len(points)}" NumberOfLines="{len(lines)}" NumberOfVerts="{len(lone)}"'
+    piece = f'<PointData Scalars="{next(iter(of_point))}">{point_data}</PointData><CellData>{cell_data}</CellData>'
+    piece += f"<Points>{array('points', points)}</Points>{cells('Verts', lone)}{cells('Lines', lines)}"
+    return (
+        '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
+        f'header_type="UInt64"><PolyData><Piece {counts}>{piece}</Piece></PolyData></VTKFile>\n'
+    )
+
+
+def npz(skeleton: "Skeleton") -> bytes:
+    """The arrays by name, the report as JSON, and the surface and pins that the curve was made from, if known."""
+    arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
+    arrays |= {name: np.array(getattr(skeleton, name), dtype=np.int64) for name in ("roots", "openings")}
+    arrays |= {name: np.array(getattr(skeleton, name)) for name in ("radius_of", "units")}
+    if (source := skeleton.source) is not None:
+        solid = source.solid
+        arrays |= {"surface_vertices": solid.vertices, "surface_faces": solid.shape.faces.astype(np.int32)}
+        arrays |= {"areas": source.areas, "pins": np.asarray(source.pins, dtype=np.int64), "lids": solid.lids}
+        if source.input_of_vertex is not None:
+            arrays["input_of_vertex"] = source.input_of_vertex
+    arrays["report"] = np.array(json.dumps(skeleton.report.to_dict()))
+    return archive.packed(KIND, FORMAT_VERSION, {}, arrays)
+
+
+def plain_json(skeleton: "Skeleton") -> str:
+    """All of a skeleton but its surface, by name, as JSON."""
+    arrays = {name: getattr(skeleton, name).tolist() for name in ("vertices", "edges", "radii", "mesh_map")}
+    others = {name: getattr(skeleton, name) for name in ("roots", "openings", "radius_of", "units")}
+    kind = {"format": f"msf_jax {KIND}", "version": FORMAT_VERSION}
+    return json.dumps({**kind, **arrays, **others, "report": skeleton.report.to_dict()}) + "\n"
