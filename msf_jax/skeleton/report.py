@@ -33,8 +33,7 @@ STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
 # stubs of 18 limbs, its fingers and toes; a statue in a robe with noise of 0.005 diagonals has 439 of 448.
 MANY = 25  # stubs: more than fingers and toes
 MOST_STUBS = 1 / 3  # share of all limbs
-WORTH_SAYING = 1 / 3  # share of the curve's length: the report mentions sheets above it
-MOSTLY = 1 / 2  # the same share, above which most of the curve could as well be elsewhere, and the report doubts it
+MOSTLY = 1 / 2  # share of the curve's length: with more in sheets, the curve could as well be elsewhere: a doubt
 # Of 24 solids of limbs none has more in sheets than 0.39 of its curve's length (a rabbit with flat ears), or more
 # unexplained than 0.07. A plate with four holes has 0.45 in sheets, other plates, brackets and pipes more. A plant
 # whose curve has two strands in its stem, which is 10 % too long by them, has 0.084 unexplained.
@@ -57,9 +56,10 @@ SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are 
 
 
 class Shares(NamedTuple):
-    """Shares of a curve's length, 0 to 1. in_sheets: in sheets, or in the wall around a void. unexplained: more than a
-    limb of the same cross-sections and volume has. elongation is not a share: the length of a branch in its median
-    diameters, the largest."""
+    """in_sheets: share of a curve's length in limbs over 2.6 times as wide as thick, or in the wall around a void,
+    where the path is arbitrary. unexplained: share that exceeds limbs of its cross-sections with the solid's volume:
+    the curve winds, or has two strands in one limb. elongation: the largest length of a branch in its median
+    diameters."""
 
     in_sheets: float
     unexplained: float
@@ -76,36 +76,25 @@ class Report:
         genus: sum of the genera of the mesh's components.
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
-            equal ``genus`` and ``cycles``. None for a curve without its mesh, or if there are too many handles to prove
-            them, which is a doubt.
-        in_sheets: fraction of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a
-            void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
-        unexplained: fraction of the curve's length that is longer than limbs of its cross-sections with the solid's
-            volume are: the curve winds, runs to and fro, or has two strands in one limb; None if not known.
-        elongation: length of a branch in its median diameters, the largest; None if not known.
+            equal ``genus`` and ``cycles``. None without the mesh, or if there are too many to prove, which is a doubt.
+        in_sheets, unexplained, elongation: see `Shares`; None if not known. Over half in sheets is a doubt.
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
         joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
-        cut: cycles that `Skeleton.to_tree` cut.
-        is_tree: whether a curve without cycles was asked for, by `Skeleton.to_tree`.
+        cut, is_tree: cycles that `Skeleton.to_tree` cut, and whether it was called.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
         reason: why the flow stopped: one clause for each distinct reason of a component.
         iterations: of the flow, the sum over components.
-        fixed: vertices of the meso-skeleton that were fixed at the end.
-        live: vertices of the meso-skeleton at the end.
+        fixed, live: vertices of the meso-skeleton at the end: those that were fixed, and all.
         coarsened: vertices that coarsening removed before the flow, see ``Config.coarsen``.
-        pruned: branches that were removed because they are no limbs (see `Branch`), also by `Skeleton.prune`.
-        grown: branches that were added in thin limbs that the flow had lost; some of them may be pruned again.
-        wavefronts: curves of components that geodesic wavefronts made, as edges are longer than their limbs are thick.
-            Branches are then measured by their balls, see `Branch`.
+        pruned, grown: branches that were removed because they are no limbs (see `Branch`), also by `Skeleton.prune`;
+            and branches that were added in thin limbs that the flow had lost, of which some may be pruned again.
+        wavefronts: components whose curves geodesic wavefronts made, as edges are longer than limbs are thick.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
-        out_of_steps: iterations in which a linear solve ended by ``SolverOptions(max_steps=...)``, or by an equation
-            that is not positive definite.
-        solve_steps: CG steps of all solves.
-        doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
-            a surface that crosses itself.
-        repairs: changes of the input mesh, a sentence each.
-        notes: other unusual events, a sentence each: repeated steps, say.
+        solve_steps, out_of_steps: CG steps of all solves; iterations in which a solve ended by
+            ``SolverOptions(max_steps=...)``, or by an equation that is not positive definite.
+        doubts: reasons not to trust the curve, such as a loop that goes around no handle, a sentence each.
+        repairs, notes: changes of the input mesh, and other unusual events, a sentence each.
         figures: `metrics.evaluate` of the finished curve, with ``Config(evaluate=True)``.
         seconds: by stage.
     """
@@ -229,8 +218,6 @@ class Report:
         ]
         if self.elongation is not None:
             lines.append(f"limbs: {'yes' if self.are_limbs else 'NO, ' + '; '.join(self.not_limbs)}")
-        if MOST_IN_SHEETS >= (self.in_sheets or 0.0) > WORTH_SAYING:
-            lines.append(IN_SHEETS.format(self.in_sheets))
         if self.pruned or self.grown:
             lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
         if self.out_of_steps:

@@ -46,18 +46,13 @@ def jacobian(skeleton: "Skeleton") -> sparse.csr_matrix:
     ).tocsr()
     a: Any = sparse.csr_matrix((binding.a_value, (binding.a_row, binding.a_column)), shape=(num, num_sections))
     b: Any = sparse.csr_matrix((binding.b_value, (binding.b_row, binding.b_column)), shape=(num, many))
-    rows, columns, values = [], [], []
-    for i in range(3):
-        for j in range(3):
-            at = binding.section, corner
-            centroid = sparse.csr_matrix((slopes[i, : len(corner), j], at), shape=(num_sections, len(corner)))
-            block: Any = a @ (centroid @ ends)
-            block = (block + b if i == j else block).tocoo()
-            rows.append(3 * block.row + i)
-            columns.append(3 * block.col + j)
-            values.append(block.data)
-    where = np.concatenate(rows), np.concatenate(columns)
-    return sparse.csr_matrix((np.concatenate(values), where), shape=(3 * num, 3 * many))
+    total: Any = sparse.kron(b, sparse.eye_array(3), format="csr")
+    for i, j in np.ndindex(3, 3):
+        of_corners = slopes[i, : len(corner), j], (binding.section, corner)
+        centroid = sparse.csr_matrix(of_corners, shape=(num_sections, len(corner)))
+        axes = sparse.csr_matrix(([1.0], ([i], [j])), shape=(3, 3))
+        total = total + sparse.kron(a @ (centroid @ ends), axes, format="csr")
+    return sparse.csr_matrix(total)
 
 
 @jax.jit

@@ -1,12 +1,7 @@
 """What can be done with a skeleton once it is there: branches, prune, resample, smooth."""
 
-import tracemalloc
-from dataclasses import replace
-
 import numpy as np
 import pytest
-import trimesh
-from conftest import torus
 from run_cases import flow_of
 
 import msf_jax
@@ -102,14 +97,6 @@ def test_a_larger_spacing_never_gives_more_nodes():
         check(shape.mesh, one, skeleton)
 
 
-def test_a_pure_loop_stays_a_loop_when_resampled():
-    mesh = torus()
-    skeleton = msf_jax.skeletonize(mesh)
-    resampled = skeleton.resample(100.0)
-    assert len(resampled.vertices) >= 3
-    check(mesh, resampled, skeleton)
-
-
 def test_smoothing_shortens_and_keeps_ends(whole):
     mesh, skeleton = whole
     smooth = skeleton.smooth(20)
@@ -166,20 +153,3 @@ def test_a_twig_within_a_limb_goes_with_the_surface_and_without_it(whole):
 def test_arguments_out_of_range_are_refused(whole, call, message):
     with pytest.raises(ConfigError, match=message):
         call(whole[1])
-
-
-def test_a_changed_curve_without_its_mesh_asks_for_no_distances_of_all_pairs():
-    """Of 20,000 nodes those are 10 GB. Radii are lower bounds, and exact at the nodes that stay."""
-    num = 20_000
-    x = np.stack([np.linspace(0, 1, num), np.zeros(num), np.zeros(num)], axis=1)
-    edges = np.stack([np.arange(num - 1), np.arange(1, num)], axis=1)
-    radii = 0.02 + 0.01 * np.sin(40 * x[:, 0])  # of slope 0.4
-    report = replace(msf_jax.skeletonize(trimesh.creation.capsule(3.0, 0.4, count=[12, 12])).report, inside=np.nan)
-    plain = Skeleton(x, edges, radii, np.zeros(0, dtype=int), report)
-    tracemalloc.start()
-    halved = plain.resample(2 / num)
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert peak < 200e6 and len(halved.vertices) < 0.6 * num
-    true = 0.02 + 0.01 * np.sin(40 * halved.vertices[:, 0])
-    assert (halved.radii <= true + 1e-9).all() and (halved.radii > true - 1 / num).all()
