@@ -58,7 +58,6 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
         ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.
         MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or repair made vertices of
             the surface, so that it cannot follow the mesh.
-        FlowError: this process was forked after a run, or the installed compiler computes wrong sums.
     """
     return _replayed(tape, weights, vertices, tolerance)[1]
 

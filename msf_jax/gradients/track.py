@@ -170,7 +170,6 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
         ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
         MeshError: a frame cannot be read, has other vertices or faces, or is not finite. The message says which frame,
             and what was expected.
-        FlowError: this process was forked after a run.
     """
     if not isinstance(frames, Iterable) or isinstance(frames, str):
         raise ConfigError(f"frames is a {type(frames).__name__}: expected a sequence of vertices (V, 3) or of meshes")

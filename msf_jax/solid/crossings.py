@@ -32,21 +32,16 @@ def apart_pairs(
     place = middles(shape.vertices[corners].reshape(-1, 3, 3)).reshape(-1, 2, 3)
     here, there = node[corners[:, :, 0]].T
     is_apart = np.linalg.norm(place[:, 0] - place[:, 1], axis=1) > ACROSS * np.maximum(radii[here], radii[there])
-    is_apart |= ~_among(here * len(radii) + there, _codes_near(edges, length, radii))
+    is_apart |= ~np.isin(here * len(radii) + there, _codes_near(edges, length, radii))
     beside = _codes_beside(shape.faces, pairs, len(shape.vertices))
     for a in corners[:, 0].T:
         for b in corners[:, 1].T:
-            is_apart &= ~_among(a * len(shape.vertices) + b, beside)
+            is_apart &= ~np.isin(a * len(shape.vertices) + b, beside)
     return pairs[is_apart]
 
 
-def _among(codes: np.ndarray, sorted_codes: np.ndarray) -> np.ndarray:
-    """(c,) whether each code is among ``sorted_codes``, which are not empty."""
-    return sorted_codes[np.minimum(np.searchsorted(sorted_codes, codes), len(sorted_codes) - 1)] == codes
-
-
 def _codes_beside(faces: np.ndarray, pairs: np.ndarray, num: int) -> np.ndarray:
-    """u V + v of all pairs of vertices that at most ``RINGS`` edges join, ascending; only near the faces of ``pairs``
+    """u V + v of all pairs of vertices that at most ``RINGS`` edges join; only near the faces of ``pairs``
     (P, 2), as a way from one of them to the other is near one of them."""
     near = np.zeros(num, dtype=bool)
     near[faces[pairs]] = True
@@ -56,15 +51,12 @@ def _codes_beside(faces: np.ndarray, pairs: np.ndarray, num: int) -> np.ndarray:
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     table = graphs.weighted(num, *ends.T, weight=np.ones(len(ends), dtype=bool))
     step = sparse.csr_matrix(table + table.T + sparse.eye(num, dtype=bool, format="csr"))
-    found = step
-    for _ in range(RINGS - 1):
-        found = sparse.csr_matrix(found @ step)
-    entries = found.tocoo()
-    return np.sort(entries.row.astype(np.int64) * num + entries.col)
+    joined = sparse.coo_matrix(step**RINGS)
+    return joined.row.astype(np.int64) * num + joined.col
 
 
 def _codes_near(edges: np.ndarray, length: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """i N + j of all pairs of nodes within ``ALONG`` times their larger radius along the curve, ascending."""
+    """i N + j of all pairs of nodes within ``ALONG`` times their larger radius along the curve."""
     num = len(radii)
     near = [np.arange(num) * (num + 1)]
     weight = np.maximum(length, 1e-300)  # SciPy takes an entry of 0 for a missing edge
@@ -74,4 +66,4 @@ def _codes_near(edges: np.ndarray, length: np.ndarray, radii: np.ndarray) -> np.
         away = csgraph.dijkstra(graph, directed=False, indices=rows, limit=ALONG * float(radii.max()))
         i, j = np.nonzero(away <= ALONG * np.maximum(radii[rows, None], radii))
         near.append(rows[i] * num + j)
-    return np.unique(np.concatenate(near))
+    return np.concatenate(near)
