@@ -73,15 +73,6 @@ def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     np.testing.assert_array_equal((found > 0)[is_clear], is_inside[is_clear])
 
 
-def test_twins_are_the_same_edge_the_other_way():
-    _, _, binding = bound("needle")
-    num = int(binding.live.faces)
-    twin, faces = binding.twin[:num].ravel(), binding.faces[:num]
-    tail, head = faces.ravel(), faces[:, [1, 2, 0]].ravel()
-    np.testing.assert_array_equal(tail[twin], head)
-    np.testing.assert_array_equal(head[twin], tail)
-
-
 def test_slopes_are_those_of_the_nearest_triangle():
     """One unit along the normal, and against central differences."""
     vertices, _, binding = bound("limbs")

@@ -9,10 +9,7 @@ import pytest
 from device_cases import (
     MANY,
     TIGHT,
-    bipyramid,
-    build,
     case_with_everything,
-    one_level,
     quick_jit,
 )
 
@@ -101,30 +98,3 @@ def test_values_in_padded_rows_do_not_show(own):
     found = outcome(strewn)
     assert_same(strewn, found, case, expected)
     np.testing.assert_array_equal(found[0][count:], buffers.positions[count:])
-
-
-def cache_size():
-    return iteration.jitted_move._cache_size()
-
-
-@pytest.mark.slow
-def test_a_layout_is_compiled_once():
-    """Another surface, other weights: the same program. Another layout: one more."""
-    config = Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50))
-    layout = one_level(8, 6)  # a program has a part for each slot
-    first, second = (build(*bipyramid(num, 0.3, 0.4, 0.3), layout=layout) for num in (5, 6))
-    assert len(first.vertices) != len(second.vertices)
-
-    def run(case, config, **weights):
-        scalars = jax.tree_util.tree_map(np.asarray, Weights(**weights))
-        return iteration.jitted_move(case.buffers, scalars, config.on_device, case.layout)
-
-    before = cache_size()
-    run(first, config)
-    assert cache_size() == before + 1
-    run(second, config, w_L=3.0, w_M=0.2)
-    run(first, Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=50)), smoothing=0.5)
-    assert cache_size() == before + 1
-    small = build(*bipyramid(5, 0.3, 0.4, 0.3), layout=one_level(16, 6))
-    run(small, config)
-    assert cache_size() == before + 2

@@ -7,15 +7,14 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from conftest import blob
-from device_cases import Diagonal, bipyramid, build, one_level, quick_jit
+from device_cases import Diagonal, quick_jit
 
 import msf_jax
 from msf_jax import Config, FlowOptions, PreprocessingOptions, Weights
-from msf_jax.base.options import Solver, StepSettings
-from msf_jax.device import cg, iteration
+from msf_jax.base.options import Solver
+from msf_jax.device import cg
 
 FIRST = {"forward": jax.jacfwd, "reverse": jax.jacrev}
-MODES = {f"{inner}, then {outer}": (FIRST[outer], FIRST[inner]) for outer in FIRST for inner in FIRST}
 AT = 4.0 ** (1 / 3)  # 1 / x has there the second derivative 0.5
 
 
@@ -38,7 +37,6 @@ ROUTES = {
     "cond of a scan of a checkpoint of a loose one": lambda a: jax.lax.cond(
         a > 0, partial(scanned, checkpointed(loose)), lambda a: a, a
     ),
-    "vmap of a scan of a checkpoint": lambda a: jax.vmap(partial(scanned, checkpointed(solved)))(a[None])[0],
 }
 
 
@@ -46,13 +44,6 @@ def test_a_scalar_solve_has_its_second_derivative():
     """The slope of a gradient, through a branch, a loop and a checkpoint."""
     function = ROUTES["cond of a scan of a checkpoint of a loose one"]
     np.testing.assert_allclose(quick_jit(jax.jacfwd(jax.grad(function)))(jnp.asarray(AT)), 0.5, rtol=1e-6)
-
-
-@pytest.mark.slow  # one mode is above
-def test_a_scalar_solve_has_its_second_derivative_in_every_mode():
-    function = ROUTES["vmap of a scan of a checkpoint"]
-    both = quick_jit(lambda a: [outer(inner(function))(a) for outer, inner in MODES.values()])
-    np.testing.assert_allclose(both(jnp.asarray(AT)), 0.5, rtol=1e-6)
 
 
 @pytest.mark.parametrize("tolerance", [1e-12, pytest.param(3e-3, marks=pytest.mark.slow)])
@@ -108,27 +99,6 @@ def check(hessian, measured, rtol=1e-5):
 
 def at_weights(logarithms):
     return Weights(*jnp.exp(logarithms))
-
-
-START = np.log([1.3, 0.2, 0.35, 0.05])
-
-
-@pytest.mark.slow
-def test_the_hessian_of_an_iteration():
-    """Two solves, in a scan."""
-    vertices, faces = bipyramid(6, 0.4, 0.5, 0.3)
-    vertices = vertices + 0.03 * np.random.default_rng(1).normal(size=vertices.shape)
-    case = build(vertices, faces, is_fixed=np.arange(8) == 2, poles=0.1 * vertices, layout=one_level(8, 8))
-    settings = StepSettings("mean_value", Solver(1e-14, 500), 0.0, False)
-
-    def value(logarithms):
-        new = iteration.move(case.buffers, at_weights(logarithms), settings, case.layout).positions
-        return (jnp.sin(jnp.arange(new.size)).reshape(new.shape) * new).sum()
-
-    measured = differences(quick_jit(jax.grad(value)), START)
-    check(
-        quick_jit(jax.jacfwd(jax.jacrev(value)))(START), measured
-    )  # the other modes: above; of a followed curve: in test_stack
 
 
 @pytest.mark.slow

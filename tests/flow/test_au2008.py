@@ -59,29 +59,6 @@ def test_a_ring_keeps_its_loop():
     assert (report.genus, report.cycles, report.loops, report.inside) == (1, 1, 1, 1.0)
 
 
-@pytest.mark.slow  # of the factor alone, test_factors shows it
-def test_plain_conjugate_gradients_do_not_follow():
-    """By the diagonal alone, the same solves take so many steps; by the factor, at most 30 in any iteration."""
-    mesh = ground_truth.make("y_coarse").mesh
-    few = {"max_iterations": 3}  # the weights are large then
-    run = msf_jax.contract(mesh, config=Config.au2008(**few))
-    plain = msf_jax.contract(mesh, config=Config.au2008(**few, solver={"preconditioner": "jacobi", "max_steps": 20000}))
-    assert max(line.steps for line in run.history) <= 30
-    assert max(line.steps for line in plain.history) > 300
-
-
-@pytest.mark.slow  # so it is in the other systems, in test_flow
-def test_float32_is_not_asked_for_by_the_system():
-    mesh = ground_truth.make("y_coarse").mesh
-    double = msf_jax.skeletonize(mesh, config=Config.au2008())
-    jax.config.update("jax_enable_x64", False)
-    try:
-        single = msf_jax.skeletonize(mesh, config=Config.au2008())
-    finally:
-        jax.config.update("jax_enable_x64", True)
-    assert np.array_equal(single.vertices, double.vertices)
-
-
 @pytest.mark.slow
 @pytest.mark.usefixtures("few_rows_once")
 def test_a_short_run_is_replayed_with_its_gradient():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import blob, torus
+from conftest import torus
 
 import msf_jax
 
@@ -19,16 +19,6 @@ def test_pins_hold_vertices_in_place_and_the_curve_goes_through_them():
     assert flow.skeleton.report.loops == flow.skeleton.report.cycles == 1
     assert flow.skeleton.report.components == 1
     assert flow.is_fixed.sum() >= 3
-
-
-@pytest.mark.slow  # without pins: in test_flow
-def test_pins_are_the_callers_vertices_whatever_their_order():
-    mesh = blob(5, 2)
-    order = np.random.default_rng(4).permutation(len(mesh.vertices))
-    renamed = mesh.vertices[order], np.argsort(order)[mesh.faces]
-    one = msf_jax.skeletonize(mesh, pins=[int(order[7])])
-    other = msf_jax.skeletonize(renamed, pins=np.array([7]))
-    assert np.abs(one.vertices - other.vertices).max() < 1e-9
 
 
 @pytest.mark.parametrize("pins", [[-1], [10_000], [0.5], [[1, 2]], ["a"]])

@@ -82,18 +82,6 @@ def test_a_run_without_linking_numbers_has_its_cycle_and_says_how(monkeypatch):
     assert any("told apart by their lengths only" in note for note in report.notes)
 
 
-@pytest.mark.slow  # plates with holes are in test_handle_loops
-def test_a_plate_with_a_small_hole_keeps_it():
-    """The loop around the hole is far shorter than the loops around the plate's rim, which must go."""
-    step, x = 0.08, np.arange(-1.3, 1.3, 0.08)
-    grid = np.stack(np.meshgrid(x, x, np.arange(-0.4, 0.4, step), indexing="ij"), axis=-1)
-    slab = np.maximum(np.abs(grid[..., :2]).max(axis=-1) - 1, np.abs(grid[..., 2]) - 0.13)
-    hole = 0.15 - np.hypot(grid[..., 0] - 0.3, grid[..., 1] - 0.2)
-    mesh = shapes.level_set(np.maximum(slab, hole), np.array([x[0], x[0], -0.4]), step)
-    report = msf_jax.skeletonize(mesh).report
-    assert (report.components, report.genus, report.cycles, report.loops) == (1, 1, 1, 1)
-
-
 @pytest.mark.parametrize("turn", [1, 5, 17])
 def test_on_a_thin_surface_short_loops_are_those_that_vanish(turn):
     """Of a ring and of three rings in a row, thin as after a flow, in whatever order the vertices are."""

@@ -2,13 +2,12 @@
 
 import subprocess
 import sys
-import threading
 
 import numpy as np
 import pytest
 from conftest import blob
 
-from msf_jax.solid.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.solid.enclosure import Enclosure
 
 
 def test_arrays_of_another_kind_are_taken_as_copies():
@@ -39,21 +38,3 @@ assert "numba" not in sys.modules
 def test_neither_numba_nor_a_folder_is_needed():
     found = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=300)
     assert float(found.stdout) == pytest.approx(4 / 3), found.stderr
-
-
-def test_threads_may_call_kernels_at_once():
-    points, triangles = (
-        np.random.default_rng(6).normal(size=(2000, 3)),
-        np.random.default_rng(7).normal(size=(2000, 3, 3)),
-    )
-    expected, found = point_triangle_distance2(points, triangles), {}
-    threads = [
-        threading.Thread(target=lambda k=k: found.update({k: point_triangle_distance2(points, triangles)}))
-        for k in range(4)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    for each in found.values():
-        np.testing.assert_array_equal(each, expected)

@@ -28,8 +28,3 @@ def test_the_twin_of_an_edge_is_in_the_face_next_door(shape, order):
     np.testing.assert_array_equal(tail[twins], head)  # it runs the other ray in the face next door
     np.testing.assert_array_equal(head[twins], tail)
     assert (twins // 3 != np.arange(len(tail)) // 3).all()
-
-
-def test_twins_of_a_tetrahedron():
-    faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    assert Enclosure(np.eye(4)[:, :3], faces).mesh.twins[:3].tolist() == [5, 11, 6]

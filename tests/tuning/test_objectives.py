@@ -124,17 +124,6 @@ def test_gradients_are_finite_where_points_coincide():
     assert np.isnan(total(curve._replace(nodes=jnp.full((3, 3), jnp.nan))))
 
 
-def test_no_unit():
-    """The same whatever the unit of length."""
-    random = np.random.default_rng(0)
-    curve = replayed(random.normal(size=(5, 3)), random.uniform(size=5), [[0, 1], [1, 2], [2, 3], [3, 4]], sphere())
-    curve = curve._replace(node_of_vertex=jnp.asarray(random.integers(0, 5, 642)))
-    lengths = {name: 1e3 * getattr(curve, name) for name in ("nodes", "radii", "surface", "diagonal")}
-    for objective in (objectives.explained(), objectives.centred(), objectives.inside(0.1), objectives.smooth()):
-        value = compiled(objective)
-        assert value(curve._replace(**lengths)) == pytest.approx(float(value(curve)), rel=1e-9)
-
-
 def test_sums_and_multiples():
     curve = replayed(np.zeros((2, 3)), [-1.0, 1.0])
     total = 2 * objectives.inside() + objectives.inside(1.0) * 3

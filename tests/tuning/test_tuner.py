@@ -93,15 +93,6 @@ def test_proposals_go_around_runs_that_break_down():
     assert len(np.unique(asked, axis=0)) == 20 and np.isfinite(asked).all()
 
 
-@pytest.mark.slow
-def test_several_meshes_and_a_function_of_ones_own():
-    wider = bone()
-    wider.apply_scale([1.3, 1.3, 1.0])
-    found = msf_jax.tune([bone(), wider], lambda nodes, radii: -radii.mean(), steps=1)
-    assert len(found.flows) == 2
-    assert found.value == pytest.approx(-np.mean([run.skeleton.radii.mean() for run in found.flows]))
-
-
 def test_a_smooth_run_makes_its_iterations_and_no_decisions():
     """However little volume is left, and with the vertices that it was given."""
     mesh = tube()
