@@ -4,7 +4,6 @@
 do not import JAX.
 """
 
-from dataclasses import fields
 from typing import Any
 
 import jax
@@ -13,23 +12,19 @@ from msf_jax.base.options import Weights
 
 __all__ = ["Weights"]
 
-_NAMES = tuple(field.name for field in fields(Weights))
 
-
-def _leaves(weights: Weights) -> tuple[tuple[Any, ...], None]:
-    return tuple(getattr(weights, name) for name in _NAMES), None
-
-
-def _named_leaves(weights: Weights) -> tuple[tuple[tuple[Any, Any], ...], None]:
-    return tuple((jax.tree_util.GetAttrKey(name), getattr(weights, name)) for name in _NAMES), None
-
-
-def _unchecked(_: None, leaves: Any) -> Weights:
+def _unchecked(names: tuple[str, ...], leaves: Any) -> Weights:
     """`Weights` built without checks, because JAX also passes axes, masks and gradients."""
     weights = object.__new__(Weights)
-    for name, leaf in zip(_NAMES, leaves, strict=True):
-        object.__setattr__(weights, name, leaf)
+    vars(weights).update(zip(names, leaves, strict=True))
     return weights
 
 
-jax.tree_util.register_pytree_with_keys(Weights, _named_leaves, _unchecked, _leaves)
+jax.tree_util.register_pytree_with_keys(
+    Weights,
+    lambda weights: (
+        [(jax.tree_util.GetAttrKey(name), leaf) for name, leaf in vars(weights).items()],
+        tuple(vars(weights)),
+    ),
+    _unchecked,
+)

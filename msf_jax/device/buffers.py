@@ -54,18 +54,13 @@ def at_rows(layout: Layout, values: jax.Array) -> jax.Array:
     return jnp.concatenate([values[: level.rows] for level in layout.levels for _ in range(level.slots)])
 
 
-def _raised(rows: int, lower: jax.Array) -> jax.Array:
-    """``lower`` with zero rows appended up to ``rows``."""
-    return jnp.pad(lower, [(0, rows - lower.shape[0])] + [(0, 0)] * (lower.ndim - 1))
-
-
 @traced_once
 def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
     """Sum (n,) of ``values`` (S,) over the slots of each row."""
     total = jnp.zeros(layout.levels[-1].rows, values.dtype)
     for level in reversed(layout.levels):
         block = values[level.offset : level.end].reshape(level.slots, level.rows)
-        total = block.sum(0) + _raised(level.rows, total)
+        total = block.sum(0) + jnp.pad(total, (0, level.rows - len(total)))
     return total
 
 

@@ -23,16 +23,6 @@ class Moved(NamedTuple):
     positions: jax.Array
     solves: SolveReport
 
-    @property
-    def contraction(self) -> SolveReport:
-        """The report of the contraction."""
-        return SolveReport(*(both[0] for both in self.solves))
-
-    @property
-    def smoothing(self) -> SolveReport:
-        """The report of the smoothing."""
-        return SolveReport(*(both[1] for both in self.solves))
-
 
 def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, left: Any = None) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.

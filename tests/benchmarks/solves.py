@@ -82,8 +82,8 @@ def solves(mesh: trimesh.Trimesh, weights: Weights | None, config: Config, most:
         free = np.asarray(operator.free) > 0
         exact = solved(matrix(operator), np.asarray(b)[free])
         error = np.asarray(moved.positions - buffers.positions)[free] - exact
-        report, unit = moved.contraction, float(buffers.t_c) * free.sum() ** 0.5
-        figures = {"steps": report.steps.item(), "has_ended": report.has_ended.item()}
+        report, unit = moved.solves, float(buffers.t_c) * free.sum() ** 0.5
+        figures = {"steps": report.steps[0].item(), "has_ended": report.has_ended[0].item()}
         found.append(figures | {"error": np.linalg.norm(error) / unit})
         stepping.step(state, weights, config, Clock())
     return found
