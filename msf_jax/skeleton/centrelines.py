@@ -17,7 +17,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.curve import branches
-from msf_jax.skeleton.measures import Profiles, profiles_of, tangents_of, volumes_of
+from msf_jax.skeleton.measures import profiles_of, tangents_of, volumes_of
 from msf_jax.solid.geometry import arc_length, at, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
@@ -56,18 +56,10 @@ def direct_paths(paths: Iterable[np.ndarray], roots: Iterable[int]) -> tuple[lis
     return paths, above
 
 
-class DirectedBranches(NamedTuple):
-    """Branches directed away from the root. nodes: those of each branch, the end nearer to the root first. parent: (B,)
-    the branch before each, -1 for those at a root. degree: (N,) the number of edges at each node of the curve."""
-
-    nodes: list[np.ndarray]
-    parent: np.ndarray
-    degree: np.ndarray
-
-
-def direct_branches(skeleton: "Skeleton") -> DirectedBranches:
+def direct_branches(skeleton: "Skeleton") -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
     """The branches of ``skeleton``, in the order of its ``branches``, from its roots, or in each component from the tip
-    of its thickest limb, or from its thickest node if it has no tip."""
+    of its thickest limb, or from its thickest node if it has no tip: the nodes of each, the end nearer to the root
+    first; the branch (B,) before each, -1 for those at a root; and the number of edges (N,) at each node."""
     num, roots = len(skeleton.vertices), skeleton.roots
     degree = graphs.degrees(num, skeleton.edges)
     paths = [np.array(nodes) for nodes in graphs.trace(num, skeleton.edges)]
@@ -79,7 +71,7 @@ def direct_branches(skeleton: "Skeleton") -> DirectedBranches:
         roots = branches.roots_of(num, skeleton.edges, size, None)
     paths, above = direct_paths(paths, roots)
     parent = [above.get(number, -1) for number in range(len(paths))]
-    return DirectedBranches(paths, _whole(parent), degree)
+    return paths, _whole(parent), degree
 
 
 def _whole(numbers: Sequence[int]) -> np.ndarray:
@@ -88,7 +80,7 @@ def _whole(numbers: Sequence[int]) -> np.ndarray:
 
 def branch_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of branches."""
-    paths, parent, degree = directed = direct_branches(skeleton)
+    paths, parent, degree = direct_branches(skeleton)
     points = [skeleton.vertices[nodes] for nodes in paths]
     length = np.array([arc_length(path)[-1] for path in points])
     chord = np.array([np.linalg.norm(path[-1] - path[0]) for path in points])
@@ -108,7 +100,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "least_radius": size[:, 1],
         "largest_radius": size[:, 2],
         "volume": _branch_volumes(skeleton, len(paths)),
-        "angle": _fork_angles(skeleton, directed),
+        "angle": _fork_angles(skeleton, paths, parent, degree),
         "slenderness": np.array([branch.slenderness for branch in skeleton.branches], dtype=float),
         "surface": np.array([branch.surface for branch in skeleton.branches], dtype=float),
     }
@@ -119,17 +111,16 @@ def node_columns(skeleton: "Skeleton") -> Columns:
     num, branch = len(skeleton.vertices), np.full(len(skeleton.vertices), -1)
     along, curvature = np.full((2, num), np.nan)
     tangent = np.full((num, 3), np.nan)
-    for number, nodes in reversed(list(enumerate(direct_branches(skeleton).nodes))):
+    for number, nodes in reversed(list(enumerate(direct_branches(skeleton)[0]))):
         points = skeleton.vertices[nodes]
         branch[nodes], along[nodes] = number, arc_length(points)
         if len(nodes) > 1 and arc_length(points)[-1] > 0:
             tangent[nodes], curvature[nodes] = tangents_of(points, skeleton.radii[nodes])
-    sections = np.full((4, num), np.nan)
+    sections = np.full((num, 4), np.nan)
     known = np.isfinite(tangent).all(axis=1)
     if skeleton.source is not None and known.any():
         places = skeleton.vertices[known], tangent[known], skeleton.radii[known]
-        sections[:, known] = profiles_of(skeleton.source.solid, *places)
-    profiles = Profiles(*sections)
+        sections[known] = profiles_of(skeleton.source.solid, *places)
     return {
         "node": np.arange(num),
         **dict(zip("xyz", skeleton.vertices.T, strict=True)),
@@ -138,10 +129,7 @@ def node_columns(skeleton: "Skeleton") -> Columns:
         "along": along,
         **dict(zip(("tangent_x", "tangent_y", "tangent_z"), tangent.T, strict=True)),
         "curvature": curvature,
-        "area": profiles.area,
-        "perimeter": profiles.perimeter,
-        "largest_diameter": profiles.largest,
-        "least_diameter": profiles.least,
+        **dict(zip(("area", "perimeter", "largest_diameter", "least_diameter"), sections.T, strict=True)),
     }
 
 
@@ -167,10 +155,9 @@ def _degrees_between(one: np.ndarray, other: np.ndarray) -> float:
     return float(np.degrees(np.arccos(np.clip(one @ other, -1.0, 1.0))))
 
 
-def _fork_angles(skeleton: "Skeleton", directed: DirectedBranches) -> np.ndarray:
+def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray, degree: np.ndarray) -> np.ndarray:
     """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
     NaN at a root."""
-    paths, parent, degree = directed
     angles = np.full(len(paths), np.nan)
     for number in np.flatnonzero((parent >= 0) & [len(nodes) > 1 for nodes in paths]).tolist():
         nodes, mother = paths[number], paths[parent[number]]
@@ -223,20 +210,12 @@ class Axis(NamedTuple):
     position: float
 
 
-class Plant(NamedTuple):
-    """All axes, parents first, those of a parent from its base to its tip. strahler: (B,) the Strahler order of each
-    branch. degree: (N,) of each node."""
-
-    axes: list[Axis]
-    strahler: np.ndarray
-    degree: np.ndarray
-
-
-def axes_of(skeleton: "Skeleton") -> Plant:
-    """The axes of the branches of ``skeleton``, away from its roots, see `direct_branches`."""
-    paths, parent, degree = directed = direct_branches(skeleton)
+def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, np.ndarray]:
+    """The axes of the branches of ``skeleton``, away from its roots, parents first, those of a parent from its base to
+    its tip; the Strahler order (B,) of each branch; and the number of edges (N,) at each node."""
+    paths, parent, degree = direct_branches(skeleton)
     radius = np.array([radii_without_ends(skeleton, nodes, degree)[0] for nodes in paths])
-    angle = np.nan_to_num(_fork_angles(skeleton, directed))
+    angle = np.nan_to_num(_fork_angles(skeleton, paths, parent, degree))
     worth = radius * (1 + np.cos(np.radians(angle))) / 2
     after = [np.flatnonzero(parent == number).tolist() for number in range(len(paths))]
     axes: list[Axis] = []
@@ -262,7 +241,7 @@ def axes_of(skeleton: "Skeleton") -> Plant:
         if after[branch]:
             beyond = strahler[after[branch]]
             strahler[branch] = beyond.max() + (np.sum(beyond == beyond.max()) > 1)
-    return Plant(axes, strahler, degree)
+    return axes, strahler, degree
 
 
 def axis_columns(skeleton: "Skeleton") -> Columns:
@@ -332,7 +311,7 @@ def cylinder_columns(skeleton: "Skeleton") -> Columns:
     Numbers of cylinders and branches begin with 1, and 0 is none. ``UnmodRadius`` is the mean of the radii at both
     ends. In ``radius`` the part of an axis within its parent is as thick as the axis is outside.
     """
-    axes = axes_of(skeleton).axes
+    axes, *_ = axes_of(skeleton)
     first = np.cumsum([0, *(len(axis.nodes) - 1 for axis in axes)])
     ends, radius = [np.empty((0, 2), dtype=np.int64)], [np.empty(0)]
     parent, extension = np.zeros((2, first[-1]), dtype=np.int64)

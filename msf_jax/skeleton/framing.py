@@ -1,4 +1,4 @@
-"""`Frame`: a solid of bars as beams for structural analysis, and its files, for Abaqus and CalculiX, and VTK.
+"""`Frame`: a solid of bars as beams for structural analysis, and its files, for Abaqus and CalculiX.
 
 The graph comes first. Joints whose balls are nearer than the tolerance are one, and a branch that ends nearer to a
 joint's ball is no member. A branch is cut where it bends, such that the members between (Douglas and Peucker 1973) are
@@ -19,13 +19,13 @@ The torsion constant is Saint-Venant's estimate from the area A and the second m
 import os
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.skeleton.formats.writers import number, polydata
+from msf_jax.skeleton.formats.writers import number
 from msf_jax.skeleton.measures import axes_across, section_of, sections_through
 from msf_jax.solid.geometry import arc_length, at, cross, to_segment, unit
 from msf_jax.solid.solid import Solid
@@ -79,21 +79,19 @@ class Frame:
     def save(self, path: str | os.PathLike[str], solver: str = "abaqus") -> None:
         """Write the frame, atomically.
 
-        - ``.inp``: nodes, a beam element and a section for each member, without loads. For "abaqus" elements are B31,
-          with general sections. For "calculix" they are U1, whose torsion constant is the sum of the second moments.
-          The elastic constants are those of steel in newtons and millimetres: change them.
-        - ``.vtp``: a line for each member with its properties, for ParaView.
+        ``.inp``: nodes, a beam element and a section for each member, without loads. For "abaqus" elements are B31,
+        with general sections. For "calculix" they are U1, whose torsion constant is the sum of the second moments. The
+        elastic constants are those of steel in newtons and millimetres: change them.
 
         Raises:
-            ConfigError: the suffix is neither, or the ``solver``.
+            ConfigError: the suffix or the ``solver`` is another.
             OSError: the file cannot be written.
         """
-        name = os.fspath(path).lower()
         if solver not in SOLVERS:
             raise ConfigError(f"solver is {solver!r}: expected one of {', '.join(map(repr, SOLVERS))}")
-        if not name.endswith((".inp", ".vtp")):
-            raise ConfigError(f"no format for a frame in {os.fspath(path)!r}: expected the suffix .inp or .vtp")
-        write_whole(path, _vtp(self) if name.endswith(".vtp") else _inp(self, solver))
+        if not os.fspath(path).lower().endswith(".inp"):
+            raise ConfigError(f"no format for a frame in {os.fspath(path)!r}: expected the suffix .inp")
+        write_whole(path, _inp(self, solver))
 
 
 def _inp(frame: Frame, solver: str) -> str:
@@ -118,21 +116,6 @@ def _inp(frame: Frame, solver: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _vtp(frame: Frame) -> str:
-    """A line for each member, with its properties as cell data."""
-    columns = {
-        "area": frame.area,
-        "length": frame.lengths,
-        "moment_1": frame.moments[:, 0],
-        "moment_2": frame.moments[:, 1],
-        "torsion": frame.torsion,
-        "axis_1": frame.axes[:, 1],
-        "eccentricity": frame.eccentricity,
-        "variation": frame.variation,
-    }
-    return polydata(frame.joints, frame.members.tolist(), {"joint": np.arange(len(frame.joints))}, columns)
-
-
 def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:
     """See `Skeleton.frame`."""
     solid = skeleton.known_source.solid
@@ -142,8 +125,8 @@ def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:
     places, members, wires = trace_wires(skeleton.vertices, skeleton.edges, skeleton.radii, float(usual))
     if not wires:
         raise ConfigError(f"no branch is longer than the tolerance, {float(usual):.3g}: expected a smaller one")
-    bars = [_measure_bar(solid, skeleton, nodes) for nodes in wires]
-    middle, along = np.array([bar.middle for bar in bars]), np.array([bar.along for bar in bars])
+    middles, lines, areas, moments = zip(*(_measure_bar(solid, skeleton, nodes) for nodes in wires), strict=True)
+    middle, along = np.array(middles), np.array(lines)
     joints = meet_axes(places, members, middle, along)
     is_end = np.bincount(members.ravel()) == 1
     for member, end in np.argwhere(is_end[members]).tolist():  # carry ends to the end faces
@@ -155,10 +138,10 @@ def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:
     offset = joints[members] - middle[:, None]
     off_axis = np.linalg.norm(offset - (offset @ along[:, :, None]) * along[:, None], axis=2)
     flat = axes_across(line)
-    values, vectors = np.linalg.eigh(flat @ np.array([bar.moments for bar in bars]) @ flat.transpose(0, 2, 1))
+    values, vectors = np.linalg.eigh(flat @ np.array(moments) @ flat.transpose(0, 2, 1))
     # The integral of x x over the section is the second moment about the other axis.
     one = np.einsum("mi,mij->mj", vectors[:, :, 0], flat)
-    area = np.array([bar.areas.mean() for bar in bars])
+    area = np.array([each.mean() for each in areas])
     return Frame(
         joints=joints,
         members=members,
@@ -167,7 +150,7 @@ def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:
         moments=values[:, ::-1],
         torsion=area**4 / (4 * np.pi**2 * values.sum(axis=1)),
         eccentricity=off_axis.max(axis=1),
-        variation=np.array([bar.areas.std() for bar in bars]) / area,
+        variation=np.array([each.std() for each in areas]) / area,
     )
 
 
@@ -224,17 +207,9 @@ def _find_corners(points: np.ndarray, radii: np.ndarray, tolerance: float, is_lo
     return [0, *merged, len(points) - 1]
 
 
-class Bar(NamedTuple):
-    """Of a member: a point (3,) on its axis, its direction (3,), the areas (k,) of its sections, and their mean second
-    moments (3, 3), the integral of x x^T over the section."""
-
-    middle: np.ndarray
-    along: np.ndarray
-    areas: np.ndarray
-    moments: np.ndarray
-
-
-def _measure_bar(solid: Solid, skeleton: "Skeleton", nodes: np.ndarray) -> Bar:
+def _measure_bar(solid: Solid, skeleton: "Skeleton", nodes: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Of the member along ``nodes``: a point (3,) on its axis, its direction (3,), the areas (k,) of its sections, and
+    their mean second moments (3, 3), the integral of x x^T over the section."""
     path = skeleton.vertices[nodes]
     along = arc_length(path)
     radii = np.full(STATIONS, float(np.median(skeleton.radii[nodes])))
@@ -256,7 +231,7 @@ def _measure_bar(solid: Solid, skeleton: "Skeleton", nodes: np.ndarray) -> Bar:
         onward = np.linalg.svd(centres - middle)[2][0]
         direction = onward * np.sign(onward @ direction)
         points = middle + ((points - middle) @ direction)[:, None] * direction
-    return Bar(middle, direction, areas, moments)
+    return middle, direction, areas, moments
 
 
 def meet_axes(places: np.ndarray, members: np.ndarray, middle: np.ndarray, along: np.ndarray) -> np.ndarray:

@@ -103,31 +103,21 @@ def section_of(corners: np.ndarray) -> Section:
     return Section(float(area), start + centroid, np.asarray(pairs) / 24)
 
 
-class Profiles(NamedTuple):
-    """Cross-sections at nodes (N,), in the caller's units, NaN where none was found. largest, least: diameters between
-    parallel lines, as measured by a calliper."""
-
-    area: np.ndarray
-    perimeter: np.ndarray
-    largest: np.ndarray
-    least: np.ndarray
-
-
-def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> Profiles:
-    """The `Profiles` of the sections through ``nodes`` (N, 3) across ``tangents`` (N, 3), see `sections_through`."""
-    profiles = Profiles(*np.full((4, len(nodes)), np.nan))
+def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> np.ndarray:
+    """(N, 4) of the sections through ``nodes`` (N, 3) across ``tangents`` (N, 3), see `sections_through`: the area, the
+    perimeter, and the largest and least diameter between parallel lines, as measured by a calliper; NaN without one."""
+    profiles = np.full((len(nodes), 4), np.nan)
     for node, (_, _, corners) in sections_through(solid, nodes, tangents, radii).items():
-        a, b = corners, np.roll(corners, -1, axis=0)
-        profiles.area[node] = (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2
-        profiles.perimeter[node] = np.linalg.norm(b - a, axis=1).sum()
+        perimeter = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1).sum()
+        profiles[node, :2] = section_of(corners).area, perimeter
         try:
             hull = spatial.ConvexHull(corners)
         except spatial.QhullError:  # all in a line, but for rounding
             continue
         extreme = corners[hull.vertices]
-        profiles.largest[node] = spatial.distance.pdist(extreme).max()
         # The least width of a polygon is across an edge of its convex hull.
-        profiles.least[node] = np.ptp(extreme @ hull.equations[:, :2].T, axis=0).min()
+        widths = np.ptp(extreme @ hull.equations[:, :2].T, axis=0)
+        profiles[node, 2:] = spatial.distance.pdist(extreme).max(), widths.min()
     return profiles
 
 

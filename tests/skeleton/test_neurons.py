@@ -171,17 +171,3 @@ def test_neuroglancers_skeletons_hold_radii_labels_and_units(tmp_path):
             wrong.save_precomputed(tmp_path / "neurons", 19)
     with pytest.raises(ConfigError, match="segment is -1"):
         curve.save_precomputed(tmp_path / "neurons", -1)
-
-
-def test_cloud_volume_reads_neuroglancers_skeletons(tmp_path):
-    cloudvolume = pytest.importorskip("cloudvolume")
-    curve = neuron(2.0).to_tree("soma")
-    curve.save_precomputed(tmp_path, 5)
-    info = json.loads((tmp_path / "info").read_text())
-    read = cloudvolume.Skeleton.from_precomputed(
-        (tmp_path / "5").read_bytes(), vertex_attributes=info["vertex_attributes"]
-    )
-    np.testing.assert_allclose(read.vertices, curve.vertices, rtol=1e-6)
-    np.testing.assert_array_equal(read.edges, curve.edges)
-    np.testing.assert_allclose(read.radius, curve.radii, rtol=1e-6)
-    assert read.cable_length() == pytest.approx(curve.length, rel=1e-5) and (read.vertex_types == 5).sum() == 2
