@@ -94,7 +94,7 @@ def test_a_run_in_a_trace_leads_to_follow_or_replay(tube):
     with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
         jax.grad(lambda moved: msf_jax.skeletonize((moved, mesh.faces)).radii.sum())(tube[1])
     for run in (lambda w: msf_jax.skeletonize(mesh, w).vertices.sum(), lambda w: msf_jax.contract(mesh, w).meso.sum()):
-        with pytest.raises(ConfigError, match=r"weights are traced .* use msf_jax\.replay inside, with the tape of"):
+        with pytest.raises(ConfigError, match=r"traces the weights.* use msf_jax\.replay inside, with the tape of"):
             jax.grad(lambda w, run=run: run(msf_jax.Weights(w_H=w)))(0.1)
     with pytest.raises(ConfigError, match=r"as faces have: pass the mesh as one argument, \(vertices, faces\)"):
         msf_jax.skeletonize(mesh.vertices, mesh.faces)
