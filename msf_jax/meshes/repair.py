@@ -25,6 +25,7 @@ from msf_jax.topology.half_edges import by_label, edge_codes
 
 FEWEST_VERTICES = 5  # vertices of a piece, at least, to have a skeleton
 FEWEST_TO_JOIN = 4  # vertices of a piece, at least, to be joined to another
+WELD = 1e-6  # diagonals: vertices at rims within this distance are welded
 LARGEST_WELD = 0.01  # median edges: the largest radius of a weld; more would collapse triangles
 MOST_NEIGHBOURS = 50  # vertices at rims within the radius of a weld, on average, at most
 LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
@@ -37,7 +38,6 @@ class Repair(Options):
     """Limits of the repair in `skeletonize`. Lengths are fractions of the bounding box's diagonal.
 
     Attributes:
-        weld: vertices at the rim of a hole within this distance are welded; at most a hundredth of the median edge.
         largest_hole: holes whose rim fits into a box of this diagonal are filled; 0 fills none, 1 all.
         smallest_part: pieces whose box has a smaller diagonal are dropped; 0 keeps all that enclose a volume.
         join: closed parts become one solid if they overlap, or if their gap is at most this length, or at most the
@@ -48,7 +48,6 @@ class Repair(Options):
         ConfigError: a value is no number from 0 to 1.
     """
 
-    weld: float = number(1e-6, 0, 1)
     largest_hole: float = number(1.0, 0, 1)
     smallest_part: float = number(0.0, 0, 1)
     join: float | None = number(None, 0, 1)
@@ -111,7 +110,7 @@ def repaired(given: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
     corners = given[faces.ravel()].reshape(-1, 3, 3)
     diagonal = float(np.linalg.norm(np.ptp(corners.reshape(-1, 3), axis=0))) if len(faces) else 0.0
     edge = float(np.median(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2))) if len(faces) else 0.0
-    for radius in (0.0, min(options.weld * diagonal, LARGEST_WELD * edge)):
+    for radius in (0.0, min(WELD * diagonal, LARGEST_WELD * edge)):
         rim = np.unique(_rim(faces))
         if len(rim):
             target = _welded(given, rim, radius)
@@ -190,7 +189,7 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
     points, place = np.unique(vertices[rim], axis=0, return_inverse=True)
     tree, num = spatial.KDTree(points), len(points)
     if radius > 0 and tree.count_neighbors(tree, radius) > MOST_NEIGHBOURS * num:
-        raise MeshError(f"Repair.weld would merge too many vertices (within {radius:.3g}): expected a smaller one")
+        raise MeshError(f"too many vertices lie within {radius:.3g} of others at rims of holes: expected fewer")
     pairs = tree.query_pairs(radius, output_type="ndarray") if radius > 0 else np.empty((0, 2), dtype=np.int64)
     label = graphs.labels(num, *pairs.T)[place.ravel()]
     first = np.unique(label, return_index=True)[1]

@@ -69,20 +69,6 @@ def test_a_sound_pair_passes_as_it_is():
     np.testing.assert_array_equal(checked.members[0], np.arange(len(vertices)))
 
 
-def test_lists_float32_and_whole_float_faces_are_taken():
-    vertices, faces = pair(blob(1, 1))
-    whole = checking.prepare((vertices, faces))
-    for given in (
-        [vertices.tolist(), faces.tolist()],
-        (vertices.astype(np.float32), faces.astype(np.uint32)),
-        (vertices, faces.astype(float)),
-    ):
-        checked = checking.prepare(given)
-        assert checked.vertices.dtype == np.float64 and checked.faces.dtype == np.int64
-        np.testing.assert_array_equal(checked.faces, whole.faces)
-        np.testing.assert_allclose(checked.vertices, vertices, rtol=1e-6, atol=1e-7)
-
-
 def test_a_trimesh_is_taken_and_not_changed():
     mesh = blob(2, 2)
     mesh.invert()  # so that there is something to repair
@@ -264,18 +250,6 @@ def test_a_soup_is_welded():
     assert volume(checked.vertices, checked.faces) == pytest.approx(mesh.volume)
 
 
-def test_welding_drops_the_faces_that_it_crushes():
-    """A slit whose sides coincide: the two slivers across it vanish with it."""
-    vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON[4:5]])
-    faces = OCTAHEDRON_FACES.copy()
-    faces[0] = [0, 2, 6]  # one corner of one face is a copy of vertex 4
-    checked = checking.prepare((vertices, np.concatenate([faces, [[0, 6, 4]]])))
-    assert checked.repairs == ("welded 1 duplicate vertex",)
-    assert len(checked.faces) == 8
-    assert_closed_and_oriented(checked.faces, 6)
-    np.testing.assert_array_equal(checked.vertex_of_input, [0, 1, 2, 3, 4, 5, 4])
-
-
 def test_nearly_coincident_vertices_are_not_welded():
     """A weld that needs a tolerance would need a guess: the mesh stays open and is refused."""
     vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON[4:5] + 1e-12])
@@ -301,20 +275,6 @@ def touching_octahedra() -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate([OCTAHEDRON, others]), np.concatenate([OCTAHEDRON_FACES, number[OCTAHEDRON_FACES]])
 
 
-def test_a_vertex_where_two_solids_touch_is_split():
-    vertices, faces = touching_octahedra()
-    checked = checking.prepare((vertices, faces))
-    assert checked.repairs == ("split 1 pinched vertex into one per fan",)
-    assert len(checked.vertices) == 12
-    np.testing.assert_array_equal(checked.vertices[:11], vertices)
-    np.testing.assert_array_equal(checked.vertices[11], vertices[0])
-    np.testing.assert_array_equal(checked.vertices[checked.faces], vertices[faces])  # nothing has moved
-    np.testing.assert_array_equal(checked.vertex_of_input, np.arange(11))
-    assert [len(component.vertices) for component in checked.components] == [6, 6]
-    assert [component.genus for component in checked.components] == [0, 0]
-    assert_closed_and_oriented(checked.faces, 12)
-
-
 def test_a_surface_that_touches_itself_is_split_and_keeps_its_genus():
     """Three pairs of a sphere's vertices made one: still a sphere once split."""
     vertices, faces = pair(trimesh.creation.icosphere(3))
@@ -335,22 +295,6 @@ def test_a_surface_that_touches_itself_is_split_and_keeps_its_genus():
     np.testing.assert_array_equal(checked.vertices[checked.faces], vertices[faces])
     assert [component.genus for component in checked.components] == [0]
     assert_closed_and_oriented(checked.faces, len(checked.vertices))
-
-
-def test_vertices_without_a_face_are_dropped_and_remembered():
-    mesh = torus(around=8, across=5)
-    strays = np.array([[7.0, 0, 0], [8, 0, 0], [9, 0, 0]])
-    vertices = np.concatenate([strays[:1], mesh.vertices[:20], strays[1:2], mesh.vertices[20:], strays[2:]])
-    place = np.concatenate([np.arange(1, 21), np.arange(22, 42)])
-    checked = checking.prepare((vertices, place[mesh.faces]))
-    assert len(checked.repairs) == 1
-    assert_says(checked.repairs[0], "left out vertices that no face uses: 3")
-    np.testing.assert_array_equal(checked.vertices, mesh.vertices)
-    np.testing.assert_array_equal(checked.faces, mesh.faces)
-    np.testing.assert_array_equal(checked.strays, strays)
-    expected = np.full(len(vertices), -1)
-    expected[place] = np.arange(40)
-    np.testing.assert_array_equal(checked.vertex_of_input, expected)
 
 
 def test_all_repairs_at_once():
@@ -404,12 +348,3 @@ def test_pinched_research_meshes_are_repaired(research_mesh, name):
     assert any("pinched" in repair for repair in checked.repairs)
     assert len(checked.vertices) - len(checked.faces) // 2 == sum(2 - 2 * part.genus for part in checked.components)
     assert_closed_and_oriented(checked.faces, len(checked.vertices))
-
-
-def test_a_cavity_is_named_as_one():
-    outer, inner = trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, radius=0.5)
-    inner.invert()
-    (repair,) = checking.prepare(trimesh.util.concatenate([outer, inner])).repairs
-    assert "component 1" in repair and "cavity" in repair
-    (repair,) = checking.prepare(trimesh.util.concatenate([outer, inner.apply_translation([5, 0, 0])])).repairs
-    assert "inside out" in repair

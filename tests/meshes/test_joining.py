@@ -80,15 +80,6 @@ def test_no_gap_is_bridged_where_none_is_asked_for():
     assert len(checking.prepare(beads(0.0), True).components) == 4
 
 
-def test_an_open_part_is_closed_and_joined():
-    vertices, faces = faults.box()
-    is_lid = vertices[faces][:, :, 2].min(axis=1) == 0.5
-    other = faults.box((0.5, 0.25, 0.25))
-    found = checking.prepare(faults.joined((vertices, faces[~is_lid]), other), "join")
-    assert len(found.components) == 1 and found.components[0].genus == 0
-    assert "filled 1 hole with 14 faces" in found.repairs
-
-
 def test_a_handle_is_a_loop():
     ring = trimesh.creation.torus(1.0, 0.2, major_sections=24, minor_sections=8)
     block = trimesh.creation.box([1.0, 3.0, 1.0]).subdivide()

@@ -9,7 +9,7 @@ from repair_cases import BALL, FACES, VERTICES, assert_sound, volumes
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.meshes import checking, repair
+from msf_jax.meshes import checking
 from tests.benchmarks import faults
 
 
@@ -165,7 +165,7 @@ def test_very_many_pieces_are_refused_with_what_to_do():
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: Repair(weld=-1.0), "Repair.weld is -1.0: expected a number from 0 to 1"),
+        (lambda: Repair(smallest_part=-1.0), "Repair.smallest_part is -1.0: expected a number from 0 to 1"),
         (lambda: Repair(largest_hole=True), "Repair.largest_hole is True"),
         (lambda: msf_jax.skeletonize((VERTICES, FACES), repair="yes"), "repair is 'yes': expected True, False"),
     ],
@@ -185,13 +185,6 @@ def test_nothing_left_is_an_error_that_says_what_was_done():
 # Sheets
 
 
-def test_a_wall_inside_goes_and_the_solid_stays():
-    mesh = faults.topology_variants()["a wall inside"]
-    found = checking.prepare(mesh, True)
-    assert volumes(found) == pytest.approx([1.0])
-    assert any(sentence.startswith("left out") for sentence in found.repairs)
-
-
 @pytest.mark.parametrize(
     ("cells", "genus"), [(np.ones((3, 3, 2)), 0), (np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]]), 1)]
 )
@@ -205,16 +198,6 @@ def test_walls_between_many_cells_go(cells, genus):
     assert_sound(found, len(vertices))
     assert volumes(found) == pytest.approx([len(shifts)])
     assert [part.genus for part in found.components] == [genus]
-
-
-def test_walls_that_a_hole_leads_to_stay():
-    """What is seen from outside is no internal wall: a cell with a hole in its own outer face is open."""
-    vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
-    faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
-    hidden = repair.is_wall(vertices, faces)
-    assert (vertices[faces[hidden]][:, :, 0] == 0.5).all() and hidden.any()
-    is_far = (vertices[faces][:, :, 0] == 1.5).all(axis=1)
-    assert not repair.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
 
 
 def test_ribs_and_a_flange_go_and_the_solid_stays():
