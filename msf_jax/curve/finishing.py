@@ -74,7 +74,7 @@ class Job(NamedTuple):
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
     prune: least slenderness of a limb, 0 for no pruning (see `limbs.caps`). roadmap: paths through the solid.
-    budget: of all centring together. caps: returns those of the coarse surface.
+    budget: of all centring together. caps: returns those of the coarse surface, or of the refined one.
     """
 
     shape: Enclosure
@@ -135,7 +135,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         complete_cycles,
         partial(prune_and_extend, extend=extend),
         partial(centre_and_merge, centre=centre, hold_leaves=extend),
-        *([partial(resample, hold_leaves=extend)] if centre else []),
+        *([partial(refine_and_centre, hold_leaves=extend)] if centre else []),
         enforce_topology,
         *([round_corners] if centre else []),
     ]
@@ -320,7 +320,7 @@ def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) ->
     return merge_junctions(draft, job)
 
 
-def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
+def refine_and_centre(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and the junctions of tubes are where the
     axes of their branches meet."""
     draft = centre_nodes(refine(draft, job), job, hold_leaves)

@@ -83,7 +83,7 @@ def assemble(
             wavefronts=sum(part.finished.node_of_vertex is not None for part in parts),
         )
         curve = _skeleton(as_left, checked, report, source, clock, is_finished=False)
-        skeleton = _to_openings(finished, checked, report, source, clock)
+        skeleton = _finished_skeleton(finished, checked, report, source, clock)
     return Flow(
         weights=weights,
         config=config,
@@ -177,7 +177,7 @@ def _skeleton(
     return Skeleton(vertices, edges, radii, mesh_map, report, source)
 
 
-def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock) -> Skeleton:
+def _finished_skeleton(stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock) -> Skeleton:
     """The finished curve, extended to the centres of the openings that repair has closed."""
     if not checked.rims:
         return _skeleton(stitched, checked, report, source, clock)
@@ -214,8 +214,8 @@ def _record(checked: Surface, state: State, part: ComponentCurve, member: np.nda
     node = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
     is_counted = part.found.is_counted
     return ComponentRecord(
-        vertices=state.shape.vertices,
-        faces=state.shape.faces,
+        vertices=state.outside.vertices,
+        faces=state.outside.faces,
         vertex_of_input=checked.input_of_vertex[member[state.order]],
         frame=state.frame,
         pins=state.pins,

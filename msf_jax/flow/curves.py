@@ -54,10 +54,10 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
         node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)
         is_held[node_of_pin] = True
-        nodes[is_held] = means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
+        nodes[is_held] = means(state.outside.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with clock.stage("finishing"):
         done = finishing.finish(
-            state.solid,
+            state.shape,
             nodes,
             found.edges,
             is_held,
@@ -67,8 +67,8 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
             detail=config.detail,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
-            coarse=state.coarse if state.solid is state.shape else state.solid,  # with the cavities
-            outside=state.shape,
+            coarse=state.coarse if state.shape is state.outside else state.shape,  # with the cavities
+            outside=state.outside,
             caps=None if state.caps is None else state.caps.result,
             first=partial(_recentred, meso, found) if config.curve.surgery else None,
             clock=clock,
@@ -139,7 +139,7 @@ def stitched(
         own, done = node_of_input(part), part.finished
         node = own if done.node_of_vertex is None else done.node_of_vertex
         if not (is_left(state, part) or done.is_cut or clock.reason):
-            node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
+            node = branches.nearest_on_branch(done.vertices, done.edges, state.outside.vertices, node)
         flow.append((part.curve.nodes, part.curve.edges, own))
         finished.append((done.vertices, done.edges, node))
     return _joined(checked, states, parts, flow), _joined(checked, states, parts, finished)

@@ -18,7 +18,7 @@ from msf_jax.flow import assembly
 from msf_jax.flow.curves import curve_of
 from msf_jax.flow.starting import init
 from msf_jax.flow.state import Flow
-from msf_jax.flow.stepping import done, step
+from msf_jax.flow.stepping import ending, step
 from msf_jax.meshes import checking
 from msf_jax.meshes.checking import Surface
 from msf_jax.meshes.reading import MeshLike
@@ -75,7 +75,7 @@ def contract(
             state = None
             try:
                 state = init(component, number, config, clock, pins_here, of_members)
-                while (end := done(state, config)) is None:
+                while (end := ending(state, config)) is None:
                     clock.check()
                     step(state, weights, config, clock)
                     if state.history:

@@ -83,8 +83,8 @@ def init(
     with clock.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
     # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
-    is_same = len(meso.positions) > len(shape.vertices) and not (options.reconstruct_mesh or options.resample)
-    of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
+    is_refined = len(meso.positions) > len(shape.vertices) and not (options.reconstruct_mesh or options.resample)
+    of_limbs = Enclosure(meso.positions, meso.faces()) if is_refined else coarse
     clock.check()
     with clock.stage("compile"):  # for the size of the surface, and for the smallest layout, which all runs reach
         layouts = {layout_for(meso.num_rows, packing.rows_beyond(meso))}
@@ -94,7 +94,7 @@ def init(
     clock.check()
     caps = None
     if config.least_slenderness or config.curve.extend_tips:
-        caps = begin(_with_limbs, of_limbs, config.least_slenderness, config.detail, clock)
+        caps = begin(_find_limbs, of_limbs, config.least_slenderness, config.detail, clock)
     found = None
     if options.use_poles:
         found = _poles(meso, shape, options, clock)
@@ -111,8 +111,8 @@ def init(
         number=number,
         frame=frame,
         order=order,
-        shape=shape,
-        solid=solid,
+        outside=shape,
+        shape=solid,
         coarse=coarse,
         pins=pins,
         first_volume=meso.volume(),
@@ -141,7 +141,7 @@ def _entered(component: Component) -> tuple[UnitFrame, np.ndarray, Enclosure, En
     return frame, order, shape, Enclosure(vertices, np.concatenate([faces, inner]))
 
 
-def _with_limbs(shape: Enclosure, least: float, detail: float, clock: Clock) -> Caps:
+def _find_limbs(shape: Enclosure, least: float, detail: float, clock: Clock) -> Caps:
     """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
     caps = Caps(shape, detail, clock.ask)
     caps.limbs(least)

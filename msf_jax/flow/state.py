@@ -52,9 +52,9 @@ class State:
     number: int
     frame: UnitFrame
     order: np.ndarray  # (V,) the component's vertex for each sorted vertex
-    shape: Enclosure  # the input's surface, in the frame
-    solid: Enclosure  # the same with the solid's cavities, if it has any
-    coarse: Enclosure  # the coarsened surface, if coarsening removed most vertices; else ``shape``
+    outside: Enclosure  # the input's surface, in the frame
+    shape: Enclosure  # the same with the solid's cavities, if it has any
+    coarse: Enclosure  # the coarsened surface, if coarsening removed most vertices; else ``outside``
     pins: np.ndarray  # ids of sorted vertices that are held in place
     first_volume: float
     first_area: float
@@ -66,7 +66,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
-    caps: Future | None  # of ``coarse``, measured by the worker; None if limbs are not asked for, or known
+    caps: Future | None  # of the coarse surface, or of the refined one; None if limbs are not asked for, or known
     capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape

@@ -149,7 +149,7 @@ def is_settled(history: list[Iteration], config: Config) -> bool:
     return history[-1].area > (1 - PROGRESS) * history[-1 - period].area
 
 
-def done(state: State, config: Config) -> tuple[bool, str] | None:
+def ending(state: State, config: Config) -> tuple[bool, str] | None:
     """None while the surface has volume and the flow can continue; else whether it converged, and why it stops."""
     if state.failure:
         return False, state.failure

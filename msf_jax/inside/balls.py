@@ -58,18 +58,6 @@ class Poles(NamedTuple):
         return self.tetrahedron[:, 0] >= 0
 
 
-def spoke_angles(found: Poles, sites: np.ndarray) -> np.ndarray:
-    """Largest angle (V,) between the spokes from each pole to its four sites, in radians; 0 without a pole.
-
-    It is near pi for a ball that touches the surface on opposite sides, and small for a ball caused by noise (Amenta et
-    al. 2001; Tagliasacchi et al. 2012).
-    """
-    spokes = sites[found.tetrahedron] - found.position[:, None]
-    spokes /= np.maximum(np.linalg.norm(spokes, axis=2, keepdims=True), 1e-300)
-    cosines = np.einsum("vai,vbi->vab", spokes, spokes).min(axis=(1, 2))
-    return np.where(found.is_found, np.arccos(np.clip(cosines, -1, 1)), 0.0)
-
-
 def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
     """Circumcentres (T, 3) of the tetrahedra; not finite for a tetrahedron without volume.
 

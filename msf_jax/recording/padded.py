@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base.layout import Layout, fits, layout_for
+from msf_jax.base.layout import Layout, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
 from msf_jax.meso.meso import Compaction, Meso
@@ -33,15 +33,6 @@ class Planned(NamedTuple):
     layout: Layout
 
 
-class Capacity(NamedTuple):
-    """The capacity of a stretch of a tape: ``lines`` iterations in ``layout``, with ``rounds`` of ``cuts`` each."""
-
-    layout: Layout
-    lines: int
-    rounds: int
-    cuts: int
-
-
 class Row(NamedTuple):
     """For every vertex (num_rows,): its row of the workspace, and the row of the first stretch whose pole it has."""
 
@@ -57,14 +48,13 @@ def rung(count: int, smallest: int = 1) -> int:
     return size
 
 
-def size_for(count: int, smallest: int, before: int = 0) -> int:
-    """A capacity for ``count``: that of ``before`` if it suffices, else a `rung` for a quarter more, so that a slightly
-    longer run fits, too."""
-    return before if count <= before else rung(count + count // 4, smallest)
+def size_for(count: int, smallest: int) -> int:
+    """A capacity for ``count``: a `rung` for a quarter more, so that a slightly longer run has the same."""
+    return rung(count + count // 4, smallest)
 
 
-def stretches_of(steps: list[Step], before: tuple[Capacity, ...] = ()) -> list[Planned]:
-    """Divide the iterations into one or two layouts, whichever is cheaper; into those of ``before``, if they suffice.
+def stretches_of(steps: list[Step]) -> list[Planned]:
+    """Divide the iterations into one or two layouts, whichever is cheaper.
 
     Each layout takes seconds to compile. But a surface shrinks fast, and with one layout for all iterations, the late
     ones would consist mostly of padding.
@@ -82,15 +72,6 @@ def stretches_of(steps: list[Step], before: tuple[Capacity, ...] = ()) -> list[P
     def planned(first: int, last: int) -> Planned:
         return Planned(first, last, layout_for(*needed(first, last)))
 
-    def fits_in(given: Capacity, first: int, last: int) -> bool:
-        return 0 < last - first <= given.lines and fits(given.layout, *needed(first, last))
-
-    for cuts in ([], *([k] for k in range(1, len(steps)))) if before else ():
-        ends = [0, *cuts, len(steps)]
-        if len(ends) == len(before) + 1 and all(map(fits_in, before, ends[:-1], ends[1:])):
-            parts = zip(ends[:-1], ends[1:], before, strict=True)
-            return [Planned(first, last, given.layout) for first, last, given in parts]
-
     def cost(plan: list[Planned]) -> float:
         return sum(size_for(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
 
@@ -100,9 +81,7 @@ def stretches_of(steps: list[Step], before: tuple[Capacity, ...] = ()) -> list[P
     return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
 
 
-def record_steps(
-    steps: list[Step], plan: list[Planned], num_meso: int, before: tuple[Capacity, ...] = ()
-) -> tuple[list[dict[str, Any]], np.ndarray]:
+def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple[list[dict[str, Any]], np.ndarray]:
     """The arrays of `device.playback.Stretch`, by name, for each of ``plan``, and the row (m,) of each vertex of the
     meso-skeleton in the last workspace."""
     if not steps:
@@ -110,18 +89,17 @@ def record_steps(
     first = np.argsort(steps[0].order)
     at = Row(first, first)
     stretches = []
-    for number, (start, end, layout) in enumerate(plan):
-        given = before[number] if len(before) == len(plan) else Capacity(layout, 0, 0, 0)
-        fields, at = _stretch(steps[start:end], layout, at, given)
+    for start, end, layout in plan:
+        fields, at = _stretch(steps[start:end], layout, at)
         stretches.append(fields)
     return stretches, at.workspace
 
 
-def _stretch(steps: list[Step], layout: Layout, at: Row, before: Capacity) -> tuple[dict[str, Any], Row]:
+def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any], Row]:
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS, before.rounds)
-    num_cuts = size_for(max((len(done.a) for rounds in cuts for done in rounds), default=1), FEWEST_CUTS, before.cuts)
+    num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS)
+    num_cuts = size_for(max((len(done.a) for rounds in cuts for done in rounds), default=1), FEWEST_CUTS)
     own = np.arange(capacity, dtype=np.int32)
     lines, handovers = [], []
     for number, (step, rounds) in enumerate(zip(steps, cuts, strict=True)):
@@ -157,7 +135,7 @@ def _stretch(steps: list[Step], layout: Layout, at: Row, before: Capacity) -> tu
         live = [edit.live for edit in step.edits if isinstance(edit, Compaction)]
         at = Row(*((row_of, site_of) if not live else (row_of[live[0]], site_of[live[0]])))
     idle = _idle(lines[0], layout)
-    lines = [idle] * (size_for(len(lines), FEWEST_LINES, before.lines) - len(lines)) + lines
+    lines = [idle] * (size_for(len(lines), FEWEST_LINES) - len(lines)) + lines
     rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
     stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
     return {**stacked, "rings": rings, "handover": handovers[0]}, at
@@ -197,40 +175,24 @@ def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.n
     return group, share, mean
 
 
-class Capacities(NamedTuple):
-    """The capacities of a component's tape: of its stretches, of the entries of its two sparse matrices, of vertices of
-    the meso-skeleton, and of nodes; 0 if not known yet."""
-
-    stretches: tuple[Capacity, ...] = ()
-    gather: int = 0
-    thinned: int = 0
-    meso: int = 0
-    nodes: int = 0
-
-
-def record_component(
-    record: ComponentRecord, before: Capacities | None = None
-) -> tuple[dict[str, Any], list[Layout], Layout | None]:
-    """The arrays of `device.playback.Part`, by name, and the layouts of its stretches and of its mesh filter.
-
-    ``before``: the capacities of another tape, which are used if they suffice, so that both share programs.
-    """
-    before, start, steps = before or Capacities(), record.start, record.steps
+def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layout], Layout | None]:
+    """The arrays of `device.playback.Part`, by name, and the layouts of its stretches and of its mesh filter."""
+    start, steps = record.start, record.steps
     num = len(record.vertices)
     place, blend = edit_matrices(start.edits, num)
     capacity = place.shape[0]
     order = np.arange(capacity)
-    plan = stretches_of(steps, before.stretches)
+    plan = stretches_of(steps)
     if steps:
         order, capacity = steps[0].order, plan[0].layout.capacity
     mesh_filter, mesh_layout = record_mesh_filter(start.mesh_filter, record.vertices, record.faces)
-    stretches, meso_row = record_steps(steps, plan, record.num_meso, before.stretches)
+    stretches, meso_row = record_steps(steps, plan, record.num_meso)
     thinned = edit_matrices(record.thinning, record.num_meso)[0]
     is_node = record.node_of_meso >= 0
     node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
     share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
     means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
-    is_held = np.zeros(size_for(record.num_nodes, 64, before.nodes), dtype=bool)
+    is_held = np.zeros(size_for(record.num_nodes, 64), dtype=bool)
     is_held[record.node_of_pin] = True
     pin_count = np.bincount(record.node_of_pin, minlength=len(is_held))
     is_pin = np.zeros(num, dtype=bool)
@@ -240,12 +202,12 @@ def record_component(
         "vertex_of_input": record.vertex_of_input.astype(np.int32),
         "is_pin": is_pin,
         "mesh_filter": mesh_filter,
-        "gather": entries(place[order], blend[order], before.gather),
+        "gather": entries(place[order], blend[order]),
         "site_filter": record_site_filter(start.found.kept if start.found else None, steps, plan),
         **record_poles(start.found, order, capacity),
         "stretches": stretches,
-        "meso_row": packing.pad(meso_row, size_for(len(meso_row), 512, before.meso), 0, np.dtype(np.int32)),
-        "nodes": entries(means @ thinned, before=before.thinned),
+        "meso_row": packing.pad(meso_row, size_for(len(meso_row), 512), 0, np.dtype(np.int32)),
+        "nodes": entries(means @ thinned),
         "pin_node": record.node_of_pin.astype(np.int32),
         "pin_input": record.vertex_of_input[record.pins].astype(np.int32),
         "pin_share": 1.0 / np.maximum(pin_count[record.node_of_pin], 1),
@@ -287,11 +249,11 @@ def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
     return place, blend
 
 
-def entries(place: Any, blend: Any = None, before: int = 0) -> dict[str, np.ndarray]:
+def entries(place: Any, blend: Any = None) -> dict[str, np.ndarray]:
     """The matrices' entries, by the names of `device.playback.Mixing`, padded with zeros."""
     blend = place if blend is None else blend
     row, column = (abs(place) + abs(blend)).nonzero()
-    size = size_for(len(row), 256, before)
+    size = size_for(len(row), 256)
     shares = {name: np.asarray(matrix[row, column]).ravel() for name, matrix in (("share", place), ("blend", blend))}
     arrays = {"row": row.astype(np.int32), "column": column.astype(np.int32), **shares}
     return {name: packing.pad(values, size, 0, values.dtype) for name, values in arrays.items()}

@@ -54,7 +54,7 @@ def test_limbs_from_another_thread_are_the_same(monkeypatch):
     for module in (loop, starting):
         monkeypatch.setattr(module, "begin", at_once)
     skeletons.append(msf_jax.skeletonize(mesh))
-    assert names == ["prepare", "_with_limbs"]
+    assert names == ["prepare", "_find_limbs"]
     np.testing.assert_array_equal(skeletons[0].vertices, skeletons[1].vertices)
     np.testing.assert_array_equal(skeletons[0].edges, skeletons[1].edges)
     flow = msf_jax.Config(least_slenderness=0.0, curve=msf_jax.CurveOptions(extend_tips=False))

@@ -146,7 +146,7 @@ def test_weights_that_blow_up_are_said():
     state = loop.init(checking.prepare(blob(1)).components[0], 0, Config(), Clock())
     state.meso.poles[:] = 1e9
     loop.step(state, Weights(w_M=1e3), Config(), Clock())
-    ended = loop.done(state, Config())
+    ended = loop.ending(state, Config())
     assert ended is not None
     assert not ended[0]
     assert "coordinates" in ended[1]
@@ -216,7 +216,7 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
         states.append(loop.init(checking.prepare(mesh).components[0], number, config, Clock()))
     capacities = set()
     for state in states:
-        while loop.done(state, config) is None:
+        while loop.ending(state, config) is None:
             loop.step(state, Weights(), config, Clock())
             capacities.add(state.capacity)
     assert len(capacities) > 1
