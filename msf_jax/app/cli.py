@@ -89,7 +89,7 @@ def _curve_of(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndar
     from msf_jax.meshes import checking, reading
 
     weights, config = configured(arguments)
-    mesh = shaping_of(arguments).scaled(reading.read(arguments.mesh))
+    mesh = shaping_of(arguments).scaled(reading.read(arguments.mesh, finite=not arguments.repair))
     accepted = checking.prepare(mesh, REPAIRS[arguments.repair])
     _start_jax(arguments)
     from msf_jax.flow.loop import skeletonize

@@ -73,6 +73,7 @@ def assemble(
             out_of_steps=sum(not line.has_ended for line in history),
             solve_steps=sum(line.steps + line.smoothing_steps for line in history),
             coarsened=sum(state.num_coarsened for state in states),
+            left_out=checked.num_left_out,
             joined_handles=checked.joined_handles,
             repairs=checked.repairs,
             notes=tuple(_notes(states, parts, history)),

@@ -22,6 +22,7 @@ from msf_jax.base.writing import write_whole
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
+from msf_jax.meshes.repair import placed_between_neighbours
 from msf_jax.recording import padded
 from msf_jax.recording.records import Recording
 from msf_jax.skeleton.skeleton import Skeleton, Source
@@ -54,7 +55,7 @@ class Tape:
         weights: of the run.
         shapes: layouts of the parts' buffers.
         config: of the run.
-        is_joined: whether the surface has vertices that repair made, where it joined parts.
+        is_joined: whether the surface has vertices that repair made, where it joined parts or extruded a rim.
     """
 
     parts: tuple[Part, ...]
@@ -97,13 +98,15 @@ class Tape:
         """Raise a `MeshError` if the surface cannot follow the mesh's vertices, because repair made some of its own."""
         if self.is_joined:
             raise MeshError(
-                "repair made vertices where it joined parts, and these cannot follow the mesh: "
-                'expected a run without repair="join", or a call without vertices'
+                "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
+                'expected a run without repair="join" and without extruded rims, or a call without vertices'
             )
 
     def check(self, mesh: "MeshLike") -> None:
         """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
-        vertices, faces = reading.read(mesh)
+        vertices, faces = reading.read(mesh, finite=False)
+        if not np.isfinite(vertices).all():  # repair placed these vertices between their neighbours
+            vertices, _ = placed_between_neighbours(vertices, faces)
         if (found := _hash(vertices, faces).tobytes().hex()) != self.mesh_id:
             raise MeshError(
                 f"the tape is of another mesh: it was recorded for one of {len(self.vertices)} vertices with hash "

@@ -53,13 +53,14 @@ class Surface:
     components: its parts, whose vertices are ``vertices[members[c]]``, and their cavities' ``vertices[linings[c]]``.
     vertex_of_input: (V_in,) the vertex for each vertex of the caller's mesh; -1 if it is in no face, or was inside
         after parts were joined.
-    input_of_vertex: (V,) the caller's vertex for each vertex; the first of several welded ones, or the nearest one to a
-        vertex made where parts were joined.
-    is_made: (V,) vertices that joining made.
+    input_of_vertex: (V,) the caller's vertex for each vertex; the first of several welded ones. For a vertex made where
+        parts were joined it is the nearest one, for a vertex of an extruded rim the one of the rim.
+    is_made: (V,) vertices that repair made.
     strays: (S, 3) the caller's vertices without a vertex here, in the caller's order.
     repairs: the changes, one sentence each.
     given: vertices and faces of the caller's mesh.
     rims: the caller's vertices around each filled hole.
+    num_left_out: pieces beyond ``Repair.most_parts``.
     joined_handles: handles that the solid has and the parts that were joined had not.
     """
 
@@ -75,6 +76,7 @@ class Surface:
     repairs: tuple[str, ...]
     given: tuple[np.ndarray, np.ndarray]
     rims: tuple[np.ndarray, ...] = ()
+    num_left_out: int = 0
     joined_handles: int = 0
 
     @property
@@ -112,7 +114,7 @@ def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
         ConfigError: ``repair`` is none of True, False, "join" and a `Repair`.
     """
     wanted = as_repair(repair)
-    vertices, faces = read(mesh)
+    vertices, faces = read(mesh, finite=wanted is None)
     if wanted is None:
         return _checked(vertices, faces)
     done = repaired(vertices, faces, wanted)
@@ -125,16 +127,19 @@ def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
         raise MeshError(f"after repair, {str(error).replace(OR_REPAIR, ', or let Repair do more')}") from error
     target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
     source = done.source[checked.input_of_vertex]
-    left = np.flatnonzero(~checked.is_made & (target[source] < 0))  # kept copies of vertices that repair doubled
+    is_made = checked.is_made | done.is_made[checked.input_of_vertex]
+    left = np.flatnonzero(~is_made & (target[source] < 0))  # kept copies of vertices that repair doubled
     target[source[left]] = left
     return replace(
         checked,
         vertex_of_input=target,
         input_of_vertex=source,
-        strays=vertices[target < 0],
+        is_made=is_made,
+        strays=done.given[target < 0],
         repairs=done.repairs + checked.repairs,
-        given=(vertices, faces),
+        given=(done.given, faces),
         rims=done.rims,
+        num_left_out=done.num_left_out,
     )
 
 

@@ -1,7 +1,10 @@
-"""Holes: lids by ear clipping without new vertices, and what no lid can close.
+"""Holes: lids by ear clipping without new vertices, or the extrusion of a rim whose lid would cut through the surface.
 
 The lid over the uneven rim of a height field or a bent sheet passes above the surface in some places and below it in
-others. The closed surface would be several solids that meet in curves, and no skeleton can stay inside.
+others. The closed surface is then several solids that meet in curves, and no skeleton can stay inside. The area vector
+of the surface (the sum of its faces' normals times areas, which depends on the rim only) gives the direction of its
+front; the inside is behind it. The rim is extruded backwards, past all of the piece, and closed there, like the base of
+a relief; or forwards, if that is better. The extrusion has a new vertex for each vertex of the rim.
 """
 
 import heapq
@@ -18,8 +21,9 @@ from msf_jax.topology.half_edges import by_label, edge_codes
 Face = tuple[int, int, int]
 
 LARGEST_CUT = 0.01  # share of a piece's area whose inner side is outside of the closed solid, at most
-EVEN = 1e-6  # extents of the rim: a rim of less height has a flat lid, which cannot cut
-FEWEST_FACES = 100  # faces of a piece whose lid is tested: smaller pieces are fragments
+MARGIN = 0.05  # extents of the rim: distance between the piece and the end of the extrusion
+EVEN = 1e-6  # extents of the rim: a rim of less height has a flat lid, which needs no extrusion
+FEWEST_FACES = 100  # faces of a piece whose rim may be extruded: smaller pieces are fragments
 BESIDE = 1e-5  # extents of the piece: depth below the centre of a face of the point that is tested to be inside
 
 
@@ -97,23 +101,50 @@ def lid_of(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -
     return faces
 
 
-def lid_that_cuts(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Hole | None:
-    """The first of ``holes`` of ``faces`` (F, 3) whose lid cuts through its piece, of which the longest is tried."""
-    if not holes:
-        return None
-    label = graphs.labels_of_faces(faces, len(vertices))
-    piece_of_hole = label[[hole.loop[0] for hole in holes]]
-    faces_of = by_label(label[faces[:, 0]])
-    for piece in dict.fromkeys(piece_of_hole.tolist()):
-        own = [holes[number] for number in np.flatnonzero(piece_of_hole == piece)]
-        longest = max(own, key=lambda hole: len(hole.loop))
-        rim, mine = vertices[longest.loop], faces[faces_of[piece]]
-        height = np.ptp((rim - rim[0]) @ unit(_area_vector(rim)))
-        if len(mine) >= FEWEST_FACES and height > EVEN * np.ptp(rim, axis=0).max():
-            closed = np.concatenate([mine, *(hole.lid for hole in own)])
-            if share_cut_off(vertices, closed, len(mine)) > LARGEST_CUT:
-                return longest
-    return None
+class Extruded(NamedTuple):
+    """A surface without holes.
+
+    vertices: (V, 3), those given, then those of extrusions. faces: (F, 3). source: (M,) the vertex of the rim for each
+    new vertex. repairs: the changes, a sentence each.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    source: np.ndarray
+    repairs: list[str]
+
+
+def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extruded:
+    """The surface of ``faces`` (F, 3) with the lids of ``holes``; a rim is extruded if its lid cuts through the piece.
+
+    Only the longest rim of a piece can be extruded.
+    """
+    sources, vertices_of, repairs, num_cut = [np.empty(0, dtype=np.int64)], [vertices], [], 0
+    lids = [hole.lid for hole in holes]
+    for number, mine, others in _uneven(vertices, faces, holes):
+        known = np.concatenate([faces[mine], *(holes[other].lid for other in others)])
+        if share_cut_off(vertices, np.concatenate([known, holes[number].lid]), len(mine)) <= LARGEST_CUT:
+            continue
+        loop = np.array(holes[number].loop)
+        for side in (1, -1):
+            ring, band = _extrusion(vertices, known, loop, side)
+            every = np.concatenate([vertices, ring])
+            if share_cut_off(every, np.concatenate([known, band]), len(mine)) <= LARGEST_CUT:
+                first = sum(map(len, vertices_of))
+                lids[number] = np.where(band < len(vertices), 0, first - len(vertices)) + band
+                vertices_of.append(ring)
+                sources.append(loop)
+                break
+        else:
+            num_cut += 1
+    source = np.concatenate(sources)
+    if len(source):
+        rims = "1 rim, whose lid" if len(sources) == 2 else f"{len(sources) - 1} rims, whose lids"
+        repairs.append(f"extruded {rims} would cut through the surface: {len(source)} new vertices")
+    if num_cut:
+        cut = "the lid of 1 hole cuts" if num_cut == 1 else f"the lids of {num_cut} holes cut"
+        repairs.append(f"{cut} through the surface, and so would an extruded rim: the curve may be outside there")
+    return Extruded(np.concatenate(vertices_of), np.concatenate([faces, *lids]), source, repairs)
 
 
 def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> float:
@@ -131,7 +162,44 @@ def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> fl
     return float(area[is_outside].sum() / max(area.sum(), 1e-300))
 
 
+def _uneven(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> list[tuple[int, np.ndarray, list[int]]]:
+    """For each large piece whose longest rim is uneven: that hole, the piece's faces, its other holes.
+
+    Pieces with the most faces come first.
+    """
+    if not holes:
+        return []
+    label = graphs.labels_of_faces(faces, len(vertices))
+    piece_of_hole = label[[hole.loop[0] for hole in holes]]
+    faces_of, uneven = by_label(label[faces[:, 0]]), []
+    for piece in dict.fromkeys(piece_of_hole.tolist()):
+        numbers = np.flatnonzero(piece_of_hole == piece).tolist()
+        longest = max(numbers, key=lambda number: len(holes[number].loop))
+        rim = vertices[holes[longest].loop]
+        height = np.ptp((rim - rim[0]) @ unit(_area_vector(rim)))
+        if len(faces_of[piece]) >= FEWEST_FACES and height > EVEN * np.ptp(rim, axis=0).max():
+            uneven.append((longest, faces_of[piece], [number for number in numbers if number != longest]))
+    return sorted(uneven, key=lambda each: -len(each[1]))
+
+
 def _area_vector(rim: np.ndarray) -> np.ndarray:
     """(3,) twice the area vector of any surface bounded by the loop ``rim`` (n, 3)."""
     around = rim - rim.mean(axis=0)
     return np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
+
+
+def _extrusion(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: int) -> tuple[np.ndarray, np.ndarray]:
+    """The extrusion of the rim ``loop`` (n,) past the piece of ``faces``: its new vertices (n, 3), which count from
+    ``len(vertices)``, in the order of the rim, and its faces with those of its lid.
+
+    With ``side`` 1 it goes in the direction of the lid's normal, behind the surface; with -1 in the other direction.
+    """
+    rim = vertices[loop]
+    along = side * unit(_area_vector(rim))
+    end = (vertices[np.unique(faces)] @ along).max() + MARGIN * np.ptp(rim, axis=0).max()
+    ring = rim + (end - rim @ along)[:, None] * along
+    below = len(vertices) + np.arange(len(loop))
+    after, below_after = np.roll(loop, -1), np.roll(below, -1)
+    band = [np.stack([loop, after, below_after], axis=1), np.stack([loop, below_after, below], axis=1)]
+    lid = np.array(lid_of(ring, list(range(len(loop))), set()), dtype=np.int64).reshape(-1, 3) + len(vertices)
+    return ring, np.concatenate([*band, lid])

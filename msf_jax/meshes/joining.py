@@ -6,8 +6,9 @@ that are still apart are bridged where they are nearest, along a spanning tree, 
 each gap, half as thick as the solids there, and another union. Voids between parts, closed from outside, are filled; a
 part's own cavities are left.
 
-Manifold does not unite a solid with itself, so a part that crosses itself is refused. Faces that fold over their
-neighbours, as noise has them, are left.
+Manifold does not unite a solid with itself. So a box is put around each place where a part crosses itself. Inside it,
+the limbs that cross are pieces of their own, and they are united with what is outside of the boxes: the points around
+which the surface winds at least once. A place where a piece still crosses itself, as a fold, is left as it is.
 """
 
 from collections.abc import Sequence
@@ -15,10 +16,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from scipy import sparse, spatial
+from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
-from msf_jax.base.errors import MeshError
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, triangle_areas, unit, vertex_normals
 from msf_jax.topology import graphs
@@ -35,7 +35,12 @@ PROJECTIONS = 4  # alternating projections between two surfaces that find the en
 GLUE, THINNEST_CAPSULE = 0.5, 0.1
 SECTIONS = 8  # sides of a capsule's circles
 SAME = 1e-12  # diagonals: distance between a vertex of the union and the same vertex of a part, at most
-RINGS = 3  # edges: faces that cross, and that so few edges join, are a fold
+MARGINS = (
+    0.1,
+    0.3,
+    1.0,
+)  # sizes of a crossing: by which its box is larger on each side; the first that serves is taken
+MOST_PLACES = 100  # crossings of a part that are tried; each costs some unions
 
 MeshArrays = tuple[np.ndarray, np.ndarray]
 
@@ -44,8 +49,8 @@ class Joined(NamedTuple):
     """The result of joining parts.
 
     vertices: (V, 3). faces: (F, 3). source: (V,) the vertex of the parts, counted through all of them, or -1 for one
-    that the union made. vertex_of_part: (P,) the new vertex for each vertex of the parts, or -1 if it is inside now.
-    repairs: the changes, a sentence each.
+    that the union made. vertex_of_part: (P,) the new vertex for each vertex of the parts, or -1 if it is inside now or
+    was cut away. repairs: the changes, a sentence each.
     """
 
     vertices: np.ndarray
@@ -66,6 +71,15 @@ class Gap(NamedTuple):
     @property
     def length(self) -> float:
         return float(np.linalg.norm(self.ends[1] - self.ends[0]))
+
+
+class Untangled(NamedTuple):
+    """vertices and faces; num: places that were resolved; num_left: places that were not."""
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    num: int = 0
+    num_left: int = 0
 
 
 class ClosedSurface:
@@ -101,57 +115,59 @@ def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
     Parts that overlap become one; their cavities, wound inwards, stay. Gaps are bridged up to ``reach``, in diagonals
     of the whole mesh, or up to the radius of the smaller solid if that is larger. With a ``reach`` of 0, only solids
     that touch are bridged.
-
-    Raises:
-        MeshError: a part crosses itself.
     """
     from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
 
     every = np.concatenate([vertices for vertices, _ in parts])
     low, high = every.min(axis=0), every.max(axis=0)
     centre, diagonal = low + (high - low) / 2, float(np.linalg.norm(high - low))
-    given = [((vertices - centre) / diagonal, faces) for vertices, faces in parts]
-    for number, (vertices, faces) in enumerate(given):
-        _check_crossings(vertices, faces, f"part {number} of {len(parts)}" if len(parts) > 1 else "the mesh")
-    swollen = [_swollen(vertices, faces) for vertices, faces in given]
-    solids = [solid_of(moved, faces) for moved, (_, faces) in zip(swollen, given, strict=True)]
+    simple = [untangled((vertices - centre) / diagonal, faces) for vertices, faces in parts]
+    swollen = [_swollen(part.vertices, part.faces) for part in simple]
+    solids = [solid_of(moved, part.faces) for moved, part in zip(swollen, simple, strict=True)]
     united = Manifold.batch_boolean(solids, OpType.Add)
     whole, voids = _filled(united), _given(solids, united)
-    num_solids, repairs = len(whole.decompose()), []
+    num_solids, num_resolved, num_folds = (
+        len(whole.decompose()),
+        sum(p.num for p in simple),
+        sum(p.num_left for p in simple),
+    )
+    repairs = []
     if num_solids < len(parts):
         repairs.append(f"joined {len(parts)} parts that overlap or touch to {_count(num_solids, 'solid')}")
-    else:
-        repairs.append(
-            "joined nothing: one part" if len(parts) == 1 else f"joined none of {len(parts)} parts by overlap"
-        )
+    elif len(parts) > 1:
+        repairs.append(f"joined none of {len(parts)} parts by overlap")
+    elif not num_resolved:
+        repairs.append("joined nothing: one part")
+    if num_resolved:
+        repairs.append(f"resolved {_count(num_resolved, 'place')} where a part crossed itself")
+    if num_folds:
+        repairs.append(f"left {_count(num_folds, 'place')} where a part crosses itself, as a fold")
     if num_voids := len(_parted(united)[1]) - len(voids):
         repairs.append(f"filled {_count(num_voids, 'void')} between parts")
     whole = _bridged(whole, reach, diagonal, repairs)
     vertices, faces = arrays_of(_hollowed(whole, voids, united) if voids else whole)
     larger = np.concatenate(swollen)
-    source, vertex_of_part = _same_place(larger, vertices), _same_place(vertices, larger)
-    placed = np.where(source[:, None] < 0, centre + diagonal * vertices, every[source])
+    of_simple, vertex = _same_place(larger, vertices), _same_place(vertices, larger)
+    back = np.where(of_simple[:, None] < 0, vertices, np.concatenate([part.vertices for part in simple])[of_simple])
+    origin, image = _identities([(x - centre) / diagonal for x, _ in parts], simple)
+    source = np.where(of_simple < 0, -1, origin[of_simple])
+    vertex_of_part = np.where(image < 0, -1, vertex[image])
+    placed = np.where(source[:, None] < 0, centre + diagonal * back, every[source])
     return Joined(placed, faces, source, vertex_of_part, tuple(repairs))
 
 
-def _check_crossings(vertices: np.ndarray, faces: np.ndarray, name: str) -> None:
-    """Raise a `MeshError` if faces of the closed part cross that more than `RINGS` edges separate."""
-    pairs = Enclosure(vertices, faces).crossed.pairs
-    if not len(pairs):
-        return
-    onward = np.roll(faces, -1, axis=1)
-    step = graphs.weighted(len(vertices), faces.ravel(), onward.ravel())
-    row = np.repeat(np.arange(len(pairs)), 3)
-    shape = len(pairs), len(vertices)
-    one, other = (sparse.csr_matrix((np.ones(len(row)), (row, faces[side].ravel())), shape=shape) for side in pairs.T)
-    for _ in range(RINGS):
-        one = one + one @ step
-    is_apart = np.asarray(one.multiply(other).sum(axis=1)).ravel() == 0
-    if is_apart.any():
-        raise MeshError(
-            f'{name} crosses itself, in {is_apart.sum()} pairs of faces, but repair="join" makes one solid of several '
-            "parts that cross: cut it into closed parts there, or use repair=True"
-        )
+def _identities(given: list[np.ndarray], simple: list[Untangled]) -> tuple[np.ndarray, np.ndarray]:
+    """The vertex of the ``given`` parts for each of the ``simple`` ones, through all, or -1; and the reverse."""
+    origin, image, first, last = [], [], 0, 0
+    for before, after in zip(given, simple, strict=True):
+        if after.num:
+            there, here = _same_place(before, after.vertices), _same_place(after.vertices, before)
+        else:
+            there = here = np.arange(len(before))
+        origin.append(np.where(there < 0, -1, there + first))
+        image.append(np.where(here < 0, -1, here + last))
+        first, last = first + len(before), last + len(after.vertices)
+    return np.concatenate(origin), np.concatenate(image)
 
 
 def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -318,6 +334,32 @@ def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
     return feet[np.linalg.norm(feet - point, axis=1).argmin()]
 
 
+def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
+    """Resolve where the closed part ``vertices`` (V, 3), ``faces`` (F, 3) crosses itself."""
+    from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
+
+    shape = Enclosure(vertices, faces)
+    crossed = shape.crossed
+    if not crossed.num:
+        return Untangled(vertices, faces)
+    places = _places(shape, crossed.pairs)
+    whole, boxes, strands = solid_of(vertices, faces), [], []
+    for low, high in places[:MOST_PLACES]:
+        for margin in MARGINS:
+            size = (1 + 2 * margin) * (high - low)
+            box = Manifold.cube(size.tolist(), True).translate(((low + high) / 2).tolist())
+            pieces = (whole ^ box).decompose()
+            if len(pieces) > 1 and all(map(_is_simple, pieces)):
+                boxes.append(box)
+                strands += pieces
+                break
+    if not boxes:
+        return Untangled(vertices, faces, 0, len(places))
+    rest = Manifold.batch_boolean([whole, *boxes], OpType.Subtract)
+    found = arrays_of(Manifold.batch_boolean([rest, *strands], OpType.Add))
+    return Untangled(*found, len(boxes), len(places) - len(boxes))
+
+
 def solid_of(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
     from manifold3d import Manifold, Mesh64
 
@@ -327,3 +369,33 @@ def solid_of(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
 def arrays_of(solid: "Manifold") -> MeshArrays:
     mesh = solid.to_mesh64()
     return np.array(mesh.vert_properties)[:, :3], np.array(mesh.tri_verts).astype(np.int64)
+
+
+def _is_simple(piece: "Manifold") -> bool:
+    """Whether a piece is a solid, no cavity, and does not cross itself."""
+    return piece.volume() > 0 and not Enclosure(*arrays_of(piece)).crossed.num
+
+
+def _places(shape: Enclosure, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
+    """The boxes (low, high) around the places where faces cross, those that overlap united, largest first."""
+    face, row = np.unique(pairs, return_inverse=True)
+    one, other = row.reshape(pairs.shape).T
+    # Faces that cross, and faces with a corner in common, are of one place.
+    corner, of_face = shape.faces[face].ravel(), np.repeat(np.arange(len(face)), 3)
+    ends = np.concatenate([one, of_face]), np.concatenate([other, len(face) + corner])
+    num = len(face) + len(shape.vertices)
+    label = graphs.labels(num, *ends)
+    corners = shape.triangles[face]
+    boxes = []
+    for number in np.unique(label[: len(face)]):
+        own = corners[label[: len(face)] == number].reshape(-1, 3)
+        boxes.append((own.min(axis=0), own.max(axis=0)))
+    while True:
+        low, high = (np.array(each) for each in zip(*boxes, strict=True))
+        reach = MARGINS[0] * (high - low)
+        meet = ((low - reach)[:, None] <= (high + reach)[None]).all(axis=2)
+        meet &= meet.T
+        group = graphs.labels(len(low), *np.nonzero(meet))
+        boxes = [(low[group == number].min(axis=0), high[group == number].max(axis=0)) for number in np.unique(group)]
+        if len(boxes) == len(low):
+            return sorted(boxes, key=lambda box: -float(np.prod(box[1] - box[0])))

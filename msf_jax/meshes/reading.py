@@ -77,12 +77,14 @@ def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
     Raises:
         MeshError: there is no such file, or it has no triangle mesh.
     """
-    return read(mesh)
+    return read(mesh, finite=False)
 
 
 @enough_memory("the mesh")
-def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
+
+    With ``finite``, all vertices must be finite; else `repair` has to place them.
 
     Raises:
         MeshError: there is no such file, it has no triangle mesh, or the arrays have the wrong shape or values.
@@ -103,7 +105,7 @@ def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
             f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
             "(a trimesh.Trimesh), a pyvista.PolyData, or a pair (vertices, faces)"
         )
-    return _as_vertices(vertices), _as_faces(faces, len(vertices))
+    return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
 
 
 def readable_suffixes() -> list[str]:
@@ -161,7 +163,7 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
     if isinstance(mesh, trimesh.Trimesh):
         return [mesh.copy(include_cache=True)]
     if not isinstance(mesh, str | os.PathLike):
-        return [trimesh.Trimesh(*read(mesh), process=False)]
+        return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
     path = Path(mesh)
     if not path.is_file():  # opening a pipe would block, and a device may have no end
         raise MeshError(f"{str(path)!r} is no file: check the path")
@@ -232,7 +234,7 @@ def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
         )
 
 
-def _as_vertices(vertices: Any) -> np.ndarray:
+def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if is_traced(vertices):
         raise MeshError(traced("vertices", "msf_jax.follow"))
     try:
@@ -247,13 +249,12 @@ def _as_vertices(vertices: Any) -> np.ndarray:
     if len(array) == 0:
         raise MeshError("the mesh is empty: it has no vertices")
     bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
-    if len(bad):
-        raise MeshError(
-            f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them, or remove their faces"
-        )
+    if len(bad) and finite:
+        raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
+    sound = array[np.isfinite(array).all(axis=1)]
     with np.errstate(over="ignore"):
-        extent = float(np.ptp(array, axis=0).max())
-    largest = float(np.abs(array).max())
+        extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
+    largest = float(np.abs(sound).max(initial=0.0))
     if 0 < extent < SMALLEST_EXTENT or largest > 1 / SMALLEST_EXTENT:
         raise MeshError(
             f"the mesh has an extent of {extent:.3g}, and coordinates up to {largest:.3g}: expected an extent of "

@@ -1,8 +1,9 @@
 """Repair on request: from any list of triangles to closed, oriented, manifold surfaces, with every change counted.
 
-The steps are: weld coincident vertices at open edges; remove degenerate and duplicate faces, and internal walls; orient
-faces consistently; separate sheets that share an edge or a vertex; fill holes without new vertices; remove pieces
-without volume. Each vertex of the result is one of the caller's, so that weights, pins and gradients apply to it.
+The steps are: place vertices that are not finite between their neighbours; weld coincident vertices at open edges;
+remove degenerate and duplicate faces, and internal walls; orient faces consistently; separate sheets that share an edge
+or a vertex; fill holes without new vertices; remove pieces without volume. Each vertex of the result is one of the
+caller's, so that weights, pins and gradients apply to it, except those of an extruded rim (see `holes`).
 
 Sheets: a mesh of cells, or of bodies that share faces, has internal walls, and at an edge as many faces as cells.
 Around an edge, the side of a face is connected to the facing side of the next face. Connected sides form a shell. The
@@ -18,7 +19,7 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Options, number
-from msf_jax.meshes.holes import filled, lid_that_cuts
+from msf_jax.meshes.holes import extruded, filled
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.topology import graphs
 from msf_jax.topology.half_edges import by_label, edge_codes
@@ -29,7 +30,6 @@ WELD = 1e-6  # diagonals: vertices at rims within this distance are welded
 LARGEST_WELD = 0.01  # median edges: the largest radius of a weld; more would collapse triangles
 MOST_NEIGHBOURS = 50  # vertices at rims within the radius of a weld, on average, at most
 LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
-MOST_PIECES = 128  # pieces that are not joined, at most, because each needs a run
 NO_VOLUME = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
@@ -43,14 +43,17 @@ class Repair(Options):
         join: closed parts become one solid if they overlap, or if their gap is at most this length, or at most the
             radius of the smaller solid (of the ball with its ratio of volume to area). 0 joins parts that overlap or
             touch, None joins none. ``repair="join"`` means 0.005.
+        most_parts: the number of pieces that are kept, the largest, because each needs a run; it does not apply to
+            joined pieces. The vertices of dropped pieces go to the nearest node.
 
     Raises:
-        ConfigError: a value is no number from 0 to 1.
+        ConfigError: ``most_parts`` is no whole number above 0, or another value is no number from 0 to 1.
     """
 
     largest_hole: float = number(1.0, 0, 1)
     smallest_part: float = number(0.0, 0, 1)
     join: float | None = number(None, 0, 1)
+    most_parts: int = number(128, 1, np.inf)
 
 
 def as_repair(repair: Any) -> Repair | None:
@@ -71,30 +74,36 @@ def as_repair(repair: Any) -> Repair | None:
 class Repaired(NamedTuple):
     """A mesh after repair.
 
-    vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. vertex_of_given: (V_in,) the new vertex for
-    each given one, or -1. repairs: the changes, a sentence each. rims: the given vertices around each filled hole.
+    vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. is_made: (V,) new vertices of an extruded
+    rim, whose source is the vertex of the rim. vertex_of_given: (V_in,) the new vertex for each given one, or -1.
+    given: (V_in, 3) the given vertices, all finite. repairs: the changes, a sentence each. rims: the given vertices
+    around each filled hole. num_left_out: pieces beyond ``most_parts``.
     """
 
     vertices: np.ndarray
     faces: np.ndarray
     source: np.ndarray
+    is_made: np.ndarray
     vertex_of_given: np.ndarray
+    given: np.ndarray
     repairs: tuple[str, ...]
     rims: tuple[np.ndarray, ...]
+    num_left_out: int
 
 
-def repaired(given: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
-    """Repair the vertices ``given`` (V, 3) and ``faces`` (F, 3), whose indices are in range.
+def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
+    """Repair ``vertices`` (V, 3), which may be NaN or infinite, and ``faces`` (F, 3), whose indices are in range.
 
     Raises:
-        MeshError: nothing is left, too much is, or a lid would cut through the surface.
+        MeshError: nothing is left, or no vertex is finite.
     """
     repairs: list[str] = []
 
     def note(sentence: str, num: int, one: str) -> None:
         if num:
             many = "vertices" if one == "vertex" else f"{one}s"
-            repairs.append(sentence.format(f"{num} {one if num == 1 else many}", was="was" if num == 1 else "were"))
+            words = {"was": "was", "its": "its"} if num == 1 else {"was": "were", "its": "their"}
+            repairs.append(sentence.format(f"{num} {one if num == 1 else many}", **words))
 
     def without_doubles(faces: np.ndarray) -> np.ndarray:
         """The faces without those that have a corner twice, and with one of several with the same three corners."""
@@ -105,6 +114,8 @@ def repaired(given: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
         note("left out {} that {was} there already", len(faces) - len(first), "face")
         return faces[first]
 
+    given, num_placed = placed_between_neighbours(vertices, faces)
+    note("placed {} that {was} not finite between {its} neighbours", num_placed, "vertex")
     faces = without_doubles(faces)
     welded = np.arange(len(given))
     corners = given[faces.ravel()].reshape(-1, 3, 3)
@@ -134,16 +145,14 @@ def repaired(given: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
     note("doubled {} in which sheets met", len(source) - len(np.unique(source)), "vertex")
     holes = filled(given[source], parted, options.largest_hole * diagonal)
     note(f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole")
-    if (cutting := lid_that_cuts(given[source], parted, holes)) is not None:
-        where = ", ".join(map(str, source[cutting.loop[:5]].tolist()))
-        raise MeshError(
-            f"the lid of a hole of {len(cutting.loop)} vertices ({where}, ...) would cut through the surface, which is "
-            "a sheet, such as a height field, and no solid: give it a thickness, or a base"
-        )
+    closed = extruded(given[source], parted, holes)
+    repairs += closed.repairs
     rims = tuple(source[hole.loop] for hole in holes)
-    faces = np.concatenate([parted, *(hole.lid for hole in holes)])
+    vertices, faces, is_made = closed.vertices, closed.faces, np.arange(len(closed.vertices)) >= len(source)
+    source = np.concatenate([source, source[closed.source]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
-    faces, left_out = with_volume(given[source], faces, options.smallest_part * diagonal, fewest)
+    most = options.most_parts if options.join is None else len(faces)
+    faces, left_out = with_volume(vertices, faces, options.smallest_part * diagonal, fewest, most)
     for reason, num in left_out.items():
         note(f"left out {{}}{reason}", num, "piece")
     if len(faces) == 0:
@@ -151,29 +160,52 @@ def repaired(given: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
             f"after repair no piece is left that encloses a volume and has {fewest} vertices: expected a "
             "solid, if with holes" + (f" (repaired: {'; '.join(repairs)})" if repairs else "")
         )
-    num_pieces = int(graphs.pieces(faces, len(source)).max()) + 1
-    if num_pieces > MOST_PIECES and options.join is None:
-        raise MeshError(
-            f"the mesh has {num_pieces} pieces: expected at most {MOST_PIECES}, as each needs a run; use "
-            'repair="join" for one solid, or leave out small ones, by Repair(smallest_part=0.01) for example'
-        )
     used, flat = np.unique(faces, return_inverse=True)
     source = source[used]
     first = np.full(len(given), -1)
     first[source[::-1]] = np.arange(len(source))[::-1]
     return Repaired(
-        vertices=given[source],
+        vertices=vertices[used],
         faces=flat.reshape(-1, 3),
         source=source,
+        is_made=is_made[used],
         vertex_of_given=first[welded],
+        given=given,
         repairs=tuple(repairs),
         rims=rims,
+        num_left_out=list(left_out.values())[-1],
     )
 
 
 def has_corner_twice(faces: np.ndarray) -> np.ndarray:
     """(F,) whether a face of ``faces`` (F, 3) has the same corner twice."""
     return (faces == np.roll(faces, 1, axis=1)).any(axis=1)
+
+
+def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
+    """Place vertices that are not finite at the mean of their neighbours in faces, starting at finite neighbours.
+
+    Those without a finite neighbour go to the mean of all. Returns all vertices, and how many in a face were placed.
+    """
+    is_bad = np.logical_not(np.isfinite(vertices).all(axis=1))
+    if not is_bad.any():
+        return vertices, 0
+    if is_bad.all():
+        raise MeshError("no vertex is finite: expected coordinates")
+    vertices, is_left, num = vertices.copy(), is_bad.copy(), len(vertices)
+    onward = faces[:, [1, 2, 0]]
+    beside = graphs.weighted(num, np.concatenate([faces, onward]).T.ravel(), np.concatenate([onward, faces]).T.ravel())
+    vertices[is_left] = 0.0
+    while is_left.any():
+        known = (~is_left).astype(float)
+        count = beside @ known
+        now = is_left & (count > 0)
+        if not now.any():
+            vertices[is_left] = vertices[~is_left].mean(axis=0)
+            break
+        vertices[now] = (beside @ (vertices * known[:, None]))[now] / count[now, None]
+        is_left &= ~now
+    return vertices, int(np.sum(is_bad[np.unique(faces)]))
 
 
 def _rim(faces: np.ndarray) -> np.ndarray:
@@ -198,31 +230,41 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 
 
 def with_volume(
-    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES
+    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES, most: int | None = None
 ) -> tuple[np.ndarray, dict[str, int]]:
-    """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, and those smaller than ``size``.
+    """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, those smaller than ``size``, and the
+    smallest of more than ``most`` pieces.
 
-    Returns the faces that are left, and how many pieces were removed for each reason.
+    Returns the faces that are left, and how many pieces were removed for each reason, the last of which is ``most``.
     """
-    few, flat, small = f" of fewer than {fewest} vertices", " without volume", " smaller than smallest_part"
-    left_out = dict.fromkeys((few, flat, small), 0)
+    few, flat, small, beyond = (
+        f" of fewer than {fewest} vertices",
+        " without volume",
+        " smaller than smallest_part",
+        f", the smallest, beyond most_parts = {most}",
+    )
+    left_out = dict.fromkeys((few, flat, small, beyond), 0)
     if len(faces) == 0:
         return faces, left_out
     edge, _, count = edge_codes(faces)
     label = graphs.pieces(faces, len(vertices))
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
-    keep = np.ones(len(is_open), dtype=bool)
+    diagonals, keep = np.zeros(len(is_open)), np.ones(len(is_open), dtype=bool)
     for piece, rows in enumerate(by_label(label)):
         used, local = np.unique(faces[rows], return_inverse=True)
         low, high = vertices[used].min(axis=0), vertices[used].max(axis=0)
         extent = float((high - low).max())
+        diagonals[piece] = np.linalg.norm(high - low)
         centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
         is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= NO_VOLUME
-        is_small = np.linalg.norm(high - low) < size
-        reasons = (few, len(used) < fewest), (flat, extent == 0 or is_hollow), (small, is_small)
+        reasons = (few, len(used) < fewest), (flat, extent == 0 or is_hollow), (small, diagonals[piece] < size)
         for reason in [reason for reason, applies in reasons if applies][:1]:
             left_out[reason] += 1
             keep[piece] = False
+    kept = np.flatnonzero(keep)
+    if most is not None and len(kept) > most:
+        left_out[beyond] = len(kept) - most
+        keep[kept[np.argsort(-diagonals[kept], kind="stable")][most:]] = False
     return faces[keep[label]], left_out
 
 

@@ -68,7 +68,7 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
 def _surfaces(skeleton: "Skeleton", mesh: "MeshLike | None", middle: np.ndarray) -> list[Any]:
     """The mesh in grey, and coloured by node if the curve has a map of it. The legend shows and hides them."""
     if mesh is not None:
-        vertices, faces = reading.read(mesh)
+        vertices, faces = reading.read(mesh, finite=False)
         if len(skeleton.mesh_map):
             reading.check_map(skeleton.mesh_map, len(vertices))
     elif skeleton.source is not None:

@@ -78,6 +78,7 @@ class Report:
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None without the mesh, or if there are too many to prove, which is a doubt.
         in_sheets, unexplained, elongation: see `Shares`; None if not known. Over half in sheets is a doubt.
+        left_out: parts without a curve, because there were more than ``Repair.most_parts``.
         joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
         cut, is_tree: cycles that `Skeleton.to_tree` cut, and whether it was called.
         inside: fraction of the curve's length that is inside the mesh.
@@ -121,6 +122,7 @@ class Report:
     in_sheets: float | None = None
     unexplained: float | None = None
     elongation: float | None = None
+    left_out: int = 0
     joined_handles: int = 0
     doubts: tuple[str, ...] = ()
     repairs: tuple[str, ...] = ()
@@ -150,11 +152,12 @@ class Report:
         in_sheets, unexplained, elongation = (np.nan if each is None else each for each in measured)
         if None in measured:
             return (UNMEASURED,)
-        handles = _count(self.joined_handles, "handle")
+        parts, handles = (_count(self.left_out, "part"), _count(self.joined_handles, "handle"))
         found = (
             (elongation < LEAST_ELONGATION, "no part is longer than it is wide"),
             (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
             (unexplained > MOST_UNEXPLAINED, f"{unexplained:.0%} of the curve's length {EXCESS}"),
+            (self.left_out > 0, f"repair left out {parts}, which {'has' if self.left_out == 1 else 'have'} no curve"),
             (self.joined_handles > 0, f"joining made {handles}, where parts touch in several places"),
         )
         return tuple(reason for is_so, reason in found if is_so)
@@ -332,7 +335,7 @@ def _overlaps(
         least = "at least " if shape.crossed.num > len(shape.crossed.pairs) or shape.crossed.is_cut else ""
         doubts.append(
             f"the surface crosses itself, in {least}{num} pair{'' if num == 1 else 's'} of triangles: radii count "
-            'walls inside the solid, and loops may be missing; repair="join" makes one solid of several parts'
+            'walls inside the solid, and loops may be missing; repair="join" makes one solid'
         )
     if num := sum(body.is_within for body in bodies(shape)):
         which = "a solid is inside another" if num == 1 else f"{num} solids are inside others"

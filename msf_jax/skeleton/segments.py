@@ -52,7 +52,7 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
 
 def segments(skeleton: "Skeleton", mesh: "MeshLike") -> list[trimesh.Trimesh]:
     """See `Skeleton.segments`."""
-    vertices, faces = reading.read(mesh)
+    vertices, faces = reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
     branch_of_node = np.full(len(skeleton.vertices), -1)
     for number, one in reversed(list(enumerate(skeleton.branches))):  # a junction has the first of its branches

@@ -159,7 +159,7 @@ class Skeleton:
         if source.input_of_vertex is None:
             raise ConfigError(
                 "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
-                'vertices; run skeletonize without repair="join"'
+                'vertices; run skeletonize without repair="join" or extruded rims'
             )
         return BoundSurface(source.solid, source.input_of_vertex, self.mesh_map[source.input_of_vertex])
 

@@ -69,6 +69,20 @@ def test_a_sound_pair_passes_as_it_is():
     np.testing.assert_array_equal(checked.members[0], np.arange(len(vertices)))
 
 
+def test_lists_float32_and_whole_float_faces_are_taken():
+    vertices, faces = pair(blob(1, 1))
+    whole = checking.prepare((vertices, faces))
+    for given in (
+        [vertices.tolist(), faces.tolist()],
+        (vertices.astype(np.float32), faces.astype(np.uint32)),
+        (vertices, faces.astype(float)),
+    ):
+        checked = checking.prepare(given)
+        assert checked.vertices.dtype == np.float64 and checked.faces.dtype == np.int64
+        np.testing.assert_array_equal(checked.faces, whole.faces)
+        np.testing.assert_allclose(checked.vertices, vertices, rtol=1e-6, atol=1e-7)
+
+
 def test_a_trimesh_is_taken_and_not_changed():
     mesh = blob(2, 2)
     mesh.invert()  # so that there is something to repair
@@ -82,15 +96,24 @@ def test_a_trimesh_is_taken_and_not_changed():
     assert mesh.volume == before[2] < 0
 
 
-def test_the_callers_arrays_are_read_only_safe():
-    """Repairs work on arrays that cannot be written, and leave them as they were."""
-    vertices, faces = touching_octahedra()
-    vertices, faces = np.concatenate([[[9.0, 9, 9]], vertices]), faces[:, ::-1] + 1
+@pytest.mark.parametrize("damage", ["none", "inverted", "soup", "stray", "pinched"])
+def test_the_callers_arrays_are_read_only_safe(damage):
+    """Every repair works on arrays that cannot be written, and leaves them as they were."""
+    vertices, faces = pair(blob(3, 2))
+    if damage == "inverted":
+        faces = faces[:, ::-1].copy()
+    elif damage == "soup":
+        vertices, faces = vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
+    elif damage == "stray":
+        vertices, faces = np.concatenate([[[9.0, 9, 9]], vertices]), faces + 1
+    elif damage == "pinched":
+        vertices, faces = touching_octahedra()
     vertices.setflags(write=False)
     faces.setflags(write=False)
     checked = checking.prepare((vertices, faces))
-    assert len(checked.repairs) == 4
+    assert bool(checked.repairs) == (damage != "none")
     assert not np.shares_memory(checked.vertices, vertices)
+    assert not np.shares_memory(checked.faces, faces)
     assert not any(np.shares_memory(component.vertices, vertices) for component in checked.components)
 
 
@@ -106,6 +129,13 @@ def test_a_path_is_read(tmp_path: Path, suffix, as_text):
     assert [component.genus for component in checked.components] == [1]
     assert volume(checked.vertices, checked.faces) == pytest.approx(mesh.volume, rel=1e-5)
     assert checked.repairs == ()
+
+
+def test_a_scene_file_is_read_with_all_its_parts(tmp_path: Path):
+    parts = [trimesh.creation.box(), trimesh.creation.icosphere(1).apply_translation([5, 0, 0])]
+    trimesh.Scene(parts).export(tmp_path / "scene.glb")
+    checked = checking.prepare(tmp_path / "scene.glb")
+    assert sorted(len(component.vertices) for component in checked.components) == [8, 42]
 
 
 @pytest.mark.parametrize("scale", [1e-30, 1e-9, 1e-3, 1e3, 1e9, 1e30])
@@ -145,10 +175,16 @@ def test_garbage_with_a_known_suffix_is_refused_by_name(tmp_path: Path, content)
 def test_vertices_that_are_not_finite_are_counted_and_located(value):
     vertices, faces = pair(torus())
     vertices[[3, 17], [0, 2]] = value
-    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite", "correct them")
+    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite", "repair=True")
     vertices, faces = pair(torus())
     vertices[5, 1] = value
     assert_says(refusal((vertices, faces)), "1 vertex (5) is not finite")
+
+
+def test_a_long_list_of_faults_is_cut_short():
+    vertices, faces = pair(torus())
+    vertices[10:20] = np.nan
+    assert_says(refusal((vertices, faces)), "10 vertices (10, 11, 12, 13, 14, ...)")
 
 
 def test_vertices_of_the_wrong_shape_or_kind_are_refused():
@@ -209,6 +245,17 @@ def test_a_crowded_edge_is_refused():
     assert_says(refusal((apex, faces)), "not manifold", "1 edge (0-1) with more than two faces", "separate the sheets")
 
 
+def test_a_face_given_twice_is_refused():
+    faces = np.concatenate([OCTAHEDRON_FACES, OCTAHEDRON_FACES[:1]])
+    assert_says(refusal((OCTAHEDRON, faces)), "not manifold: 3 edges (0-2, 0-4, 2-4)")
+
+
+def test_one_turned_face_is_refused_with_its_edges():
+    faces = OCTAHEDRON_FACES.copy()
+    faces[0] = faces[0][::-1]
+    assert_says(refusal((OCTAHEDRON, faces)), "not consistently oriented: 3 edges (0-2, 0-4, 2-4)", "fix_winding")
+
+
 def test_a_half_turned_mesh_is_refused_with_as_many_edges_as_lie_between():
     """Turn the faces above the torus's plane of symmetry: the edges between both kinds are at fault."""
     mesh = torus()
@@ -223,6 +270,14 @@ def test_a_tetrahedron_is_refused():
     mesh = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     assert_says(refusal(mesh), "the mesh is a tetrahedron", "at least 5", "subdivide")
     assert checking.prepare(mesh.subdivide()).repairs == ()  # what the message advises
+
+
+def test_a_small_component_is_named_among_many():
+    tetrahedron = trimesh.Trimesh(
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    )
+    both = trimesh.util.concatenate([torus().apply_translation([9, 0, 0]), tetrahedron])
+    assert_says(refusal(both), "component 1 (the one with vertex 288) is a tetrahedron")
 
 
 @pytest.mark.parametrize("tilt", [0.0, 0.7])
@@ -250,12 +305,42 @@ def test_a_soup_is_welded():
     assert volume(checked.vertices, checked.faces) == pytest.approx(mesh.volume)
 
 
+def test_welding_drops_the_faces_that_it_crushes():
+    """A slit whose sides coincide: the two slivers across it vanish with it."""
+    vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON[4:5]])
+    faces = OCTAHEDRON_FACES.copy()
+    faces[0] = [0, 2, 6]  # one corner of one face is a copy of vertex 4
+    checked = checking.prepare((vertices, np.concatenate([faces, [[0, 6, 4]]])))
+    assert checked.repairs == ("welded 1 duplicate vertex",)
+    assert len(checked.faces) == 8
+    assert_closed_and_oriented(checked.faces, 6)
+    np.testing.assert_array_equal(checked.vertex_of_input, [0, 1, 2, 3, 4, 5, 4])
+
+
 def test_nearly_coincident_vertices_are_not_welded():
     """A weld that needs a tolerance would need a guess: the mesh stays open and is refused."""
     vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON[4:5] + 1e-12])
     faces = OCTAHEDRON_FACES.copy()
     faces[0] = [0, 2, 6]
     assert_says(refusal((vertices, faces)), "open: 4 edges (0-4, 0-6, 2-4, 2-6)")
+
+
+def test_closed_parts_that_touch_are_not_welded():
+    """A closed mesh has nothing to weld, even if vertices of its parts coincide."""
+    vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON + np.array([2.0, 0, 0])])
+    checked = checking.prepare((vertices, np.concatenate([OCTAHEDRON_FACES, OCTAHEDRON_FACES + 6])))
+    assert checked.repairs == () and len(checked.vertices) == 12 and len(checked.components) == 2
+
+
+def test_an_inside_out_mesh_is_flipped():
+    mesh = blob(4, 2)
+    mesh.invert()
+    checked = checking.prepare(mesh)
+    assert checked.repairs == ("flipped the mesh, which was inside out",)
+    np.testing.assert_array_equal(checked.vertices, mesh.vertices)
+    assert volume(checked.vertices, checked.faces) == pytest.approx(-mesh.volume) and mesh.volume < 0
+    component = checked.components[0]
+    assert volume(component.vertices, component.faces) == pytest.approx(-mesh.volume)
 
 
 def test_only_the_component_that_is_inside_out_is_flipped():
@@ -273,6 +358,20 @@ def touching_octahedra() -> tuple[np.ndarray, np.ndarray]:
     number = np.array([6, 0, 7, 8, 9, 10])  # the second's (-1, 0, 0) is the first's (1, 0, 0)
     others = np.delete(OCTAHEDRON, 1, axis=0) + np.array([2.0, 0, 0])
     return np.concatenate([OCTAHEDRON, others]), np.concatenate([OCTAHEDRON_FACES, number[OCTAHEDRON_FACES]])
+
+
+def test_a_vertex_where_two_solids_touch_is_split():
+    vertices, faces = touching_octahedra()
+    checked = checking.prepare((vertices, faces))
+    assert checked.repairs == ("split 1 pinched vertex into one per fan",)
+    assert len(checked.vertices) == 12
+    np.testing.assert_array_equal(checked.vertices[:11], vertices)
+    np.testing.assert_array_equal(checked.vertices[11], vertices[0])
+    np.testing.assert_array_equal(checked.vertices[checked.faces], vertices[faces])  # nothing has moved
+    np.testing.assert_array_equal(checked.vertex_of_input, np.arange(11))
+    assert [len(component.vertices) for component in checked.components] == [6, 6]
+    assert [component.genus for component in checked.components] == [0, 0]
+    assert_closed_and_oriented(checked.faces, 12)
 
 
 def test_a_surface_that_touches_itself_is_split_and_keeps_its_genus():
@@ -295,6 +394,22 @@ def test_a_surface_that_touches_itself_is_split_and_keeps_its_genus():
     np.testing.assert_array_equal(checked.vertices[checked.faces], vertices[faces])
     assert [component.genus for component in checked.components] == [0]
     assert_closed_and_oriented(checked.faces, len(checked.vertices))
+
+
+def test_vertices_without_a_face_are_dropped_and_remembered():
+    mesh = torus(around=8, across=5)
+    strays = np.array([[7.0, 0, 0], [8, 0, 0], [9, 0, 0]])
+    vertices = np.concatenate([strays[:1], mesh.vertices[:20], strays[1:2], mesh.vertices[20:], strays[2:]])
+    place = np.concatenate([np.arange(1, 21), np.arange(22, 42)])
+    checked = checking.prepare((vertices, place[mesh.faces]))
+    assert len(checked.repairs) == 1
+    assert_says(checked.repairs[0], "left out vertices that no face uses: 3")
+    np.testing.assert_array_equal(checked.vertices, mesh.vertices)
+    np.testing.assert_array_equal(checked.faces, mesh.faces)
+    np.testing.assert_array_equal(checked.strays, strays)
+    expected = np.full(len(vertices), -1)
+    expected[place] = np.arange(40)
+    np.testing.assert_array_equal(checked.vertex_of_input, expected)
 
 
 def test_all_repairs_at_once():
@@ -341,10 +456,36 @@ def test_components_are_told_apart():
     np.testing.assert_array_equal(np.sort(np.concatenate(checked.members)), np.arange(len(vertices)))
 
 
+# The research meshes
+
+
 @pytest.mark.parametrize("name", ["cow-pinched", "camel-pinched"])
 def test_pinched_research_meshes_are_repaired(research_mesh, name):
     vertices, faces = research_mesh(name)
     checked = checking.prepare((vertices, faces))
     assert any("pinched" in repair for repair in checked.repairs)
+    assert len(checked.vertices) > len(vertices)
     assert len(checked.vertices) - len(checked.faces) // 2 == sum(2 - 2 * part.genus for part in checked.components)
     assert_closed_and_oriented(checked.faces, len(checked.vertices))
+
+
+@pytest.mark.parametrize("name", ["beetle-open", "lilium-open"])
+def test_open_research_meshes_are_refused(research_mesh, name):
+    message = refusal(research_mesh(name))
+    assert "open" in message or "not manifold" in message
+
+
+@pytest.mark.parametrize(("name", "genus"), [("three-holes", 3), ("homer", 0), ("indorelax", 2), ("bunny", 0)])
+def test_sound_research_meshes_pass_with_their_genus(research_mesh, name, genus):
+    checked = checking.prepare(research_mesh(name))
+    assert checked.repairs == ()
+    assert [component.genus for component in checked.components] == [genus]
+
+
+def test_a_cavity_is_named_as_one():
+    outer, inner = trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, radius=0.5)
+    inner.invert()
+    (repair,) = checking.prepare(trimesh.util.concatenate([outer, inner])).repairs
+    assert "component 1" in repair and "cavity" in repair
+    (repair,) = checking.prepare(trimesh.util.concatenate([outer, inner.apply_translation([5, 0, 0])])).repairs
+    assert "inside out" in repair

@@ -6,6 +6,7 @@ import trimesh
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair, Weights
+from msf_jax.app.cli import main
 from msf_jax.meshes import checking
 from tests.benchmarks import faults
 
@@ -64,6 +65,12 @@ def test_beads_that_nearly_touch_become_a_string():
     assert line.startswith("joined 4 solids to 1 at 3 places over gaps of up to ")
     told = float(line.split("up to ")[1].split()[0])
     assert 0.07 < told < 0.11  # the union is of parts that are a hundredth of a radius larger
+
+
+def test_beads_that_touch_become_a_string():
+    found = checking.prepare(beads(0.0), "join")
+    assert [part.genus for part in found.components] == [0]
+    assert found.repairs == ("joined 4 parts that overlap or touch to 1 solid",)
 
 
 def test_parts_that_are_far_apart_stay_apart():
@@ -128,3 +135,14 @@ def test_the_tape_of_joined_parts_knows_the_run():
     np.testing.assert_allclose(np.asarray(msf_jax.replay_radii(tape, nodes)), run.curve.radii, atol=1e-9)
     with pytest.raises(MeshError, match="repair made vertices where it joined parts"):
         msf_jax.replay(tape, weights, vertices)
+
+
+@pytest.mark.slow  # the option is one of `repair` above
+def test_the_command_line_joins(tmp_path, capsys):
+    vertices, faces = overlapping()
+    path, out = tmp_path / "boxes.off", tmp_path / "boxes.npz"
+    trimesh.Trimesh(vertices, faces, process=False).export(path)
+    assert main(["skeletonize", str(path), "-o", str(out), "--max-iterations", "2", "--repair", "join"]) == 0
+    assert "joined 2 parts" in capsys.readouterr().out
+    assert main(["skeletonize", str(path), "--max-iterations", "2", "-o", str(out), "--repair"]) == 0
+    assert "joined" not in capsys.readouterr().out

@@ -224,8 +224,9 @@ def test_coordinates_whose_squares_overflow_are_refused(tmp_path: Path, suffix):
         "stl": trimesh.creation.box().export(file_type="stl_ascii").replace("0.5", "1e308"),
     }
     (tmp_path / f"a.{suffix}").write_text(content[suffix])
-    with pytest.raises(MeshError, match=r"choose another unit|cannot be cut"):
-        reading.read(tmp_path / f"a.{suffix}")
+    for finite in (True, False):
+        with pytest.raises(MeshError, match=r"choose another unit|cannot be cut"):
+            reading.read(tmp_path / f"a.{suffix}", finite=finite)
 
 
 def primitive(document):

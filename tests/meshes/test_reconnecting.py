@@ -6,6 +6,7 @@ import trimesh
 from scipy.sparse import linalg
 
 from msf_jax.limbs import ends
+from msf_jax.meshes import reconnecting
 from msf_jax.meshes.reconnecting import reconnected
 from msf_jax.solid.geometry import triangle_areas
 
@@ -98,3 +99,12 @@ def test_a_sliver_in_a_line_gets_an_area():
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0.5, 1, 0], [0.5, 0, 0]])
     found = reconnected(points, np.array([[0, 1, 2], [1, 0, 3]]))
     np.testing.assert_allclose(triangle_areas(points[found]), 0.25)
+
+
+def test_the_rounds_of_flips_are_bounded(monkeypatch):
+    points, faces = sheared_tube(12, 41, 20)
+    monkeypatch.setattr(reconnecting, "MOST_ROUNDS", 2)
+    few = reconnected(points, faces)
+    monkeypatch.setattr(reconnecting, "MOST_ROUNDS", 100)
+    assert max(opposite(points, few).values()) > 200 > max(opposite(points, reconnected(points, faces)).values())
+    assert triangle_areas(points[few]).sum() == pytest.approx(triangle_areas(points[faces]).sum(), rel=1e-9)

@@ -9,6 +9,7 @@ import trimesh
 from test_frame import bars, cube
 
 import msf_jax
+from msf_jax import Repair
 from msf_jax.meshes.checking import prepare
 from msf_jax.skeleton import report
 from msf_jax.skeleton.report import shares_of
@@ -98,11 +99,15 @@ def test_what_was_not_measured_is_no_limb(rod, tmp_path):
     assert msf_jax.read_curve(tmp_path / "rod.npz").report.are_limbs
 
 
-def test_handles_of_joining_are_told(rod):
+def test_parts_beyond_the_most_and_handles_of_joining_are_told(rod):
+    ball = trimesh.creation.capsule(height=1.0, radius=0.3, count=[8, 8])
+    three = trimesh.util.concatenate([ball.copy().apply_translation([2.0 * k, 0, 0]) for k in range(3)])
+    assert prepare(three, Repair(most_parts=2)).num_left_out == 1 and prepare(three, True).num_left_out == 0
     bars = [trimesh.creation.box((4.0, 0.5, 0.5)), trimesh.creation.box((0.5, 0.5, 4.0))]
     frame = [bars[0].copy().apply_translation([0, 0, side]) for side in (-1.5, 1.5)]
     frame += [bars[1].copy().apply_translation([side, 0, 0]) for side in (-1.5, 1.5)]
     assert prepare(trimesh.util.concatenate(frame), "join").joined_handles == 1
     assert prepare(trimesh.util.concatenate(frame[:3]), "join").joined_handles == 0
+    assert replace(rod.report, left_out=1).not_limbs == ("repair left out 1 part, which has no curve",)
     (reason,) = replace(rod.report, joined_handles=2).not_limbs
     assert reason == "joining made 2 handles, where parts touch in several places"
