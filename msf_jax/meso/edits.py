@@ -122,6 +122,7 @@ def split_obtuse_edges(meso: Meso, angle: float, shortest: float, max_rows: int)
     """
     cosine = np.cos(np.radians(angle))
     rounds, waiting, is_touched = [], Waiting(), np.ones(meso.num_rows, dtype=bool)
+    whole: dict[str, np.ndarray] = {}
     while True:
         found = waiting.find(kernels.wide_edges, meso, is_touched, shortest, cosine)
         a, b, apex = found.T[[0, 1, 4]]
@@ -130,7 +131,7 @@ def split_obtuse_edges(meso: Meso, angle: float, shortest: float, max_rows: int)
         is_full = meso.num_live + len(chosen) > max_rows
         if len(chosen) == 0 or is_full:
             return rounds, is_full
-        rounds.append(split_edges(meso, a[chosen], b[chosen], waiting.value[chosen, 1], apex[chosen]))
+        rounds.append(split_edges(meso, a[chosen], b[chosen], waiting.value[chosen, 1], apex[chosen], whole))
         # The edges of the split faces are tested again; waiting edges elsewhere have not changed.
         is_touched = np.zeros(meso.num_rows, dtype=bool)
         is_touched[np.r_[rounds[-1].new, found[chosen, :4].ravel()]] = True
@@ -143,6 +144,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray) -> None:
     """
     limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
     a, b = ring_tables.edges_from_rings(meso.rings)
+    whole: dict[str, np.ndarray] = {}
     while True:
         excess = edge_lengths(meso.positions, a, b) * 2 / (limit[a] + limit[b])
         is_long = excess > 1
@@ -153,7 +155,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray) -> None:
         if len(chosen) == 0:
             return
         limit = np.concatenate([limit, (limit[a] + limit[b])[chosen] / 2])
-        new = split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5), None).new
+        new = split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5), None, whole).new
         # The other edges have not changed.
         near = meso.rings[new, :4].ravel()
         a, b = np.r_[np.delete(a, chosen), near], np.r_[np.delete(b, chosen), np.repeat(new, 4)]
@@ -167,11 +169,13 @@ def split_edges(
     b: np.ndarray,
     fraction: np.ndarray,
     apex: np.ndarray | None,
+    whole: dict[str, np.ndarray],
 ) -> SplitRound:
-    """Split the edges ab (c,), which share no face, at ``fraction`` from a to b, where ``apex`` projects."""
+    """Split the edges ab (c,), which share no face, at ``fraction`` from a to b, where ``apex`` projects; ``whole``:
+    see `Meso.append`."""
     meso.widen(int(meso.degree.max(initial=0)) + 1)
     new = np.arange(meso.num_rows, meso.num_rows + len(a))
-    meso.append(len(a))
+    meso.append(len(a), whole)
     kernels.cut(meso.surface(), a, b, fraction)
     done = SplitRound(a, b, new, fraction, apex)
     meso.edits.append(done)

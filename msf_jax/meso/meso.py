@@ -91,8 +91,9 @@ class Meso:
 
     def surface(self) -> kernels.MesoArrays:
         """The arrays for kernels, which may change them."""
-        neutral = {"classes": np.zeros_like(self.rings), "scale": np.ones(self.num_rows)}
-        neutral["weights"] = np.empty((self.num_rows, 0))
+        neutral = {"scale": np.ones(self.num_rows), "weights": np.empty((self.num_rows, 0))}
+        if self.classes is None:
+            neutral["classes"] = np.zeros_like(self.rings)
         for name in ROWS:  # a kernel would change a copy of an array of another kind
             if (value := getattr(self, name)) is not None:
                 kind = kernels.MesoArrays.__annotations__[name].__metadata__[0]
@@ -103,11 +104,14 @@ class Meso:
         """The arrays with a row for each vertex, by name, without those that are None."""
         return {name: value for name in ROWS if (value := getattr(self, name)) is not None}
 
-    def append(self, count: int) -> None:
-        """Add ``count`` dead rows, with zeros."""
+    def append(self, count: int, whole: dict[str, np.ndarray]) -> None:
+        """Add ``count`` dead rows, with zeros. ``whole`` has the arrays with spare rows of the call before, if any."""
+        num = self.num_rows + count
         for name, value in self.arrays().items():
-            rows = np.full((count, *value.shape[1:]), -1 if name == "rings" else 0, value.dtype)
-            setattr(self, name, np.concatenate([value, rows]))
+            if name not in whole or value.base is not whole[name] or len(whole[name]) < num:
+                whole[name] = np.full((num * 5 // 4, *value.shape[1:]), -1 if name == "rings" else 0, value.dtype)
+                whole[name][: len(value)] = value
+            setattr(self, name, whole[name][:num])
 
     def widen(self, degree: int) -> None:
         """Add slots until every row has at least ``degree``."""
