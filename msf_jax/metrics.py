@@ -13,7 +13,7 @@ from msf_jax.meshes import checking
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.geometry import arc_length, at, repeated, triangle_areas, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -179,8 +179,8 @@ def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tup
     if not length.sum() > 0:  # a curve without length is sampled at its nodes
         return vertices, np.ones(len(vertices)), np.zeros_like(vertices)
     count = np.maximum(1, np.ceil(length / spacing)).astype(np.int64)
-    edge = np.repeat(np.arange(len(edges)), count)
-    t = (np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[edge]
+    edge, number = repeated(count)
+    t = (number + 0.5) / count[edge]
     return a[edge] + t[:, None] * (b - a)[edge], length[edge] / count[edge], unit(b - a)[edge]
 
 
@@ -258,10 +258,9 @@ def _by_area(missed: np.ndarray, area: np.ndarray) -> float:
 def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """For sample points (S,) of the surface: distance to the nearest ball, its node, and the area of the point."""
     a, b, c = np.moveaxis(shape.triangles, 1, 0)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    area = triangle_areas(shape.triangles)
     count = np.maximum(1, np.round(SURFACE_SAMPLES * area / area.sum())).astype(np.int64)
-    face = np.repeat(np.arange(len(area)), count)
-    number = np.arange(len(face)) - np.repeat(np.cumsum(count) - count, count)
+    face, number = repeated(count)
     # Evenly spread points in a triangle: the plastic number's sequence (Roberts 2018), folded over the diagonal.
     s, t = (1 / 3 + 0.7548776662466927 * number) % 1, (1 / 3 + 0.5698402909980532 * number) % 1
     s, t = np.where(s + t > 1, 1 - s, s)[:, None], np.where(s + t > 1, 1 - t, t)[:, None]

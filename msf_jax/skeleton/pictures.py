@@ -150,14 +150,8 @@ def _frame(axes: Any, points: np.ndarray) -> None:
     axes.set_box_aspect(half, zoom=zoom)
 
 
-def figure(skeleton: "Skeleton", mesh: "MeshLike | None" = None) -> "Figure":
-    """A matplotlib figure: the mesh translucent, if it is given, as `skeletonize` takes it; the curve coloured by
-    radius. `panels` has a choice of the camera."""
-    return panels([Panel(mesh=mesh, curves={"": skeleton})], size=8)
-
-
 def picture(skeleton: "Skeleton", mesh: "MeshLike | None" = None) -> bytes:
-    """`figure` as the bytes of a PNG file."""
+    """`Skeleton.plot` as the bytes of a PNG file."""
     buffer = io.BytesIO()
-    figure(skeleton, mesh).savefig(buffer, format="png", dpi=150)
+    skeleton.plot(mesh).savefig(buffer, format="png", dpi=150)
     return buffer.getvalue()

@@ -80,7 +80,7 @@ class Report:
         in_sheets, unexplained, elongation: see `Shares`; None if not known. Over half in sheets is a doubt.
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
         joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
-        cut, is_tree: cycles that `Skeleton.to_tree` cut, and whether it was called.
+        cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
         reason: why the flow stopped: one clause for each distinct reason of a component.
@@ -116,7 +116,6 @@ class Report:
     grown: int = 0
     wavefronts: int = 0
     cut: int = 0
-    is_tree: bool = False
     out_of_steps: int = 0
     loops: int | None = None
     in_sheets: float | None = None
@@ -166,8 +165,7 @@ class Report:
         """Plain values, for JSON or a table."""
         figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
         inside = None if np.isnan(self.inside) else self.inside  # NaN for a curve without its mesh
-        lists = {key: list(getattr(self, key)) for key in SENTENCES}
-        return asdict(self) | lists | {"figures": figures, "inside": inside}
+        return asdict(self) | {"figures": figures, "inside": inside}
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> "Report":
@@ -179,24 +177,6 @@ class Report:
         return cls(**(dict(values) | changed))
 
     def __repr__(self) -> str:
-        how = "converged" if self.converged else f"NOT converged, {self.reason}"
-        cycles = self._cycles()
-        if self.loops is not None and self.loops != self.cycles:
-            cycles += f", {_around(self.loops, self.cycles)}"
-        kind = "" if self.elongation is None or self.are_limbs else ", NOT limbs"
-        return f"Report({how}, {cycles}, {100 * self.inside:.2f} % inside{kind})"
-
-    @property
-    def _is_cut_tree(self) -> bool:
-        """Whether cycles are missing that would have been cut anyway."""
-        return self.is_tree and not self.cycles and self.cut != self.genus
-
-    def _cycles(self) -> str:
-        if self._is_cut_tree:
-            return f"a tree, as asked for: {_count(self.cut, 'cycle')} cut, of genus {self.genus}"
-        return _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
-
-    def __str__(self) -> str:
         seconds = ", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items())
         return "\n".join([*self.lines(), *([seconds] if seconds else [])])
 
@@ -209,8 +189,8 @@ class Report:
             f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
             _compare(self.components, "component", self.mesh_components, "as in the mesh")
             + ", "
-            + self._cycles()
-            + (f", {self.cut} more cut" if self.cut and not self._is_cut_tree else "")
+            + _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
+            + (f", {self.cut} more cut" if self.cut else "")
             + ("" if self.loops is None or not self.cycles else f", {_around(self.loops, self.cycles)}"),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"

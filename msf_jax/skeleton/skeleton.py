@@ -27,13 +27,13 @@ from msf_jax.limbs.one_branch import Branch
 from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.report import Report, assessed
+from msf_jax.solid.geometry import to_segment
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from networkx import Graph
-    from pandas import DataFrame
     from plotly.graph_objects import Figure as PlotlyFigure
     from trimesh import Trimesh
 
@@ -48,7 +48,6 @@ SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may b
 STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
 THICK = 4.0  # least ratio of a soma's radius to the median radius
 ARRAYS = ("vertices", "edges", "radii", "mesh_map")  # attributes of a skeleton that are leaves of a pytree
-OTHERS = ("roots", "openings", "radius_of", "units")  # those that are part of its structure
 
 
 class Stage(NamedTuple):
@@ -318,7 +317,6 @@ class Skeleton:
             cycles=0,
             loops=None if self.report.loops is None else 0,
             cut=self.report.cut + len(gone),
-            is_tree=True,
             inside=_share_inside(self, self.vertices, edges, self.radii),
             notes=(*self.report.notes, f"a tree: {loops} cut where thinnest{where}; {place}"),
             figures={},
@@ -428,7 +426,7 @@ class Skeleton:
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
-        A dictionary of arrays; `to_pandas` makes a data frame. ``save("x.csv")`` and ``save("x.nodes.csv")``,
+        A dictionary of arrays, as `pandas.DataFrame` takes it. ``save("x.csv")``, ``save("x.nodes.csv")``,
         ``.axes.csv`` and ``.cylinders.csv`` write the same tables. Lengths are in the caller's
         units, angles in degrees; unknown values are NaN. Branches are directed away from the root of `to_tree`, or from
         the tip of the thickest limb.
@@ -550,10 +548,11 @@ class Skeleton:
         return page.view(self, mesh, path)
 
     def plot(self, mesh: "MeshLike | None" = None) -> "Figure":
-        """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `view.panels`."""
+        """A matplotlib figure, for papers: the mesh translucent, if it is given, as `skeletonize` takes it; the curve
+        coloured by radius. `view.panels` has a choice of the camera."""
         from msf_jax.skeleton import pictures
 
-        return pictures.figure(self, mesh)
+        return pictures.panels([pictures.Panel(mesh=mesh, curves={"": self})], size=8)
 
     def segments(self, mesh: "MeshLike") -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
@@ -579,12 +578,6 @@ class Skeleton:
         for (a, b), length in zip(self.edges.tolist(), graphs.lengths(self.vertices, self.edges), strict=True):
             graph.add_edge(a, b, length=float(length))
         return graph
-
-    def to_pandas(self, of: str = "branches") -> "DataFrame":
-        """The `columns` as a `pandas.DataFrame`."""
-        import pandas
-
-        return pandas.DataFrame(self.columns(of))
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
@@ -654,9 +647,7 @@ def _mark_far(points: np.ndarray, is_needed: np.ndarray, tolerance: float) -> No
     stack = list(pairwise(needed))
     while stack:
         first, last = stack.pop()
-        along, offset = points[last] - points[first], points[first : last + 1] - points[first]
-        part = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
-        away = np.linalg.norm(offset - part[:, None] * along, axis=1)
+        away = to_segment(points[first : last + 1], points[first], points[last])
         if away.max() > tolerance:
             middle = first + int(away.argmax())
             is_needed[middle] = True
@@ -680,33 +671,20 @@ def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
     return np.sort(pairs[joined.row, joined.col], axis=1)
 
 
-@dataclass(frozen=True, eq=False)
-class _Same:
-    """A part of a pytree's structure that is compared by identity, because comparing its values is slow."""
-
-    value: Any
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and self.value is other.value
-
-    def __hash__(self) -> int:
-        return id(self.value)
-
-
-def _flatten(skeleton: Skeleton) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-    """The leaves of a skeleton as a pytree, its arrays and those of its binding if it has one; and its static part. So
-    a jitted function of a skeleton is compiled for each skeleton, and one of its ``binding`` for each capacity."""
+def _flatten(skeleton: Skeleton) -> tuple[tuple[Any, ...], Skeleton]:
+    """The leaves of a skeleton as a pytree, its arrays and those of its binding if it has one; and its static part: the
+    skeleton whose leaves these were at first, compared by identity. So a jitted function of a skeleton is compiled for
+    each skeleton, and one of its ``binding`` for each capacity."""
     has_binding = "binding" in vars(skeleton) or (skeleton.source and skeleton.source.input_of_vertex is not None)
-    arrays, others = ([getattr(skeleton, name) for name in names] for names in (ARRAYS, OTHERS))
-    leaves = (*arrays, skeleton.binding if has_binding else None)
-    return leaves, (_Same(skeleton.report), _Same(skeleton.source), *others)
+    leaves = [getattr(skeleton, name) for name in ARRAYS]
+    return (*leaves, skeleton.binding if has_binding else None), vars(skeleton).get("origin", skeleton)
 
 
-def _unflatten(static: tuple[Any, ...], leaves: Any) -> Skeleton:
+def _unflatten(origin: Skeleton, leaves: Any) -> Skeleton:
     """The inverse of `_flatten`. JAX also passes axes, masks and gradients as leaves."""
-    (report, source, *others), (*arrays, binding) = static, leaves
-    values: dict[str, Any] = dict(zip(ARRAYS + OTHERS, [*arrays, *others], strict=True))
-    skeleton = Skeleton(**values, report=report.value, source=source.value)
+    *arrays, binding = leaves
+    skeleton = replace(origin, **dict(zip(ARRAYS, arrays, strict=True)))
+    vars(skeleton)["origin"] = origin
     if binding is not None:
         vars(skeleton)["binding"] = binding
     return skeleton

@@ -128,7 +128,7 @@ def main(folder: Path) -> None:
     for name, mesh in {"hand": shapes.hand(0.04), **{name: make() for name, make in makers.items()}}.items():
         skeleton, picture = drawn(mesh)
         (folder / f"{name}.png").write_bytes(picture)
-        print(f"{name}: {len(mesh.vertices)} vertices, {len(picture)} bytes, {skeleton!r}, {skeleton.report!r}")
+        print(f"{name}: {len(mesh.vertices)} vertices, {len(picture)} bytes, {skeleton!r}")
     (folder / "bending.png").write_bytes(last_of(Path(__file__).parents[2] / "notebooks" / "bending.ipynb"))
 
 

@@ -4,6 +4,7 @@ import csv
 from itertools import pairwise
 
 import numpy as np
+import pandas
 import pytest
 from scipy import spatial
 
@@ -69,7 +70,7 @@ def virtual(seed: int, num: int = 4) -> Plant:
 
 def check(plant: Plant, skeleton: Skeleton, degrees: float, share: float, away: float, ends: float) -> None:
     """All orders and parents are right. ``ends``: what the curve lacks of a length, in radii of the plant's ends."""
-    table = skeleton.to_pandas("axes")
+    table = pandas.DataFrame(skeleton.columns("axes"))
     tips = np.array([plant.points[nodes[-1]] for nodes in plant.nodes])
     which = spatial.KDTree(tips).query(skeleton.vertices[table["end"]])[1]
     assert sorted(which) == list(range(len(tips)))
@@ -105,7 +106,7 @@ def test_strahlers_order_is_one_more_where_equals_meet():
     one = plant.grow(0, 10, 60, 0, 2.0, 0.1)
     plant.grow(0, 20, 60, 120, 2.0, 0.1)
     plant.grow(one, 15, 60, 0, 1.0, 0.08)
-    table = plant.curve.to_pandas("axes")
+    table = pandas.DataFrame(plant.curve.columns("axes"))
     order = dict(zip(table["end"], table["strahler"], strict=True))
     tips = [nodes[-1] for nodes in plant.nodes]
     assert [order[tip] for tip in tips] == [3, 2, 1, 1]
@@ -117,7 +118,7 @@ def test_an_axis_goes_on_with_the_thickest_and_straightest(radius, goes_on):
     plant = Plant(6.0, 0.0)
     side = plant.grow(0, 20, 60, 0, 2.0, radius)
     skeleton = plant.curve.to_tree(0)
-    table = skeleton.to_pandas("axes")
+    table = pandas.DataFrame(skeleton.columns("axes"))
     (main,) = np.flatnonzero(table["order"] == 0)
     assert table["start"][main] == 0 and (table["end"][main] == plant.nodes[side][-1]) == goes_on
     assert len(table["axis"]) == 2
@@ -155,9 +156,9 @@ def test_the_tables_of_axes_and_cylinders_are_written_and_others_refused(tmp_pat
     curve.save(tmp_path / "plant.axes.csv")
     assert (tmp_path / "plant.axes.csv").read_text().startswith("axis,parent,order,strahler,")
     with pytest.raises(msf_jax.ConfigError, match="'axes', 'cylinders'"):
-        curve.to_pandas("axis")
+        curve.columns("axis")
     alone = curve_of(np.zeros((1, 3)), np.empty((0, 2), dtype=int), np.ones(1))
-    assert len(alone.to_pandas("axes")) == 1 and len(alone.to_pandas("cylinders")) == 0
+    assert len(alone.columns("axes")["axis"]) == 1 and len(alone.columns("cylinders")["radius"]) == 0
 
 
 @pytest.mark.slow  # virtual ones are quick

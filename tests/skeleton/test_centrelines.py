@@ -4,6 +4,7 @@ import csv
 from itertools import pairwise
 
 import numpy as np
+import pandas
 import pytest
 import pyvista
 import trimesh
@@ -86,7 +87,7 @@ def test_the_section_of_an_elliptic_tube_has_its_area_and_diameters():
 def test_branches_know_their_lengths_angles_parents_and_radii():
     shape = ground_truth.make("y")
     nodes, edges = refined(shape, 0.05)
-    table = measured(nodes, edges, shape.mesh).to_pandas()
+    table = pandas.DataFrame(measured(nodes, edges, shape.mesh).columns())
     assert len(table) == 3 and sorted(table["parent"]) == [-1, *[table.index[table["parent"] == -1][0]] * 2]
     trunk = table[table["parent"] == -1].iloc[0]
     limbs = table[table["parent"] >= 0]
@@ -119,7 +120,7 @@ def test_tables_are_written_and_are_columns_of_arrays(tmp_path):
         skeleton.save(tmp_path / f"y{suffix}")
         with open(tmp_path / f"y{suffix}", newline="") as file:
             rows = list(csv.DictReader(file))
-        table = skeleton.to_pandas(of)
+        table = pandas.DataFrame(skeleton.columns(of))
         assert list(rows[0]) == list(table.columns) and len(rows) == len(table)
         for name in table.columns:
             written = [np.nan if row[name] == "" else row[name] for row in rows]
@@ -138,7 +139,7 @@ def test_vtk_reads_all_columns(tmp_path):
     skeleton = measured(np.vstack([nodes, [[0.0, 0.0, -0.5]]]), edges, shape.mesh)
     skeleton.save(tmp_path / "y.vtp")
     read = pyvista.read(tmp_path / "y.vtp")
-    branches, of_nodes = skeleton.to_pandas(), skeleton.to_pandas("nodes")
+    branches, of_nodes = pandas.DataFrame(skeleton.columns()), pandas.DataFrame(skeleton.columns("nodes"))
     order = np.argsort(branches["length"] > 0, kind="stable")
     for name in ("branch", "length", "angle", "volume", "parent", "least_radius"):
         np.testing.assert_array_equal(read.cell_data[name], branches[name].to_numpy()[order])
@@ -152,9 +153,9 @@ def test_vtk_reads_all_columns(tmp_path):
 def test_a_curve_without_its_mesh_has_lengths_and_no_areas(tmp_path):
     shape = ground_truth.make("y")
     curve = curve_of(shape.points, np.sort(shape.edges, axis=1), shape.radii)
-    table = curve.to_pandas()
+    table = pandas.DataFrame(curve.columns())
     assert table["volume"].isna().all() and (table["length"] > 0.5).all()
-    assert curve.to_pandas("nodes")["area"].isna().all()
+    assert pandas.DataFrame(curve.columns("nodes"))["area"].isna().all()
     curve.save(tmp_path / "y.vtp")
     assert "area" not in pyvista.read(tmp_path / "y.vtp").point_data
     with pytest.raises(ConfigError, match=r"does not know the mesh .*: expected one from .*; save it as \.npz"):
@@ -182,7 +183,7 @@ def test_a_vessel_that_was_cut_open_keeps_its_length_and_its_radius_to_the_openi
     assert order[0].max() < 0.02 and set(order[1]) == {0, 1}
     wall = 0.12 * np.cos(np.pi / 6)  # to the sides of the hexagon
     assert skeleton.radii.min() > 0.8 * wall
-    (row,) = skeleton.to_pandas().to_dict("records")
+    (row,) = pandas.DataFrame(skeleton.columns()).to_dict("records")
     assert row["length"] == pytest.approx(2.2, rel=0.02) and row["least_radius"] > 0.8 * wall
     again = skeleton.resample(0.4)
     np.testing.assert_allclose(again.vertices[list(again.openings)], ends)

@@ -104,7 +104,7 @@ def test_a_mutated_curve_is_not_sound(ring_curve):
     report = changed(ring_curve, beside, edges)
     assert (report.loops, report.cycles, report.inside, report.is_sound) == (0, 1, 1.0, False)
     assert "goes around no handle" in report.doubts[0] and "in doubt: the loop" in str(report)
-    assert "1 cycle for genus 1, around ONLY 0 handles" in str(report) and "around ONLY 0 handles" in repr(report)
+    assert "1 cycle for genus 1, around ONLY 0 handles" in str(report)
     bridge = [[0, num]]
     report = changed(ring_curve, np.concatenate([x, 1.01 * x]), np.concatenate([edges, edges + num, bridge]))
     assert (report.loops, report.cycles, report.is_sound) == (1, 2, False) and "of others" in report.doubts[0]

@@ -1,6 +1,7 @@
 """Openings: ends, lengths, areas and radii of tubes that were cut off, beside closed forms."""
 
 import numpy as np
+import pandas
 import pytest
 import trimesh
 
@@ -77,15 +78,15 @@ def test_a_tube_that_was_cut_off_is_whole_up_to_its_openings(mesh, length, flat)
     # An uneven rim is seen along its area vector, which leans by a few degrees; a flat one has an exact middle.
     nodes = [at(skeleton, [0, 0, low], 0.01 * R if low else 1e-6), at(skeleton, [0, 0, length])]
     assert length_of(skeleton) == pytest.approx(length - low, rel=0.003)
-    rows = skeleton.to_pandas("nodes").iloc[nodes]
+    rows = pandas.DataFrame(skeleton.columns("nodes")).iloc[nodes]
     np.testing.assert_allclose(rows["area"], np.pi * R**2 / flat, rtol=0.01)
     np.testing.assert_allclose(rows["radius"], R / flat, rtol=0.03)
     np.testing.assert_allclose(rows["least_diameter"], 2 * R / flat, rtol=0.01)
     np.testing.assert_allclose(rows["largest_diameter"], 2 * R, rtol=0.01)
-    everywhere = skeleton.to_pandas("nodes")
+    everywhere = pandas.DataFrame(skeleton.columns("nodes"))
     np.testing.assert_allclose(everywhere["area"], np.pi * R**2 / flat, rtol=0.02)
     assert skeleton.radii.min() > 0.97 * R / flat
-    assert skeleton.to_pandas()["least_radius"].min() > 0.97 * R / flat
+    assert pandas.DataFrame(skeleton.columns())["least_radius"].min() > 0.97 * R / flat
 
 
 @pytest.mark.slow  # the ends of a tube are quick
@@ -97,10 +98,10 @@ def test_a_short_outlet_ends_in_its_opening(radius, height):
     degree = np.bincount(skeleton.edges.ravel())
     assert len(skeleton.openings) == 3 == (degree == 1).sum() and (degree > 2).sum() == 1
     assert length_of(skeleton) == pytest.approx(8 + R + height, rel=0.03)
-    rows = skeleton.to_pandas("nodes").iloc[nodes]
+    rows = pandas.DataFrame(skeleton.columns("nodes")).iloc[nodes]
     np.testing.assert_allclose(rows["area"], np.pi * np.array([R, R, radius]) ** 2, rtol=0.01)
     np.testing.assert_allclose(rows["radius"], [R, R, radius], rtol=0.03)
-    (branch,) = skeleton.to_pandas().query("is_tip and mean_radius < 1.2").to_dict("records")
+    (branch,) = pandas.DataFrame(skeleton.columns()).query("is_tip and mean_radius < 1.2").to_dict("records")
     assert branch["volume"] > np.pi * radius**2 * height  # its vertices are the branch's
 
 

@@ -16,6 +16,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
+from msf_jax.solid.geometry import repeated
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 MOST_JOINTS = 65535  # joints that the format can number
 FAR_FROM_ORIGIN = 100  # bounding-box diagonals from the origin: beyond, coordinates are relative to the mesh's centre
-AT_ONCE = 4  # influences in one set of attributes of the format
 FLOAT, USHORT = 5126, 5123  # component types of the format
 
 
@@ -108,9 +108,8 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
         if name not in meshes:  # a part without faces
             continue
         attributes = document["meshes"][meshes[name]]["primitives"][0]["attributes"]
-        for which, (bound, weights) in enumerate(_sets(rig.weights[row])):
-            attributes[f"JOINTS_{which}"] = add(bound, "VEC4", USHORT)
-            attributes[f"WEIGHTS_{which}"] = add(weights, "VEC4", FLOAT)
+        bound, weights = _four_of_each(rig.weights[row])
+        attributes |= {"JOINTS_0": add(bound, "VEC4", USHORT), "WEIGHTS_0": add(weights, "VEC4", FLOAT)}
         nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0, **placed})
     top = len(nodes)
     nodes.append({"name": "rig", "children": np.flatnonzero(rig.parents < 0).tolist(), **placed})
@@ -122,14 +121,9 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
     document["asset"]["generator"] = f"msf_jax {VERSION}"
 
 
-def _sets(rows: Any) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Joints and weights in sets of four, the largest weights first: (v, 4) uint16 and (v, 4) float32 each."""
-    num, most = rows.shape[0], int(np.diff(rows.indptr).max(initial=1))
-    width = -(-most // AT_ONCE) * AT_ONCE
-    bound, weights = np.zeros((num, width), dtype=np.uint16), np.zeros((num, width), dtype=np.float32)
-    row = np.repeat(np.arange(num), np.diff(rows.indptr))
-    order = np.lexsort((-rows.data, row))
-    rank = np.arange(len(row)) - np.repeat(rows.indptr[:-1], np.diff(rows.indptr))
-    bound[row, rank], weights[row, rank] = rows.indices[order], rows.data[order]
-    weights /= weights.sum(axis=1, keepdims=True)
-    return [(bound[:, k : k + AT_ONCE], weights[:, k : k + AT_ONCE]) for k in range(0, width, AT_ONCE)]
+def _four_of_each(rows: Any) -> tuple[np.ndarray, np.ndarray]:
+    """The joints (v, 4) uint16 and weights (v, 4) float32 in the sparse ``rows`` (v, B) of at most four values."""
+    bound, weights = np.zeros((rows.shape[0], 4), dtype=np.uint16), np.zeros((rows.shape[0], 4), dtype=np.float32)
+    place = repeated(np.diff(rows.indptr))
+    bound[place], weights[place] = rows.indices, rows.data
+    return bound, weights / weights.sum(axis=1, keepdims=True)
