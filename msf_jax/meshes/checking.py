@@ -12,7 +12,7 @@ from scipy import spatial
 
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import joining
-from msf_jax.meshes.reading import OR_REPAIR, MeshLike, count, enough_memory, read
+from msf_jax.meshes.reading import OR_REPAIR, MeshLike, count, read
 from msf_jax.meshes.repair import (
     FEWEST_TO_JOIN,
     FEWEST_VERTICES,
@@ -105,7 +105,6 @@ class Surface:
         )
 
 
-@enough_memory("the mesh")
 def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
     """Read and check ``mesh``, and repair it as ``repair`` says. The caller's object is not changed.
 

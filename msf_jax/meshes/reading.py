@@ -9,8 +9,6 @@ become one vertex.
 import importlib.util
 import logging
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -21,8 +19,8 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import is_traced, traced
-from msf_jax.meshes.decoding import decoded
 from msf_jax.meshes.files import gltf, ply, stl, text, unpacking
+from msf_jax.meshes.files.text import decoded
 from msf_jax.topology import graphs
 
 SMALLEST_EXTENT = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
@@ -50,15 +48,6 @@ class HasPolygons(Protocol):
     def extract_surface(self, *args: Any, **options: Any) -> Any: ...
 
 
-@contextmanager
-def enough_memory(what: str) -> Iterator[None]:
-    """Turn a lack of memory into a `MeshError`."""
-    try:
-        yield
-    except MemoryError as error:
-        raise MeshError(f"{what} needs more memory than there is: it is damaged or too large") from error
-
-
 MeshLike = str | os.PathLike[str] | tuple[ArrayLike, ArrayLike] | HasTriangles | HasPolygons
 """What functions take as a mesh: a path, an object with triangles, or ``(vertices (V, 3), faces (F, 3))``."""
 
@@ -80,7 +69,6 @@ def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
     return read(mesh, finite=False)
 
 
-@enough_memory("the mesh")
 def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
 
@@ -176,14 +164,13 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
             "export it to one of these"
         )
     try:
-        with enough_memory(repr(path.name)):
-            found = [part for part in _meshes_of(path, suffix) if len(part.faces)]
+        found = [part for part in _meshes_of(path, suffix) if len(part.faces)]
     except MeshError:
         raise
     except Exception as error:  # for a damaged file the readers raise exceptions of many types
         reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
         raise MeshError(
-            f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
+            f"cannot read {path.name!r} as {suffix}: it is damaged, too large, or its suffix is wrong ({reason[:200]})"
         ) from error
     if not found:
         raise MeshError(f"{path.name!r} has no triangles: expected a triangle mesh")

@@ -9,7 +9,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from msf_jax.meshes.decoding import decoded
+from msf_jax.meshes.files.text import decoded
 from msf_jax.meshes.files.unpacking import SMALL_ARCHIVE, check_shown
 
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks

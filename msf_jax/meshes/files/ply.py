@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.meshes.decoding import decoded, has_mark, lines_of
-from msf_jax.meshes.files.text import triangulated
+from msf_jax.meshes.files.text import MARKS, decoded, lines_of, triangulated
 
 HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
 KINDS = "char uchar short ushort int uint float double int8 uint8 int16 uint16 int32 uint32 float32 float64"
@@ -34,7 +33,7 @@ def mesh(content: bytes) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         ValueError: it is no PLY, or is damaged; the message says where.
     """
-    content = decoded(content).encode() if has_mark(content) else content
+    content = decoded(content).encode() if content.startswith(tuple(MARKS)) else content
     head = HEADER.match(content)
     if head is None:
         raise ValueError("it does not begin with ply, or its header has no end_header")

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from msf_jax.meshes.decoding import decoded
+from msf_jax.meshes.files.text import decoded
 
 # Of a binary file: 80 bytes of text and the number of facets (uint32), then a row for each facet.
 HEADER_BYTES, ROW = 84, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])

@@ -1,20 +1,49 @@
-"""Reading of OFF and OBJ files, as text: polygons of any number of corners, with or without colours.
+"""The text of files of other programs; OFF and OBJ files from it: polygons of any number of corners, with or without
+colours.
 
 Trimesh's readers cut polygons into fans, expect one face a line in OFF, and count negative indices of OBJ from the end
 of the file. Here polygons are cut into triangles: a quad by the shorter of the diagonals that do not fold it, a polygon
 of more corners by ear clipping.
 """
 
+import codecs
 import re
 
 import numpy as np
 
-from msf_jax.meshes.decoding import lines_of
 from msf_jax.meshes.holes import lid_of
 
-PLAIN_OFF = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
 OFF_HEADER = re.compile(r"\s*(?:ST)?C?N?OFF\b(?!\s*BINARY)", re.IGNORECASE)
+MARKS = {  # encoding of each byte-order mark; UTF-32's begins as UTF-16's, so it is first
+    codecs.BOM_UTF8: "utf-8",
+    codecs.BOM_UTF32_LE: "utf-32-le",
+    codecs.BOM_UTF32_BE: "utf-32-be",
+    codecs.BOM_UTF16_LE: "utf-16-le",
+    codecs.BOM_UTF16_BE: "utf-16-be",
+}
 MeshArrays = tuple[np.ndarray, np.ndarray]
+
+
+def decoded(content: bytes) -> str:
+    """The text in ``content``: as its byte-order mark says, else UTF-8, else Latin-1.
+
+    Raises:
+        ValueError: it is no text; the message says what it has.
+    """
+    for mark, encoding in MARKS.items():
+        if content.startswith(mark):
+            return content[len(mark) :].decode(encoding)
+    if b"\0" in content:
+        raise ValueError("it is no text, or UTF-16 without a byte-order mark: save it as UTF-8")
+    try:
+        return content.decode()
+    except UnicodeDecodeError:
+        return content.decode("latin-1")  # only comments and names can differ: numbers are ASCII
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of ``text``. `str.splitlines` would also split at characters that may be in a comment or a name."""
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
 def of_off(text: str) -> MeshArrays:
@@ -23,8 +52,6 @@ def of_off(text: str) -> MeshArrays:
     Raises:
         ValueError: the text is no OFF file; the message says what it has instead.
     """
-    if (plain := _of_plain_off(text)) is not None:
-        return plain
     lines = [words for words in (line.split("#")[0].split() for line in lines_of(text)) if words]
     first = " ".join(lines[0]) if lines else ""
     header = OFF_HEADER.match(" ".join(word for line in lines[:2] for word in line))
@@ -58,34 +85,12 @@ def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]
     return rows, sides
 
 
-def _of_plain_off(text: str) -> MeshArrays | None:
-    """Vertices and triangles of a file that has only these, as most have; None for other files. It is fast."""
-    head = PLAIN_OFF.match(text)
-    if head is None:
-        return None
-    num, num_faces, words = int(head[1]), int(head[2]), text[head.end() :].split()
-    if len(words) != 3 * num + 4 * num_faces:
-        return None
-    try:
-        values = np.array(list(map(float, words)))
-    except ValueError:
-        return None
-    sides = values[3 * num :].reshape(-1, 4)
-    corners = sides[:, 1:]
-    is_corner = (corners >= 0) & (corners < num) & (corners == np.floor(corners))
-    if not ((sides[:, 0] == 3).all() and is_corner.all()):
-        return None
-    return values[: 3 * num].reshape(-1, 3), corners.astype(np.int64)
-
-
 def of_obj(text: str) -> MeshArrays:
     """Vertices (V, 3) and triangles (F, 3), in the order of their faces, of an OBJ file's text.
 
     Raises:
         ValueError: a line is not of the format; the message says which.
     """
-    if (plain := _of_plain_obj(text)) is not None:
-        return plain
     places: list[list[str]] = []
     polygons: list[list[int]] = []
     for number, line in enumerate(lines_of(re.sub(r"\\(\r\n|\n)", " ", text)), 1):
@@ -114,23 +119,6 @@ def of_obj(text: str) -> MeshArrays:
     triangles = triangulated(vertices[ids], apart)
     order = np.argsort(np.repeat(np.arange(len(size)), size)[triangles[:, 0]], kind="stable")
     return vertices, ids[triangles[order]]
-
-
-def _of_plain_obj(text: str) -> MeshArrays | None:
-    """Vertices and triangles of a file of lines "v x y z" and "f a b c"; None for other files. It is fast."""
-    words = re.sub("#.*", "", text).split()
-    kinds = np.array(words[::4])
-    is_vertex = kinds == "v"
-    if len(words) % 4 or not (is_vertex | (kinds == "f")).all():
-        return None
-    try:
-        values = np.array([list(map(float, words[place::4])) for place in (1, 2, 3)]).T
-    except ValueError:
-        return None
-    corners = values[~is_vertex]
-    if not ((corners >= 1) & (corners <= is_vertex.sum()) & (corners == np.floor(corners))).all():
-        return None
-    return values[is_vertex], corners.astype(np.int64) - 1
 
 
 @np.errstate(all="ignore")  # coordinates may not be finite, or their squares: whoever asked for them checks that

@@ -13,25 +13,14 @@ from xml.parsers import expat
 
 import numpy as np
 
-# Limits of the unpacked bytes: ratio to the packed bytes; bytes always allowed; the largest of a stream, and of XML as
-# a tree, which takes up to 44 times its bytes.
-LARGEST_RATIO, SMALL_ARCHIVE, LARGEST_UNPACKED, LARGEST_TREE = 50, 10_000_000, 2**29, 20_000_000
+# Limits of the unpacked bytes: ratio to the packed bytes; bytes always allowed; the largest.
+LARGEST_RATIO, SMALL_ARCHIVE, LARGEST_UNPACKED = 50, 10_000_000, 2**29
 # Of the parts, at most: triangles of all instances, and instances. Two million triangles with normals, colours and
 # texture coordinates take up to 0.8 GB.
 MOST_TRIANGLES, MOST_INSTANCES = 2_000_000, 20_000
 MOST_ELEMENTS = 100_000  # of a 3MF but for vertices and triangles
 MOST_TIMES = 2  # times that the triangles of a file may be shown, if they are over MOST_TRIANGLES
 SHOWN = None  # the parent of what the file shows
-
-
-def check_archive(path: Path, largest: int = LARGEST_TREE) -> None:
-    """Raise a ValueError if an archive would need too much memory: if it unpacks to over ``largest`` bytes, or to more
-    than its own size allows."""
-    with zipfile.ZipFile(path) as archive:
-        unpacked = sum(member.file_size for member in archive.infolist())
-    most = min(max(LARGEST_RATIO * path.stat().st_size, SMALL_ARCHIVE), largest)
-    if unpacked > most:
-        raise ValueError(f"it unpacks to {unpacked} bytes: expected at most {most}")
 
 
 def check_shown(instances: int, triangles: int, own: int) -> None:
@@ -47,7 +36,6 @@ def meshes_of_3mf(path: Path) -> list[tuple[np.ndarray, np.ndarray]]:
     Raises:
         ValueError: the file would need too much memory for its size, has several models, or is damaged.
     """
-    check_archive(path, LARGEST_UNPACKED)
     numbers: dict[str, tuple[array, array]] = {}  # of each object: x, y, z of vertices, corners of triangles
     named: list[tuple[str | None, str, np.ndarray]] = []  # parts: the object that has it, its own, its place there
     inside: str | None = SHOWN  # the object that is read
@@ -89,6 +77,10 @@ def meshes_of_3mf(path: Path) -> list[tuple[np.ndarray, np.ndarray]]:
     parser.StartElementHandler, parser.EndElementHandler = begin, end
     parser.StartDoctypeDeclHandler = refuse_entities
     with zipfile.ZipFile(path) as archive:
+        unpacked = sum(member.file_size for member in archive.infolist())
+        most = min(max(LARGEST_RATIO * path.stat().st_size, SMALL_ARCHIVE), LARGEST_UNPACKED)
+        if unpacked > most:
+            raise ValueError(f"it unpacks to {unpacked} bytes: expected at most {most}")
         models = [name for name in archive.namelist() if name.lower().endswith(".model")]
         if len(models) != 1:  # their objects have the same ids
             raise ValueError(f"it has {len(models)} models, of which one is supported: export it as one")
