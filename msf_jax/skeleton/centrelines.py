@@ -189,13 +189,9 @@ def _branch_volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
     """(B,) the volume between each branch and the faces that belong to it; NaN if the surface is not known."""
     if skeleton.source is None:
         return np.full(num, np.nan)
-    solid = skeleton.source.solid
-    if skeleton.source.input_of_vertex is not None:
-        node = skeleton.mesh_map[skeleton.source.input_of_vertex]
-    else:
-        node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
-    nodes = solid.enter(skeleton.vertices)
-    radii = skeleton.radii / solid.diagonal
+    solid, vertex = skeleton.source.solid, skeleton.source.input_of_vertex
+    node = None if vertex is None else skeleton.mesh_map[vertex]
+    nodes, radii = solid.enter(skeleton.vertices), skeleton.radii / solid.diagonal
     return volumes_of(solid.shape, nodes, skeleton.edges, radii, node) * solid.diagonal**3
 
 

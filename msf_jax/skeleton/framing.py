@@ -19,15 +19,15 @@ The torsion constant is Saint-Venant's estimate from the area A and the second m
 import os
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats.writers import number
-from msf_jax.skeleton.measures import axes_across, section_of, sections_through
-from msf_jax.solid.geometry import arc_length, at, cross, to_segment, unit
+from msf_jax.skeleton.measures import add_corners, axes_across, section_of, sections_through
+from msf_jax.solid.geometry import arc_length, at, cross, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -116,15 +116,12 @@ def _inp(frame: Frame, solver: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def frame_of(skeleton: "Skeleton", tolerance: Any = None) -> Frame:
+def frame_of(skeleton: "Skeleton", tolerance: float) -> Frame:
     """See `Skeleton.frame`."""
     solid = skeleton.known_source.solid
-    usual = float(np.median(skeleton.radii)) if tolerance is None else tolerance
-    if isinstance(usual, bool) or not isinstance(usual, int | float | np.number) or not 0 < float(usual) < np.inf:
-        raise ConfigError(f"tolerance is {tolerance!r}: expected a length above 0, in the mesh's units")
-    places, members, wires = trace_wires(skeleton.vertices, skeleton.edges, skeleton.radii, float(usual))
+    places, members, wires = trace_wires(skeleton.vertices, skeleton.edges, skeleton.radii, tolerance)
     if not wires:
-        raise ConfigError(f"no branch is longer than the tolerance, {float(usual):.3g}: expected a smaller one")
+        raise ConfigError(f"no branch is longer than the tolerance, {tolerance:.3g}: expected a smaller one")
     middles, lines, areas, moments = zip(*(_measure_bar(solid, skeleton, nodes) for nodes in wires), strict=True)
     middle, along = np.array(middles), np.array(lines)
     joints = meet_axes(places, members, middle, along)
@@ -187,19 +184,11 @@ def _find_corners(points: np.ndarray, radii: np.ndarray, tolerance: float, is_lo
     """Positions of the ends of the straight members along a path."""
     along, usual = arc_length(points), float(np.median(radii))
     free = np.flatnonzero((along > BENT * usual) & (along < along[-1] - BENT * usual))
-    corners: list[int] = []
-    stack = [(int(free[0]), int(free[-1]))] if len(free) else []
+    stops = free[[0, -1]].tolist() if len(free) else []
     if is_loop:  # its ends are one point, so begin with a triangle
-        corners = [len(points) // 3, 2 * len(points) // 3]
-        stack = list(pairwise([0, *corners, len(points) - 1]))
-    while stack:
-        a, b = stack.pop()
-        away = to_segment(points[a : b + 1], points[a], points[b])
-        if away.max() > tolerance:
-            corners.append(a + int(away.argmax()))
-            stack += [(a, corners[-1]), (corners[-1], b)]
+        stops = [0, len(points) // 3, 2 * len(points) // 3, len(points) - 1]
     merged: list[int] = []
-    for corner in sorted(corners):  # a rounded bend has several
+    for corner in add_corners(points, stops, tolerance)[1:-1]:  # a rounded bend has several
         if merged and along[corner] - along[merged[-1]] < BENT * usual:
             merged[-1] = (merged[-1] + corner) // 2
         else:

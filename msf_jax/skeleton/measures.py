@@ -5,6 +5,7 @@ With s the arc length and x(s) the least-squares cubic over the nodes within a f
     tangent x' / |x'|,   curvature |x' x x''| / |x'|^3.
 """
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -12,7 +13,7 @@ from scipy import spatial
 
 from msf_jax.solid import openings, sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, cross, unit
+from msf_jax.solid.geometry import arc_length, cross, to_segment, unit
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -42,6 +43,19 @@ def tangents_of(points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.n
         speed = max(float(np.linalg.norm(one)), 1e-300)
         curvature[k] = 2 * np.linalg.norm(cross(one, two)) / speed**3
     return tangent, curvature
+
+
+def add_corners(points: np.ndarray, stops: list[int], tolerance: float) -> list[int]:
+    """``stops`` of a path through ``points`` (n, 3), and those between them, in order, such that no point is farther
+    than ``tolerance`` from the line between the stops before and after it (Douglas and Peucker 1973)."""
+    corners, stack = list(stops), list(pairwise(stops))
+    while stack:
+        first, last = stack.pop()
+        away = to_segment(points[first : last + 1], points[first], points[last])
+        if away.max() > tolerance:
+            corners.append(first + int(away.argmax()))
+            stack += [(first, corners[-1]), (corners[-1], last)]
+    return sorted(corners)
 
 
 def axes_across(normals: np.ndarray) -> np.ndarray:
@@ -140,18 +154,20 @@ def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num:
 
 
 def volumes_of(
-    shape: Enclosure, nodes: np.ndarray, edges: np.ndarray, radii: np.ndarray, node_of_vertex: np.ndarray
+    shape: Enclosure, nodes: np.ndarray, edges: np.ndarray, radii: np.ndarray, node_of_vertex: np.ndarray | None
 ) -> np.ndarray:
     """(B,) the volume between each branch of a curve ``(nodes (N, 3), edges (E, 2))`` and the faces that belong to it.
 
-    A face belongs to the branch of its first corner's node: ``node_of_vertex`` (V,), for the vertices of ``shape``. A
-    face longer than the limb is thick, by the ``radii`` (N,), is split, and its new corners belong to the nearest node.
+    A face belongs to the branch of its first corner's node: ``node_of_vertex`` (V,), for the vertices of ``shape``, or
+    the nearest if None. A face longer than the limb is thick, by the ``radii`` (N,), is split, and its new corners
+    belong to the nearest node.
     """
     branches = graphs.trace(len(nodes), edges)
     branch = np.full(len(nodes), -1)
     for number, path in reversed(list(enumerate(branches))):
         branch[path] = number
-    corners, node, tree = shape.triangles, node_of_vertex[shape.faces], spatial.KDTree(nodes)
+    corners, tree = shape.triangles, spatial.KDTree(nodes)
+    node = np.asarray(tree.query(shape.vertices)[1] if node_of_vertex is None else node_of_vertex)[shape.faces]
     volume = np.zeros(len(branches))
     for _ in range(MOST_SPLITS):
         longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)

@@ -12,7 +12,7 @@ junction cut the trunk, too, and in an ellipsoid most areas are above the mean.
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from scipy import spatial
@@ -55,17 +55,6 @@ NOT_SURE = "NOT SURE"  # in a note that is printed first: a root that may be in 
 SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
 
-class Shares(NamedTuple):
-    """in_sheets: share of a curve's length in limbs over 2.6 times as wide as thick, or in the wall around a void,
-    where the path is arbitrary. unexplained: share that exceeds limbs of its cross-sections with the solid's volume:
-    the curve winds, or has two strands in one limb. elongation: the largest length of a branch in its median
-    diameters."""
-
-    in_sheets: float
-    unexplained: float
-    elongation: float
-
-
 @dataclass(frozen=True)
 class Report:
     """The results of a run, and how far to trust them.
@@ -77,7 +66,11 @@ class Report:
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None without the mesh, or if there are too many to prove, which is a doubt.
-        in_sheets, unexplained, elongation: see `Shares`; None if not known. Over half in sheets is a doubt.
+        in_sheets: share of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a void,
+            where the path is arbitrary; over half is a doubt. None if not known, as the next two.
+        unexplained: share that exceeds limbs of its cross-sections with the solid's volume: the curve winds, or has two
+            strands in one limb.
+        elongation: the largest length of a branch in its median diameters.
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
         joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
         cut: cycles that `Skeleton.to_tree` cut.
@@ -255,18 +248,18 @@ def assessed(
     node_of_vertex: np.ndarray | None = None,
     is_tubular: bool = False,
 ) -> dict[str, Any]:
-    """The report's ``loops``, ``doubts`` and the members of `Shares` for a finished curve, see `loops_of`.
+    """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`.
 
     ``is_tubular``: whether its branches are measured by their balls.
     """
     about = loops_of(shape, vertices, edges, node_of_vertex)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
     doubts = _stubs(shape, vertices, edges, is_tubular)
-    if shares.in_sheets > MOSTLY:
-        doubts.append(IN_SHEETS.format(shares.in_sheets))
+    if shares["in_sheets"] > MOSTLY:
+        doubts.append(IN_SHEETS.format(shares["in_sheets"]))
     doubts += _folds(shape, vertices, edges)
     doubts += _overlaps(shape, vertices, edges, node_of_vertex)
-    return about | shares._asdict() | {"doubts": (*about["doubts"], *doubts)}
+    return about | shares | {"doubts": (*about["doubts"], *doubts)}
 
 
 def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_tubular: bool) -> list[str]:
@@ -325,8 +318,9 @@ def _overlaps(
 
 def shares_of(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
-) -> Shares:
-    """The `Shares` of a curve ``(vertices (N, 3), edges (E, 2))`` in the solid ``shape``.
+) -> dict[str, float]:
+    """The report's ``in_sheets``, ``unexplained`` and ``elongation`` of a curve ``(vertices (N, 3), edges (E, 2))`` in
+    the solid ``shape``.
 
     ``node_of_vertex`` (V,) is the node of each vertex of the solid; the nearest one if not given.
     """
@@ -350,12 +344,10 @@ def shares_of(
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area = np.full(len(vertices), np.nan)
     area[asked] = np.where(corners.is_closed & found.is_found, sections.areas(shape, corners, normal), np.nan)
-    if node_of_vertex is None:
-        node_of_vertex = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1])
     volume = volumes_of(shape, vertices, edges, radius, node_of_vertex)
     unexplained, elongation = _of_branches(vertices, edges, radius, area, volume)
     total = max(float(length.sum()), 1e-300)
-    return Shares(in_sheets, unexplained / total, elongation)
+    return {"in_sheets": in_sheets, "unexplained": unexplained / total, "elongation": elongation}
 
 
 def _of_branches(

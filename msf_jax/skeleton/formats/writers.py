@@ -108,23 +108,7 @@ def table(skeleton: "Skeleton", of: str) -> str:
 
 def vtp(skeleton: "Skeleton") -> str:
     """VTK's XML PolyData: a line for each branch, or a vertex for an isolated node; point data are the columns of
-    nodes, cell data those of branches."""
-    paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
-    order = sorted(range(len(paths)), key=lambda number: len(paths[number]) > 1)  # VTK has vertices before lines
-    of_node = node_columns(skeleton)
-    tangent = np.stack([of_node.pop(f"tangent_{axis}") for axis in "xyz"], axis=1)
-    of_node = {name: values for name, values in of_node.items() if name not in ("node", "x", "y", "z", "radius")}
-    of_branch = {name: values[order] for name, values in branch_columns(skeleton).items()}
-    of_point = {"radius": skeleton.radii, "tangent": tangent, **of_node}
-    return polydata(skeleton.vertices, [paths[number] for number in order], of_point, of_branch)
-
-
-def polydata(
-    points: np.ndarray, paths: list[list[int]], of_point: dict[str, np.ndarray], of_cell: dict[str, np.ndarray]
-) -> str:
-    """The text of PolyData with ``paths`` between ``points`` (N, 3), those of one point first, and columns of data.
-
-    The first column of points is shown first. A column without a known value is left out."""
+    nodes, cell data those of branches. A column without a known value is left out."""
 
     def array(name: str, values: np.ndarray) -> str:
         """The number of bytes and the values in base64, because VTK's text has no NaN."""
@@ -134,19 +118,24 @@ def polydata(
         head = f'type="{"Int64" if is_whole else "Float64"}" Name="{name}" NumberOfComponents="{values[:1].size or 1}"'
         return f'<DataArray {head} format="binary">{text}</DataArray>'
 
-    def cells(name: str, chosen: list[list[int]]) -> str:
-        nodes = np.array([node for path in chosen for node in path], dtype=np.int64)
-        ends = np.cumsum([len(path) for path in chosen], dtype=np.int64)
+    def cells(name: str, paths: list[list[int]]) -> str:
+        nodes = np.array([node for path in paths for node in path], dtype=np.int64)
+        ends = np.cumsum([len(path) for path in paths], dtype=np.int64)
         return f"<{name}>{array('connectivity', nodes)}{array('offsets', ends)}</{name}>"
 
+    def data(columns: dict[str, np.ndarray]) -> str:
+        is_known = {name: not np.isnan(values.astype(float)).all() for name, values in columns.items()}
+        return "".join(array(name, values) for name, values in columns.items() if is_known[name])
+
+    paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
     lone, lines = [path for path in paths if len(path) == 1], [path for path in paths if len(path) > 1]
-    point_data, cell_data = (
-        "".join(array(name, values) for name, values in columns.items() if not np.isnan(values.astype(float)).all())
-        for columns in (of_point, of_cell)
-    )
-    counts = f'NumberOfPoints="{len(points)}" NumberOfLines="{len(lines)}" NumberOfVerts="{len(lone)}"'
-    piece = f'<PointData Scalars="{next(iter(of_point))}">{point_data}</PointData><CellData>{cell_data}</CellData>'
-    piece += f"<Points>{array('points', points)}</Points>{cells('Verts', lone)}{cells('Lines', lines)}"
+    order = np.argsort([len(path) > 1 for path in paths], kind="stable")  # VTK has vertices before lines
+    of_node = {name: values for name, values in node_columns(skeleton).items() if name not in ("node", "x", "y", "z")}
+    of_node["tangent"] = np.stack([of_node.pop(f"tangent_{axis}") for axis in "xyz"], axis=1)
+    of_branch = {name: values[order] for name, values in branch_columns(skeleton).items()}
+    counts = f'NumberOfPoints="{len(skeleton.vertices)}" NumberOfLines="{len(lines)}" NumberOfVerts="{len(lone)}"'
+    piece = f'<PointData Scalars="radius">{data(of_node)}</PointData><CellData>{data(of_branch)}</CellData>'
+    piece += f"<Points>{array('points', skeleton.vertices)}</Points>{cells('Verts', lone)}{cells('Lines', lines)}"
     return (
         '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
         f'header_type="UInt64"><PolyData><Piece {counts}>{piece}</Piece></PolyData></VTKFile>\n'
