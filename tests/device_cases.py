@@ -60,7 +60,7 @@ def build(vertices, faces, *, is_fixed=None, poles=None, has_pole=None, layout=N
         meso.poles, meso.has_pole = np.array(poles), np.ones(len(vertices), dtype=bool)
     if has_pole is not None:
         meso.has_pole = np.array(has_pole, dtype=bool)
-    layout = small_layout(len(vertices), packing.rows_beyond(meso)) if layout is None else layout
+    layout = small_layout(len(vertices), packing.rows_beyond(meso.degree)) if layout is None else layout
     order, _, fields = packing.pack(meso, layout, ring_areas(vertices, faces), np.dtype(dtype))
     fields["rings"] = Rings(*fields["rings"])
     buffers = jax.tree_util.tree_map(jnp.asarray, Buffers(**fields))

@@ -34,6 +34,13 @@ OPTIONS: dict[str, Any] = {
     "no_cfunc_wrapper": True,
     "no_cpython_wrapper": True,
 }
+MODULES = (
+    "msf_jax.solid.handles",
+    "msf_jax.solid.kernels",
+    "msf_jax.solid.walks",
+    "msf_jax.limbs.fronts",
+    "msf_jax.meso.kernels",
+)  # that have kernels
 PYTHON = (3, 11)  # whose byte code is read
 HEAD = "; Made of the kernels by `python -m tests.translate`: edit those.\n"
 # Hints that only help passes, which have been run, and that older LLVMs lack; and comments.
@@ -114,9 +121,10 @@ ret i64 %result
 """
 
 
-def modules() -> list[types.ModuleType]:
-    """Those with kernels."""
-    return [importlib.import_module(name) for name in compiled.MODULES]
+def all_kernels() -> list[Kernel]:
+    """The kernels of all modules."""
+    found = [(name, each) for name in MODULES for each in vars(importlib.import_module(name)).values()]
+    return [each for name, each in found if isinstance(each, Kernel) and not each.is_part and each.__module__ == name]
 
 
 def translated() -> str:
@@ -126,7 +134,7 @@ def translated() -> str:
     machine = llvm.Target.from_default_triple().create_target_machine(cpu="generic", features="", opt=2)
     parts: dict[Kernel, Any] = {}
     whole = llvm.parse_assembly("")
-    kernels = compiled.kernels_of(modules())
+    kernels = all_kernels()
     for kernel in kernels:
         kinds = [numba_type(kind) for kind in get_type_hints(kernel.function, include_extras=True).values()]
         made = njit(kinds[-1](*kinds[:-1]), **OPTIONS)(function_of(kernel, parts))

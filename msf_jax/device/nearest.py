@@ -8,29 +8,15 @@ The side follows from the pseudonormal of the nearest face, edge or corner (Baer
 normals around it, at a corner weighted by angles. It is exact for a closed surface that does not cross itself.
 """
 
-from typing import NamedTuple
-
 import jax
 import jax.numpy as jnp
 from jax import lax
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding
-from msf_jax.device.playback import clearance
 
 MOST_RUNS = 1024  # runs of the shortest length; for more triangles, length and number of runs grow together
 AT_ONCE = 1 << 14  # triangles that are tested in one step
 ROUNDING = 16  # rounding errors (machine epsilons) that are subtracted from a lower bound of a distance
-
-
-class Foot(NamedTuple):
-    """The nearest point on an edge or a corner, for points (P,).
-
-    place: (P, 3). half_edge: (P,) 3 f + k for edge k, or corner k, of face f. is_corner: (P,).
-    """
-
-    place: jax.Array
-    half_edge: jax.Array
-    is_corner: jax.Array
 
 
 def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
@@ -92,69 +78,89 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
     return jnp.minimum(found, binding.live.faces - 1)  # padding repeats the last face
 
 
+def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
+    """Signed distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3), negative outside.
+
+    If the nearest point is inside the triangle, the sign follows from the positions. If it is on an edge or a corner,
+    ``is_inside`` (N,) gives the sign.
+    Differentiable in: points, triangles; the gradient of a point on an edge is 0.
+    """
+    best = _square(_from_edges(points, triangles)[0]).min(-1)
+    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
+    is_over, height, area2 = _over(points, triangles)
+    return jnp.where(is_over, -height / jnp.sqrt(area2), jnp.where(is_inside, to_edge, -to_edge))
+
+
 def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:
     """(P, K) squared distances of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3): to the plane if the
     point projects into the triangle, else to the nearest edge."""
-    along = jnp.roll(triangles, -1, axis=2) - triangles
-    offset = points[:, None, None] - triangles
-    length2 = (along * along).sum(-1)
-    t = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
-    rest = offset - t[..., None] * along
-    to_edge = (rest * rest).sum(-1).min(-1)
-    normal = jnp.cross(along[:, :, 0], along[:, :, 1])
-    area2 = (normal * normal).sum(-1)
-    is_over = ((jnp.cross(along, offset) * normal[:, :, None]).sum(-1) >= 0).all(-1) & (area2 > 0)
-    height = (offset[:, :, 0] * normal).sum(-1)
-    return jnp.where(is_over, height * height / jnp.where(area2 > 0, area2, 1.0), to_edge)
+    to_edge = _square(_from_edges(points[:, None], triangles)[0]).min(-1)
+    is_over, height, area2 = _over(points[:, None], triangles)
+    return jnp.where(is_over, height * height / area2, to_edge)
+
+
+def _from_edges(points: jax.Array, triangles: jax.Array) -> tuple[jax.Array, jax.Array]:
+    """The vectors (..., 3, 3) to each of ``points`` (..., 3) from the nearest points on the edges of its triangle
+    (..., 3, 3), and the fractions (..., 3) of the edges where these are."""
+    along = jnp.roll(triangles, -1, axis=-2) - triangles
+    offset = points[..., None, :] - triangles
+    length2 = _square(along)
+    share = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
+    return offset - share[..., None] * along, share
+
+
+def _over(points: jax.Array, triangles: jax.Array) -> tuple[jax.Array, jax.Array, jax.Array]:
+    """(...,) whether each of ``points`` (..., 3) projects into its triangle (..., 3, 3), its height over the plane
+    times twice the area, and the square of twice the area, or 1 without an area. Normals point out of the solid."""
+    along = jnp.roll(triangles, -1, axis=-2) - triangles
+    offset = points[..., None, :] - triangles
+    normal = jnp.cross(along[..., 0, :], along[..., 1, :])
+    area2 = _square(normal)
+    is_over = ((jnp.cross(along, offset) * normal[..., None, :]).sum(-1) >= 0).all(-1) & (area2 > 0)
+    return is_over, (offset[..., 0, :] * normal).sum(-1), jnp.where(area2 > 0, area2, 1.0)
+
+
+def _square(vectors: jax.Array) -> jax.Array:
+    return (vectors * vectors).sum(-1)
 
 
 def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: jax.Array) -> jax.Array:
     """(N,) whether each point is inside, by the pseudonormal of the nearest edge or corner of its ``face`` (N,)."""
-    foot = _foot(points, vertices[binding.faces[face]], face)
+    aways, shares = _from_edges(points, vertices[binding.faces[face]])
+    rows = jnp.arange(len(points))
+    edge = _square(aways).argmin(axis=1)
+    away, share = aways[rows, edge], shares[rows, edge]
+    corner = jnp.where(share == 1, (edge + 1) % 3, edge)
+    first, is_corner = (3 * face + corner).astype(jnp.int32), (share == 0) | (share == 1)
     twin = binding.twin.ravel()
-    across = _normals(binding, vertices, foot.half_edge // 3) + _normals(binding, vertices, twin[foot.half_edge] // 3)
+    across = _normals(binding, vertices, first // 3) + _normals(binding, vertices, twin[first] // 3)
 
     def step(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
         here, total, is_done, steps = state
         of, corner = here // 3, here % 3
         at = vertices[binding.faces[of]]
-        rows = jnp.arange(len(of))
         middle, onward, back = (at[rows, (corner + shift) % 3] for shift in (0, 1, 2))
         angle = _angles(onward - middle, back - middle)
         total = jnp.where(is_done[:, None], total, total + angle[:, None] * _normals(binding, vertices, of))
         following = twin[3 * of + (corner + 2) % 3]
-        return following.astype(jnp.int32), total, is_done | (following == foot.half_edge), steps + 1
+        return following.astype(jnp.int32), total, is_done | (following == first), steps + 1
 
-    none = 0 * foot.half_edge[0]  # not a constant, as above
-    start = (foot.half_edge, jnp.zeros_like(points) + none, ~foot.is_corner, none)
+    none = 0 * first[0]  # not a constant, as above
+    start = (first, jnp.zeros_like(points) + none, ~is_corner, none)
     around = lax.while_loop(lambda state: ~state[2].all() & (state[3] < len(twin)), step, start)[1]
-    normal = jnp.where(foot.is_corner[:, None], around, across)
-    return ((points - foot.place) * normal).sum(-1) <= 0
-
-
-def _foot(points: jax.Array, triangles: jax.Array, face: jax.Array) -> Foot:
-    """The nearest point on the edges of ``triangles`` (P, 3, 3), whose ids are ``face`` (P,)."""
-    along = jnp.roll(triangles, -1, axis=1) - triangles
-    offset = points[:, None] - triangles
-    length2 = (along * along).sum(-1)
-    t = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
-    place = triangles + t[..., None] * along
-    edge = ((points[:, None] - place) ** 2).sum(-1).argmin(axis=1)
-    rows = jnp.arange(len(points))
-    t, place = t[rows, edge], place[rows, edge]
-    corner = jnp.where(t == 1, (edge + 1) % 3, edge)
-    return Foot(place, (3 * face + corner).astype(jnp.int32), (t == 0) | (t == 1))
+    normal = jnp.where(is_corner[:, None], around, across)
+    return (away * normal).sum(-1) <= 0
 
 
 def _normals(binding: Binding, vertices: jax.Array, face: jax.Array) -> jax.Array:
     """(P, 3) unit normals of the faces ``face`` (P,); 0 for a face without area."""
     a, b, c = jnp.moveaxis(vertices[binding.faces[face]], 1, 0)
     normal = jnp.cross(b - a, c - a)
-    length2 = (normal * normal).sum(-1, keepdims=True)
+    length2 = _square(normal)[:, None]
     return jnp.where(length2 > 0, normal / jnp.sqrt(jnp.where(length2 > 0, length2, 1.0)), 0.0)
 
 
 def _angles(one: jax.Array, other: jax.Array) -> jax.Array:
     """(P,) angles between pairs of vectors, in radians."""
     normal = jnp.cross(one, other)
-    return jnp.arctan2(jnp.sqrt((normal * normal).sum(-1)), (one * other).sum(-1))
+    return jnp.arctan2(jnp.sqrt(_square(normal)), (one * other).sum(-1))

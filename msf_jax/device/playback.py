@@ -254,30 +254,3 @@ def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
 
     places = first + num_cuts * jnp.arange(num_rounds)
     return lax.scan(one_round, workspace, (cut, places))[0]
-
-
-def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
-    """Signed distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3), negative outside.
-
-    If the nearest point is inside the triangle, the sign follows from the positions. If it is on an edge or a corner,
-    ``is_inside`` (N,) gives the sign.
-    Differentiable in: points, triangles; the gradient of a point on an edge is 0.
-    """
-    best = jnp.full(len(points), jnp.inf, points.dtype)  # squared distance to the nearest edge
-    for k in range(3):
-        a, b = triangles[:, k], triangles[:, (k + 1) % 3]
-        along, offset = b - a, points - a
-        length2 = (along * along).sum(1)
-        t = (offset * along).sum(1) / jnp.where(length2 > 0, length2, 1.0)
-        rest = offset - jnp.clip(t, 0.0, 1.0)[:, None] * along
-        best = jnp.minimum(best, (rest * rest).sum(1))
-    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
-    ab, ac, offset = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0], points - triangles[:, 0]
-    normal = jnp.cross(ab, ac)
-    area2 = (normal * normal).sum(1)
-    safe = jnp.where(area2 > 0, area2, 1.0)
-    v = (jnp.cross(offset, ac) * normal).sum(1) / safe
-    w = (jnp.cross(ab, offset) * normal).sum(1) / safe
-    is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
-    over = -(offset * normal).sum(1) / jnp.sqrt(safe)  # normals point out of the solid
-    return jnp.where(is_over, over, jnp.where(is_inside, to_edge, -to_edge))

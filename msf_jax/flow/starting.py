@@ -87,7 +87,7 @@ def init(
     of_limbs = Enclosure(meso.positions, meso.faces()) if is_refined else coarse
     clock.check()
     with clock.stage("compile"):  # for the size of the surface, and for the smallest layout, which all runs reach
-        layouts = {layout_for(meso.num_rows, packing.rows_beyond(meso))}
+        layouts = {layout_for(meso.num_rows, packing.rows_beyond(meso.degree))}
         if config.flow.edit_connectivity and config.max_iterations > 1:
             layouts.add(layout_for(1, []))
         compile_moves(config.on_device, sorted(layouts, reverse=True), meso.weights is not None)

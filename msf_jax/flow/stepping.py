@@ -86,7 +86,7 @@ def packed(state: State, weights: Weights) -> tuple[Layout, np.ndarray, np.ndarr
     """The padded surface for a device step, still on the host: its layout, the vertex in each row, the rows of its
     neighbours, see `packing.Packed`, the buffers, and the weights, one value a row if they are by vertex."""
     meso = state.meso
-    layout = layout_after(state.capacity, meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_after(state.capacity, meso.num_rows, packing.rows_beyond(meso.degree))
     # Solves end when vertices move by a small part of the least t_c of any limb.
     least = state.t_c if meso.scale is None else state.t_c * float(meso.scale[meso.degree > 0].min())
     order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), least)

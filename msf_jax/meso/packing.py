@@ -20,13 +20,8 @@ class Packed(NamedTuple):
     fields: dict[str, Any]
 
 
-def rows_beyond(meso: Meso) -> list[int]:
+def rows_beyond(degree: np.ndarray) -> list[int]:
     """The number of vertices with more than k neighbours, for k up to the largest degree, which a layout depends on."""
-    return degrees_beyond(meso.degree)
-
-
-def degrees_beyond(degree: np.ndarray) -> list[int]:
-    """The number of values in ``degree`` above k, for k up to the largest."""
     return (len(degree) - np.cumsum(np.bincount(degree)))[:-1].tolist()
 
 

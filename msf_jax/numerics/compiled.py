@@ -12,10 +12,9 @@ import ctypes
 import struct
 import sys
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import cache, cached_property
 from pathlib import Path
-from types import ModuleType
 from typing import Annotated, Any, get_type_hints
 
 import numpy as np
@@ -28,13 +27,6 @@ Ints = Annotated[np.ndarray, _INT, 1]
 Rows = Annotated[np.ndarray, _INT, 2]
 Flags = Annotated[np.ndarray, _FLAG, 1]
 
-MODULES = (
-    "msf_jax.solid.handles",
-    "msf_jax.solid.kernels",
-    "msf_jax.solid.walks",
-    "msf_jax.limbs.fronts",
-    "msf_jax.meso.kernels",
-)  # that have kernels
 TEXT = Path(__file__).with_name("kernels.ll")
 # C's functions that the text needs, or that some LLVM makes of its loops: another release, or for another processor.
 SYMBOLS = ("atan2", "memset")
@@ -108,12 +100,6 @@ def part(function: Callable) -> Any:
 def entry_of(kernel: Kernel) -> str:
     """The name of the kernel's compiled code."""
     return f"{kernel.__module__}.{kernel.__name__}"
-
-
-def kernels_of(modules: Iterable[ModuleType]) -> list[Kernel]:
-    """The kernels that the modules define."""
-    found = [(module.__name__, each) for module in modules for each in vars(module).values()]
-    return [each for name, each in found if isinstance(each, Kernel) and not each.is_part and each.__module__ == name]
 
 
 _LOADED: list[Any] = []  # the engine with the compiled code, once there is one

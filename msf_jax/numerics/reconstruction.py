@@ -1,9 +1,10 @@
 """Spectral reconstruction: the surface without its small details, V' = Phi Phi^T V (article 3.1.1).
 
 Phi has the eigenvectors of the k smallest eigenvalues of the symmetric uniform graph Laplacian L = D - A. `reconstruct`
-computes them. `filtered` does not: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue and 0 above, and
-is replaced by a polynomial p(L) with a smooth step. This takes some hundred products with a sparse matrix, a twentieth
-of the time for eigenvectors or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al. 2016).
+computes them. A filter that is not exact does not: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue
+and 0 above, and is replaced by a polynomial p(L) with a smooth step. This takes some hundred products with a sparse
+matrix, a twentieth of the time for eigenvectors or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al.
+2016).
 """
 
 from collections.abc import Iterator
@@ -109,11 +110,6 @@ def apply(kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray) -> np.n
 def reconstruct(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
     """Vertex positions (V, 3) of the mesh rebuilt from ``k`` eigenvectors; ``k`` of V or more returns a copy."""
     return apply(low_pass(faces, len(vertices), k, exact=True), vertices, faces)
-
-
-def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
-    """Vertex positions (V, 3) of the mesh rebuilt from about ``k`` eigenvectors; ``k`` of V or more returns a copy."""
-    return apply(low_pass(faces, len(vertices), k, exact=False), vertices, faces)
 
 
 def _cosine(laplacian: sparse.csc_matrix, top: float) -> sparse.csr_matrix:

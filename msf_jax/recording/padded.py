@@ -63,7 +63,7 @@ def stretches_of(steps: list[Step]) -> list[Planned]:
         return []
 
     def needed(first: int, last: int) -> tuple[int, list[int]]:
-        beyond = [packing.degrees_beyond(step.degree) for step in steps[first:last]]
+        beyond = [packing.rows_beyond(step.degree) for step in steps[first:last]]
         most = np.zeros((len(beyond), max(map(len, beyond))), dtype=np.int64)
         for row, counts in zip(most, beyond, strict=True):
             row[: len(counts)] = counts
@@ -279,7 +279,7 @@ def record_mesh_filter(
     if kept.basis is not None:
         return {"basis": kept.basis}, None
     meso = Meso.from_mesh(vertices, faces)
-    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
     row = np.argsort(order)
     vertex = packing.pad(order, layout.capacity, 0, order.dtype)

@@ -10,19 +10,15 @@ the curve, with nearest points and edges held fixed.
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.core import Tracer
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.options import Weights
 from msf_jax.gradients import losses
 from msf_jax.gradients.losses import norm
-from msf_jax.gradients.replay import replay, replay_radii
 from msf_jax.gradients.tape import Tape
 from msf_jax.meshes import reading
 from msf_jax.skeleton.skeleton import Skeleton
@@ -30,8 +26,8 @@ from msf_jax.skeleton.skeleton import Skeleton
 MOST_SAMPLES = 2000  # vertices of a surface that `explained` uses, about
 
 
-class Replayed(NamedTuple):
-    """A replayed curve in its surface."""
+class Placed(NamedTuple):
+    """A curve in its surface."""
 
     nodes: jax.Array  # (N, 3)
     radii: jax.Array  # (N,) distance to the surface, negative outside
@@ -40,29 +36,26 @@ class Replayed(NamedTuple):
     areas: jax.Array  # (V,) the area that belongs to each
     node_of_vertex: jax.Array  # (V,)
     diagonal: jax.Array  # of the bounding box
-    is_node: jax.Array  # (N,) False for padding, whose edges lead from a row to itself
 
 
 @dataclass(frozen=True)
 class Objective:
-    """A function from a `Replayed` curve to a number; lower is better. ``a + b`` and ``2 * a`` are objectives, too."""
+    """A function from a `Placed` curve to a number; lower is better. ``a + b`` and ``2 * a`` are objectives, too."""
 
     name: str
-    function: Callable[[Replayed], jax.Array]
-    can_be_padded: bool = True  # whether it respects ``is_node``
+    function: Callable[[Placed], jax.Array]
 
-    def __call__(self, curve: Replayed) -> jax.Array:
+    def __call__(self, curve: Placed) -> jax.Array:
         return self.function(curve)
 
     def __add__(self, other: "Objective") -> "Objective":
         other = as_objective(other)
-        both = self.can_be_padded and other.can_be_padded
-        return Objective(f"{self.name} + {other.name}", lambda curve: self(curve) + other(curve), both)
+        return Objective(f"{self.name} + {other.name}", lambda curve: self(curve) + other(curve))
 
     def __mul__(self, factor: float) -> "Objective":
         if not isinstance(factor, int | float):
             return NotImplemented
-        return Objective(f"{factor:g} * ({self.name})", lambda curve: factor * self(curve), self.can_be_padded)
+        return Objective(f"{factor:g} * ({self.name})", lambda curve: factor * self(curve))
 
     __rmul__ = __mul__
 
@@ -84,39 +77,7 @@ def as_objective(objective: Any) -> Objective:
         ) from None
     function: Callable[..., Any] = objective
     name = getattr(objective, "__name__", type(objective).__name__)
-    return Objective(name, lambda curve: function(curve.nodes, curve.radii), can_be_padded=False)
-
-
-def value(
-    objective: Any, tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None
-) -> jax.Array:
-    """The ``objective`` of the replay of ``tape``; see `msf_jax.replay` for the other arguments.
-
-    Differentiable in: weights, vertices.
-
-    Raises:
-        ConfigError: the objective's value is not one number, or its function takes other arguments.
-    """
-    objective, nodes = as_objective(objective), replay(tape, weights, vertices, tolerance=tolerance)
-    found = _value_at(objective, tape, nodes, vertices)
-    if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
-        raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
-    return found
-
-
-@partial(jax.jit, static_argnums=0)  # one compilation for a tape's shapes, not one for each operation
-def _value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any) -> jax.Array:
-    curve = Replayed(
-        nodes=nodes,
-        radii=replay_radii(tape, nodes, vertices),
-        edges=jnp.asarray(tape.edges),
-        surface=jnp.asarray(tape.vertices if vertices is None else vertices, nodes.dtype),
-        areas=jnp.asarray(tape.areas, nodes.dtype),
-        node_of_vertex=jnp.asarray(tape.node_of_vertex),
-        diagonal=jnp.asarray(tape.diagonal, nodes.dtype),
-        is_node=jnp.ones(len(nodes), bool),
-    )
-    return _number(objective, curve)
+    return Objective(name, lambda curve: function(curve.nodes, curve.radii))
 
 
 def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
@@ -132,20 +93,14 @@ def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
             f"mesh has {len(surface)} vertices, the skeleton's has {len(skeleton.mesh_map)}: expected the same mesh"
         )
     objective = as_objective(objective)
-    num, rows, num_edges = len(skeleton.vertices), len(skeleton.vertices), len(skeleton.edges)
-    if objective.can_be_padded:  # compiled for few sizes
-        rows, num_edges = (max(64, 1 << (size - 1).bit_length()) for size in (num + 1, num_edges))
-    edges = np.full((num_edges, 2), rows - 1)
-    edges[: len(skeleton.edges)] = skeleton.edges
-    curve = Replayed(
-        nodes=jnp.asarray(np.pad(skeleton.vertices, ((0, rows - num), (0, 0)))),
-        radii=jnp.asarray(np.pad(skeleton.radii, (0, rows - num))),
-        edges=jnp.asarray(edges),
+    curve = Placed(
+        nodes=jnp.asarray(skeleton.vertices),
+        radii=jnp.asarray(skeleton.radii),
+        edges=jnp.asarray(skeleton.edges),
         surface=jnp.asarray(surface),
         areas=jnp.asarray(source.areas),
         node_of_vertex=jnp.asarray(skeleton.mesh_map),
         diagonal=jnp.asarray(np.linalg.norm(np.ptp(surface, axis=0))),
-        is_node=jnp.arange(rows) < num,
     )
     return float(_number_jitted(objective, curve))
 
@@ -162,8 +117,7 @@ def of_surface(objective: Any, tape: Tape, vertices: Any) -> jax.Array:
     objective = as_objective(objective)
     nothing: Any = None
     surface, areas, diagonal = jnp.asarray(tape.vertices), jnp.asarray(tape.areas), jnp.asarray(tape.diagonal)
-    is_node = jnp.ones(len(vertices), bool)
-    curve = Replayed(jnp.asarray(vertices), nothing, nothing, surface, areas, nothing, diagonal, is_node)
+    curve = Placed(jnp.asarray(vertices), nothing, nothing, surface, areas, nothing, diagonal)
     try:
         return _number(objective, curve)
     except (TypeError, AttributeError) as error:
@@ -173,7 +127,7 @@ def of_surface(objective: Any, tape: Tape, vertices: Any) -> jax.Array:
         ) from error
 
 
-def _number(objective: Objective, curve: Replayed) -> jax.Array:
+def _number(objective: Objective, curve: Placed) -> jax.Array:
     returned = objective(curve)
     try:
         number = jnp.asarray(returned)
@@ -195,12 +149,11 @@ def explained() -> Objective:
     (Reconstruction, Cornea et al. 2007.)
     """
 
-    def function(curve: Replayed) -> jax.Array:
+    def function(curve: Placed) -> jax.Array:
         stride = -(-len(curve.surface) // MOST_SAMPLES)
         points, areas = curve.surface[::stride], curve.areas[::stride]
         away = _distances(points, curve.nodes, curve.diagonal) - (curve.radii / curve.diagonal)[None]
-        nearest = jnp.where(curve.is_node, away, jnp.inf).min(axis=1)
-        return (areas * jnp.maximum(nearest, 0.0)).sum() / areas.sum()
+        return (areas * jnp.maximum(away.min(axis=1), 0.0)).sum() / areas.sum()
 
     return Objective("explained", function)
 
@@ -212,7 +165,7 @@ def centred() -> Objective:
     The surface around a node consists of the vertices that are mapped to the node or its neighbours.
     """
 
-    def function(curve: Replayed) -> jax.Array:
+    def function(curve: Placed) -> jax.Array:
         num = len(curve.nodes)
         a, b = curve.edges[:, 0], curve.edges[:, 1]
 
@@ -238,8 +191,8 @@ def inside(margin: float = 0.0) -> Objective:
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not np.isfinite(margin):
         raise ConfigError(f"margin is {margin!r}: expected a finite number, in diagonals")
 
-    def function(curve: Replayed) -> jax.Array:
-        return jnp.maximum(margin - curve.radii / curve.diagonal, 0.0).mean(where=curve.is_node)
+    def function(curve: Placed) -> jax.Array:
+        return jnp.maximum(margin - curve.radii / curve.diagonal, 0.0).mean()
 
     return Objective(f"inside({margin:g})" if margin else "inside", function)
 
@@ -247,9 +200,9 @@ def inside(margin: float = 0.0) -> Objective:
 def smooth() -> Objective:
     """Mean over nodes with two neighbours of one minus the cosine of the angle by which the curve turns there."""
 
-    def function(curve: Replayed) -> jax.Array:
-        nodes, is_edge = curve.nodes / curve.diagonal, jnp.ones(len(curve.edges), bool)
-        return losses.turning(nodes, curve.edges, is_edge, curve.is_node)
+    def function(curve: Placed) -> jax.Array:
+        is_edge, is_node = (jnp.ones(len(rows), bool) for rows in (curve.edges, curve.nodes))
+        return losses.turning(curve.nodes / curve.diagonal, curve.edges, is_edge, is_node)
 
     return Objective("smooth", function)
 
@@ -270,10 +223,9 @@ def near(target: Any) -> Objective:
         what = f"shape {points.shape}, {points.size - np.isfinite(points).sum()} values that are not finite"
         raise ConfigError(f"target has {what}: expected finite points (P, 3) along a curve")
 
-    def function(curve: Replayed) -> jax.Array:
+    def function(curve: Placed) -> jax.Array:
         away = _distances(jnp.asarray(points, curve.nodes.dtype), curve.nodes, curve.diagonal)
-        nearest = jnp.where(curve.is_node, away, jnp.inf).min(axis=1)
-        return (nearest.mean() + away.min(axis=0).mean(where=curve.is_node)) / 2
+        return (away.min(axis=1).mean() + away.min(axis=0).mean()) / 2
 
     return Objective("near", function)
 

@@ -103,12 +103,12 @@ def packed_directed_edges(layout: Layout, rings, order: np.ndarray) -> list[tupl
 def test_every_directed_edge_has_one_slot_with_its_two_apexes(name, kind):
     meso = SURFACES[name]()
     largest = int(meso.degree.max())
-    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     if kind == "rectangle":
         layout = rectangle(capacity_for(meso.num_rows), largest)
     elif kind == "next size":
         layout = staircase(4 * layout.capacity, largest)
-    assert fits(layout, meso.num_rows, packing.rows_beyond(meso))
+    assert fits(layout, meso.num_rows, packing.rows_beyond(meso.degree))
     order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
     third = {}
     for a, b, c in meso.faces().tolist():
@@ -135,7 +135,7 @@ def test_pack_and_unpack(name, dtype):
     meso.has_pole = random.random(meso.num_rows) < 0.5
     meso.is_fixed = random.random(meso.num_rows) < 0.3
     area = random.uniform(1, 2, meso.num_rows)
-    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     order, _, fields = packing.pack(meso, layout, area, np.dtype(dtype))
     expected = {
         "positions": meso.positions,

@@ -20,7 +20,7 @@ def system(mesh, w_L, w_H, area=1.0, fixed=()):
     vertices = mesh.vertices / mesh.scale
     meso = Meso.from_mesh(vertices, np.array(mesh.faces))
     meso.is_fixed[list(fixed)] = True
-    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     order, _, fields = packing.pack(meso, layout, np.full(meso.num_rows, area), np.dtype(np.float64))
     buffers = Buffers(**{**fields, "rings": Rings(*fields["rings"])})
     settings = Config.au2008().on_device

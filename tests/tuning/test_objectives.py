@@ -8,17 +8,17 @@ import trimesh
 
 import msf_jax
 from msf_jax import Config, ConfigError, objectives
-from msf_jax.tuning.objectives import Objective, Replayed
+from msf_jax.tuning.objectives import Objective, Placed
 
 pytestmark = pytest.mark.usefixtures("few_rows")
 SPOTS = np.array([[0.0, 0.5, 0.0], [1.0, 0.0, 0.3]])
 
 
-def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Replayed:
+def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Placed:
     """A curve in a surface of equal areas, or in two points, with a diagonal of 2."""
     surface = np.array([[0.0, 0, 0], [1.0, 0, 0]]) if surface is None else surface
     node_of_vertex = np.zeros(len(surface), dtype=int) if node_of_vertex is None else node_of_vertex
-    return Replayed(
+    return Placed(
         nodes=jnp.asarray(nodes, float),
         radii=jnp.asarray(radii, float),
         edges=jnp.asarray(edges, int).reshape(-1, 2),
@@ -26,35 +26,11 @@ def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Repla
         areas=jnp.full(len(surface), 1 / len(surface)),
         node_of_vertex=jnp.asarray(node_of_vertex),
         diagonal=jnp.asarray(2.0),
-        is_node=jnp.ones(len(nodes), bool),
     )
 
 
 def compiled(objective):
     return jax.jit(lambda curve: objective(curve))
-
-
-@pytest.mark.parametrize(
-    "objective",
-    [objectives.explained(), objectives.centred(), objectives.inside(0.1), objectives.smooth(), objectives.near(SPOTS)],
-    ids=lambda objective: objective.name,
-)
-def test_rows_that_fill_up_do_not_matter(objective):
-    """Far away or in the way, outside, joined to themselves."""
-    random = np.random.default_rng(0)
-    nodes, radii = random.normal(size=(5, 3)), random.uniform(-0.2, 0.3, 5)
-    edges, node = np.array([[0, 1], [1, 2], [2, 3], [3, 4]]), random.integers(0, 5, 40)
-    curve = replayed(nodes, radii, edges, random.normal(size=(40, 3)), node)
-    wider = replayed(
-        np.concatenate([nodes, [[0, 0, 0], [9, 9, 9]]]),
-        np.append(radii, [5.0, -5.0]),
-        np.concatenate([edges, [[6, 6], [6, 6]]]),
-        curve.surface,
-        node,
-    )._replace(is_node=jnp.arange(7) < 5)
-    value = compiled(objective)
-    assert value(wider) == pytest.approx(float(value(curve)), rel=1e-12)
-    assert objective.can_be_padded and not objectives.as_objective(lambda nodes, radii: 0.0).can_be_padded
 
 
 def sphere() -> np.ndarray:
@@ -138,17 +114,18 @@ def test_sums_and_multiples():
 
 
 @pytest.fixture(scope="module")
-def flow():
+def run():
+    """A curve, and its mesh."""
     mesh = trimesh.creation.icosphere(2)
     mesh.apply_scale([1.0, 0.4, 0.4])
-    return msf_jax.contract(mesh, config=Config(max_iterations=2))
+    return msf_jax.skeletonize(mesh, config=Config(max_iterations=2)), mesh
 
 
-def test_value_of_a_run(flow):
-    """A function of nodes and radii as it is, and an objective, of the recorded curve."""
-    found = objectives.value(lambda nodes, radii: nodes[:, 0].max() + radii.sum(), flow.tape, flow.weights)
-    assert found == pytest.approx(flow.curve.vertices[:, 0].max() + flow.curve.radii.sum(), abs=1e-8)
-    assert 0 < objectives.value(objectives.explained(), flow.tape, flow.weights) < 0.1
+def test_value_of_a_run(run):
+    """A function of nodes and radii as it is, and an objective."""
+    found = objectives.of_skeleton(lambda nodes, radii: nodes[:, 0].max() + radii.sum(), *run)
+    assert found == pytest.approx(run[0].vertices[:, 0].max() + run[0].radii.sum(), abs=1e-8)
+    assert 0 < objectives.of_skeleton(objectives.explained(), *run) < 0.1
 
 
 @pytest.mark.parametrize(
@@ -159,9 +136,8 @@ def test_value_of_a_run(flow):
         (lambda nodes, radii: len(nodes), "returned int.*: expected one floating-point number"),
         (lambda nodes: nodes.sum(), r"objective is a function.*: expected one of"),
         (lambda nodes, radii: None, "returned NoneType: expected a number"),
-        (lambda nodes, radii: jnp.nan * nodes.sum(), "returned NaN for finite nodes"),
     ],
 )
-def test_wrong_objectives(flow, objective, says):
+def test_wrong_objectives(run, objective, says):
     with pytest.raises(ConfigError, match=says):
-        objectives.value(objective, flow.tape, flow.weights)
+        objectives.of_skeleton(objective, *run)
