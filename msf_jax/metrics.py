@@ -221,12 +221,11 @@ def _runs_along(
 
 
 def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
-    is_whole = hasattr(skeleton, "vertices") and hasattr(skeleton, "edges")
     try:
-        vertices, edges = (skeleton.vertices, skeleton.edges) if is_whole else skeleton
+        vertices, edges = (skeleton.vertices, skeleton.edges) if hasattr(skeleton, "edges") else skeleton
         vertices, edges = np.asarray(vertices, dtype=np.float64), np.asarray(edges)
         edges = edges.reshape(0, 2) if edges.size == 0 else edges
-    except (TypeError, ValueError):
+    except (AttributeError, TypeError, ValueError):
         raise MeshError(f"{type(skeleton).__name__} is no curve: expected a Skeleton or (vertices, edges)") from None
     if edges.ndim != 2 or edges.shape[1] != 2:
         raise MeshError(f"edges of the curve have shape {edges.shape}: expected (E, 2)")

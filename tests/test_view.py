@@ -11,16 +11,13 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from msf_jax import view
 from msf_jax.base.errors import ConfigError
-from msf_jax.skeleton.pictures import Panel
+from msf_jax.view import Panel
 
 BALL = trimesh.creation.icosphere(1)
-LINE = cast(
-    Any,
-    SimpleNamespace(
-        vertices=np.array([[0, 0, 0], [0, 0, 2], [0, 0, 3.0]]), edges=np.array([[0, 1], [1, 2]]), radii=np.ones(3)
-    ),
+LINE = SimpleNamespace(
+    vertices=np.array([[0, 0, 0], [0, 0, 2], [0, 0, 3.0]]), edges=np.array([[0, 1], [1, 2]]), radii=np.ones(3)
 )
-DOT = cast(Any, SimpleNamespace(vertices=np.zeros((1, 3)), edges=np.empty((0, 2), int), radii=np.ones(1)))
+DOT = SimpleNamespace(vertices=np.zeros((1, 3)), edges=np.empty((0, 2), int), radii=np.ones(1))
 
 
 def test_all_pictures_are_in_the_same_box_and_show_what_they_were_given():

@@ -115,9 +115,9 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         rig = skeleton.rig(source)
         content, notes = gltf.of_rig(rig, source), rig.notes
     elif suffix == ".png":
-        from msf_jax.skeleton import pictures
+        from msf_jax import view
 
-        content = pictures.picture(skeleton, mesh)
+        content = view.picture(skeleton, mesh)
     else:
         content = render(skeleton, source) if render else skeleton.view(mesh).to_html(include_plotlyjs=True)
     _finish(arguments, skeleton, {target: content})
@@ -179,16 +179,15 @@ def _batch(arguments: argparse.Namespace) -> int:
 def _demo(arguments: argparse.Namespace) -> int:
     folder = made_folder(arguments.output)
     _start_jax(arguments)
-    from msf_jax import shapes
+    from msf_jax import shapes, view
     from msf_jax.flow.loop import skeletonize
-    from msf_jax.skeleton import pictures
 
     mesh = shapes.hand()
     content, own = str(mesh.export(file_type="off")), folder / "hand.off"
     if own.exists() and own.read_bytes() != content.encode():
         raise ConfigError(f"{str(own)!r} exists with another content: name another folder with -o")
     skeleton = skeletonize(mesh, progress=not arguments.quiet)
-    curve, picture = export.writer_for("hand.swc")(skeleton, mesh), pictures.picture(skeleton, mesh)
+    curve, picture = export.writer_for("hand.swc")(skeleton, mesh), view.picture(skeleton, mesh)
     _finish(arguments, skeleton, {own: content, folder / "hand.swc": curve, folder / "hand.png": picture})
     return 0
 

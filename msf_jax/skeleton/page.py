@@ -11,8 +11,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
-from msf_jax.skeleton.pictures import ABOVE, looking
-from msf_jax.skeleton.segments import colours
+from msf_jax.view import ABOVE, looking
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -66,26 +65,20 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
 
 
 def _surfaces(skeleton: "Skeleton", mesh: "MeshLike | None", middle: np.ndarray) -> list[Any]:
-    """The mesh in grey, and coloured by node if the curve has a map of it. The legend shows and hides them."""
+    """The mesh in grey, if it is known. The legend shows and hides it."""
     if mesh is not None:
         vertices, faces = reading.read(mesh, finite=False)
         if len(skeleton.mesh_map):
             reading.check_map(skeleton.mesh_map, len(vertices))
     elif skeleton.source is not None:
-        solid = skeleton.source.solid
-        vertices, faces = solid.vertices, solid.shape.faces
+        vertices, faces = skeleton.source.solid.vertices, skeleton.source.solid.shape.faces
     else:
         return []
     has_map = mesh is not None and len(skeleton.mesh_map) > 0  # a curve of another program has none
     node = skeleton.mesh_map if has_map else np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
     # The pointer meets the surface before the curve, so the surface shows the radius, too.
     style = {"customdata": skeleton.radii[node].astype(np.float32), "hovertemplate": RADIUS, "showlegend": True}
-    traces = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, **style)]
-    if has_map:
-        rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colours(len(skeleton.vertices))[node]]
-        style |= {"vertexcolor": rgb, "visible": "legendonly"}
-        traces.append(_mesh(vertices - middle, faces, "surface by node", opacity=0.5, **style))
-    return traces
+    return [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, **style)]
 
 
 def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **style: Any) -> Any:

@@ -15,13 +15,6 @@ if TYPE_CHECKING:
 SMALL_PIECE = 0.5  # of the number of faces of its branch's largest piece: a piece with fewer is reassigned
 
 
-def colours(num: int) -> np.ndarray:
-    """(num, 4) uint8 colours; those of successive numbers have very different hues."""
-    hue = np.arange(num) * 0.61803398875 % 1.0  # the golden ratio
-    angle = 2 * np.pi * (hue[:, None] + np.array([0, 1 / 3, 2 / 3]))
-    return np.column_stack([150 + 90 * np.cos(angle), np.full(num, 255)]).astype(np.uint8)
-
-
 def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np.ndarray:
     """(F,) the branch of each face: the ``branch`` (V,) of most of its corners.
 
@@ -60,7 +53,9 @@ def segments(skeleton: "Skeleton", mesh: "MeshLike") -> list[trimesh.Trimesh]:
     branch = branch_of_node[skeleton.mesh_map]
     of_face = _of_faces(vertices, faces, branch)
     parts = []
-    for number, colour in enumerate(colours(len(skeleton.branches))):
+    for number in range(len(skeleton.branches)):
+        hue = number * 0.61803398875 + np.array([0, 1 / 3, 2 / 3])  # the golden ratio: unlike those before
+        colour = [*(150 + 90 * np.cos(2 * np.pi * hue)).astype(np.uint8), 255]
         used, local = np.unique(faces[of_face == number], return_inverse=True)
         node, local = skeleton.mesh_map[used], local.reshape(-1, 3)
         part = trimesh.Trimesh(vertices[used], local, process=False, face_colors=np.tile(colour, (len(local), 1)))

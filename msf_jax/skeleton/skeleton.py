@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import jax
 import numpy as np
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
+from scipy import spatial
 
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError
@@ -34,6 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from networkx import Graph
     from plotly.graph_objects import Figure as PlotlyFigure
+    from scipy.sparse import csr_matrix
     from trimesh import Trimesh
 
     from msf_jax.base.binding import Binding
@@ -390,7 +390,7 @@ class Skeleton:
 
         return slopes.binding_of(self)
 
-    def jacobian(self) -> "sparse.csr_matrix":
+    def jacobian(self) -> "csr_matrix":
         """The derivative of `msf_jax.follow` at the recorded vertices.
 
         Returns:
@@ -550,9 +550,9 @@ class Skeleton:
     def plot(self, mesh: "MeshLike | None" = None) -> "Figure":
         """A matplotlib figure, for papers: the mesh translucent, if it is given, as `skeletonize` takes it; the curve
         coloured by radius. `view.panels` has a choice of the camera."""
-        from msf_jax.skeleton import pictures
+        from msf_jax import view
 
-        return pictures.panels([pictures.Panel(mesh=mesh, curves={"": self})], size=8)
+        return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)
 
     def segments(self, mesh: "MeshLike") -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
@@ -641,20 +641,18 @@ def _check_length(name: str, value: Any) -> None:
 
 
 def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
-    """(K, 2) shortest edges that join pieces within ``reach`` of each other: a spanning tree of least length."""
-    piece = np.unique(graphs.labels(len(vertices), *edges.T), return_inverse=True)[1]
-    num = piece.max() + 1
-    order = np.argsort(piece, kind="stable")
-    members = np.split(order, np.flatnonzero(np.diff(piece[order])) + 1)
-    gaps, pairs = np.full((num, num), np.inf), np.zeros((num, num, 2), dtype=np.int64)
-    for number, own in enumerate(members[:-1]):
-        away, nearest = map(np.asarray, spatial.KDTree(vertices[own]).query(vertices))
-        for other in range(number + 1, num):
-            node = members[other][away[members[other]].argmin()]
-            gaps[number, other], pairs[number, other] = away[node], (own[nearest[node]], node)
-    gaps = np.where(gaps <= reach, np.maximum(gaps, 1e-300), 0.0)  # 0 is no edge
-    joined = csgraph.minimum_spanning_tree(sparse.csr_matrix(gaps)).tocoo()
-    return np.sort(pairs[joined.row, joined.col], axis=1)
+    """(K, 2) shortest edges that join pieces within ``reach`` of each other: a spanning tree of least length, which
+    grows from one piece to the nearest of the others (Prim 1957), without edges that are longer."""
+    piece, links = graphs.labels(len(vertices), *edges.T), [np.empty((0, 2), dtype=np.int64)]
+    is_in = piece == piece[0]
+    while not is_in.all():
+        own, other = np.flatnonzero(is_in), np.flatnonzero(~is_in)
+        away, nearest = map(np.asarray, spatial.KDTree(vertices[own]).query(vertices[other]))
+        next_one = away.argmin()
+        if away[next_one] <= reach:
+            links.append(np.sort([[own[nearest[next_one]], other[next_one]]]))
+        is_in |= piece == piece[other[next_one]]
+    return np.concatenate(links)
 
 
 def _flatten(skeleton: Skeleton) -> tuple[tuple[Any, ...], Skeleton]:

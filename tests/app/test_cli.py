@@ -190,7 +190,7 @@ def test_ctrl_c_before_the_files_writes_nothing_and_exits_130(limb, tmp_path, ca
     def interrupt(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("msf_jax.skeleton.pictures.picture", interrupt)  # after the flow, before the files
+    monkeypatch.setattr("msf_jax.view.picture", interrupt)  # after the flow, before the files
     assert main(["skeletonize", str(limb), "-o", str(tmp_path / "a.png")]) == 130
     assert "interrupted" in capsys.readouterr().err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["limb.off"]

@@ -10,8 +10,8 @@ from mpl_toolkits.mplot3d import proj3d
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, shapes, view
-from msf_jax.skeleton.pictures import looking
 from msf_jax.skeleton.skeleton import curve_of
+from msf_jax.view import looking
 from tests.benchmarks import ground_truth
 
 
@@ -48,9 +48,9 @@ def test_each_stop_of_a_slider_shows_its_own_trace(hand, drawn):
         style, traces = step.args
         (trace,) = (trace for trace, is_shown in zip(traces, style["visible"], strict=True) if is_shown)
         shown.append(trace)
-    assert shown == list(range(2, len(names)))
+    assert shown == list(range(1, len(names)))
     expected = [f"after {stage.iteration} iterations" for stage in skeleton.source.stages]
-    assert names == ["surface", "surface by node", *expected, *["curve"] * len(pruning.steps)]
+    assert names == ["surface", *expected, *["curve"] * len(pruning.steps)]
     assert not any(contraction.steps[0].args[0]["visible"])
     sizes = [len(trace.x) for trace in drawing.data if trace.name == "curve"]
     assert len(sizes) > 1 and sizes == sorted(sizes, reverse=True) and sizes[0] == 3 * len(skeleton.edges)

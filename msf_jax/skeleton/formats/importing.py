@@ -17,6 +17,7 @@ import numpy as np
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import plain
+from msf_jax.curve import finishing
 from msf_jax.meshes.files import text
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, KIND, REPORT, UNITS
@@ -57,8 +58,6 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
         curve = read(lines)
         if suffix == ".json":
             return Skeleton(**curve)
-        pairs = np.unique(np.sort(np.array(curve["edges"]).reshape(-1, 2), axis=1), axis=0)
-        curve["edges"] = pairs[pairs[:, 0] != pairs[:, 1]].astype(np.int64)
         curve = checked_curve({"radii": np.zeros(len(curve["vertices"])), **curve})
     except Exception as error:  # for a damaged file, parsers raise exceptions of many types
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
@@ -157,15 +156,17 @@ def _read_ply(lines: list[str]) -> Curve:
     starts = [number for number, words in enumerate(header) if words[:1] == ["element"]]
     for start, stop in pairwise([*starts, len(header)]):
         num, names = int(header[start][2]), [words[2] for words in header[start:stop] if words[0] == "property"]
-        if not 0 <= num <= len(rows):
-            raise ValueError(f"it has fewer rows than {num}, as its header says")
         values = np.array(rows[:num], dtype=np.float64).reshape(num, len(names))
         tables[header[start][1]], rows = dict(zip(names, values.T, strict=True)), rows[num:]
     edges = np.stack([tables["edge"][end] for end in ("vertex1", "vertex2")], axis=1)
     if rows or (edges != np.rint(edges)).any():
         raise ValueError("it has more rows than its header says, or edges that are no whole numbers")
     vertices = np.stack([tables["vertex"][axis] for axis in "xyz"], axis=1)
-    return {"vertices": vertices, "edges": edges, "radii": tables["vertex"].get("radius", np.zeros(len(vertices)))}
+    return {
+        "vertices": vertices,
+        "edges": edges.astype(np.int64),
+        "radii": tables["vertex"].get("radius", np.zeros(len(vertices))),
+    }
 
 
 def _read_polylines(lines: list[str]) -> Curve:
@@ -240,11 +241,11 @@ def checked(name: str, values: Any, shape: tuple[int, ...], below: int | None = 
     Raises:
         ValueError: they are not; the message says what they are.
     """
-    array = np.asarray(values)
-    fits = [want in (-1, have) for want, have in zip(shape, array.shape, strict=False)]
-    is_number = array.dtype.kind in ("f" if below is None else "iu") or not array.size
-    if not is_number or array.ndim != len(shape) or not all(fits):
-        kind = "float" if below is None else "int"
+    array, kind = np.asarray(values), "float" if below is None else "int"
+    if not array.size:  # of any type, and in a text without its second side
+        array = np.empty((0, *shape[1:]), dtype=kind)
+    fits = array.ndim == len(shape) and all(want in (-1, have) for want, have in zip(shape, array.shape, strict=True))
+    if not fits or array.dtype.kind not in ("f" if below is None else "iu"):
         raise ValueError(f"the {name} are {array.dtype} of shape {array.shape}: expected {kind}, {shape}")
     if below is None:
         if not np.isfinite(array).all():
@@ -271,8 +272,8 @@ def checked_curve(values: Mapping[str, Any]) -> Curve:
         raise ValueError(f"it has numbers up to {largest:.3g}, not under {LARGEST_NUMBER:g}: choose another unit")
     if (least := curve["radii"].min()) < 0:
         raise ValueError(f"node {curve['radii'].argmin()} has a negative radius, {least:.6g}: expected 0 or more")
-    edges = np.asarray(values["edges"])
-    curve["edges"] = checked("edges", edges if edges.size else edges.reshape(0, 2), (-1, 2), below=num)
+    pairs = finishing.in_order(checked("edges", values["edges"], (-1, 2), below=num))
+    curve["edges"] = pairs[pairs[:, 0] != pairs[:, 1]]
     curve["mesh_map"] = checked("mesh_map", values.get("mesh_map", ()), (-1,), below=num)
     for name in ("roots", "openings"):
         curve[name] = tuple(checked(name, values.get(name, ()), (-1,), below=num).tolist())
@@ -289,9 +290,6 @@ def checked_report(values: Any, curve: Curve) -> Report:
     those of a curve with other counts."""
     report = Report.from_dict(values)
     "".join([str(report), *report.not_limbs])  # raises for values of other types
-    edges = np.sort(curve["edges"], axis=1)
-    if (edges[:, 0] == edges[:, 1]).any() or len(np.unique(edges, axis=0)) < len(edges):
-        raise ValueError("it has an edge twice, or from a node to itself")
-    if (counts := graphs.cycle_count(len(curve["vertices"]), edges)) != (report.components, report.cycles):
+    if (counts := graphs.cycle_count(len(curve["vertices"]), curve["edges"])) != (report.components, report.cycles):
         raise ValueError(f"it has {counts[0]} components and {counts[1]} cycles, which its report does not say")
     return report

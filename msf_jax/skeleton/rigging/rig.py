@@ -21,13 +21,13 @@ from scipy import sparse
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.curve import branches
+from msf_jax.limbs.ends import laplacian
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging.body import STANDARDS
 from msf_jax.skeleton.rigging.bones import bones_of
-from msf_jax.solid.geometry import cross
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -39,7 +39,6 @@ NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is average
 LEAST_DISTANCE = 0.003  # diagonals: the least size of a limb for heat, so that smaller details move together
 LARGEST_T = 0.45  # largest t of `reduce_along_tree`, below 1/2; a share of a row's sum
 LEAST = 1e-6  # weights below this count as 0
-LARGEST_COTANGENT = 1e4  # bound on cotangents of angles
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,22 +162,11 @@ def heat_weights(
     Rows sum to 1. Coincident vertices of ``faces`` (F, 3) count as one."""
     points, of_given, count = np.unique(vertices, axis=0, return_inverse=True, return_counts=True)
     of_given, num = of_given.ravel(), len(points)
-    corners = of_given[faces]
-    flux: Any = sparse.csr_matrix((num, num))
-    area = np.zeros(num)
-    for k in range(3):
-        tip, one, other = (corners[:, (k + j) % 3] for j in range(3))
-        u, v = points[one] - points[tip], points[other] - points[tip]
-        twice = np.linalg.norm(cross(u, v), axis=1)
-        cotangent = np.einsum("ij,ij->i", u, v) / np.maximum(twice, 1e-300)
-        cotangent = np.clip(cotangent, -LARGEST_COTANGENT, LARGEST_COTANGENT) / 2
-        flux = flux + graphs.weighted(num, one, other, cotangent)
-        area += np.bincount(tip, twice / 6, num)
-    flux = flux + flux.T
+    matrix, area = laplacian(points, of_given[faces])
     pull = np.maximum(area, 1e-6 * area.mean()) / (np.bincount(of_given, away, num) / count) ** 2
     share = sparse.csr_matrix((1 / count[of_given], (of_given, bone)), shape=(num, num_bones)).toarray()
-    laplacian = sparse.diags(np.asarray(flux.sum(axis=1)).ravel() + pull) - flux
-    weights = np.maximum(surface_factor(laplacian.tocsc()).solve(np.asfortranarray(pull[:, None] * share)), 0.0)
+    heat = surface_factor((matrix + sparse.diags_array(pull)).tocsc())
+    weights = np.maximum(heat.solve(np.asfortranarray(pull[:, None] * share)), 0.0)
     return (weights / weights.sum(axis=1, keepdims=True))[of_given]
 
 
