@@ -8,12 +8,13 @@ the same x, with the derivatives of an exact solve.
 """
 
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import jax
 import jax.numpy as jnp
 from jax import lax
 
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.base.layout import Layout
 from msf_jax.base.options import StepSettings, Weights
 from msf_jax.device import laplacian
@@ -22,100 +23,6 @@ from msf_jax.device.cg import keeps_solutions
 from msf_jax.device.iteration import move
 
 CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
-
-
-class Mixing(NamedTuple):
-    """A sparse matrix by its entries (e,): ``share`` for positions, ``blend`` for weights."""
-
-    row: Any
-    column: Any
-    share: Any
-    blend: Any
-
-
-class Polynomial(NamedTuple):
-    """The filter sum_j share_j T_j(1 - 2 L / top) of the graph Laplacian L on packed rows; a constant linear map.
-
-    vertex: (n,) the vertex of each row. row: (V,) the row of each vertex. neighbour, is_used: (S,). degree: (n,).
-    """
-
-    vertex: Any
-    row: Any
-    neighbour: Any
-    is_used: Any
-    degree: Any
-    share: Any
-    top: Any
-
-
-class Basis(NamedTuple):
-    """The filter Phi Phi^T, ``basis`` (V, k)."""
-
-    basis: Any
-
-
-class Stretch(NamedTuple):
-    """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
-
-    handover: (n,) for each row, the row of the stretch before, from which it starts. enter: (T, n) the same for each
-    iteration. rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the row of the first stretch whose pole each
-    row has. left: (T, 2, n, 3) residuals r of the solves. factor: (T,) the factor on w_L. group: (T, n) the row that
-    each row is merged into. share, blend: (T, n) its share of that row's position and weights. cut: (T, R, M, 3) the
-    ends of the split edge, and the apex.
-    """
-
-    handover: Any
-    enter: Any
-    rings: Any
-    degree: Any
-    free: Any
-    pull: Any
-    site: Any
-    left: Any
-    factor: Any
-    group: Any
-    share: Any
-    blend: Any
-    cut: Any
-
-
-class Part(NamedTuple):
-    """The tape of one component. Its first rows are those of the surface at the start of the flow.
-
-    vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
-    mesh_filter: the filter of the mesh itself, or None. gather: the matrix (n, V) from vertices to first rows.
-    site_filter: the filter of the sites of poles, or None. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see
-    `recording.padded.record_poles`. meso_row: (m,) rows of the last workspace. nodes: the matrix (N, m) from the
-    meso-skeleton to the nodes. pin_node, pin_input, pin_share: (p,) entries of the matrix from the caller's vertices to
-    held nodes. is_held: (N,) nodes that are means of pins. centre: (3,), diagonal: (), axes: (3, 3): the frame.
-    """
-
-    vertices: Any
-    vertex_of_input: Any
-    is_pin: Any
-    mesh_filter: Any
-    gather: Mixing
-    site_filter: Any
-    tetrahedron: Any
-    is_firm: Any
-    offset: Any
-    stretches: tuple[Stretch, ...]
-    meso_row: Any
-    nodes: Mixing
-    pin_node: Any
-    pin_input: Any
-    pin_share: Any
-    is_held: Any
-    centre: Any
-    diagonal: Any
-    axes: Any
-
-
-class Shape(NamedTuple):
-    """The static part of a component's tape: the layouts of its stretches and of its mesh filter's rings."""
-
-    layouts: tuple[Layout, ...]
-    mesh_layout: Layout | None
 
 
 @partial(jax.jit, static_argnames=("shape", "settings"))

@@ -13,11 +13,12 @@ import jax.numpy as jnp
 import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
+from msf_jax.base.decisions import Shape
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Solver, StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.nearest import clearance
-from msf_jax.device.playback import Shape, replay_part
+from msf_jax.device.playback import replay_part
 from msf_jax.gradients.tape import Tape
 
 # Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.

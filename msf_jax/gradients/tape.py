@@ -15,11 +15,11 @@ import jax
 import numpy as np
 
 from msf_jax.base import archive
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout, Level
 from msf_jax.base.options import GROUPS, Config, Weights, is_traced
 from msf_jax.base.writing import write_whole
-from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.meshes.repair import placed_between_neighbours
@@ -152,17 +152,13 @@ def _hash(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source) -> Tape:
     """The tape of a run with the flow's curve ``curve`` and its ``source``."""
-    parts, shapes = [], []
-    for component in run.components:
-        arrays, layouts, mesh_layout = padded.record_component(component)
-        parts.append(_part(arrays))
-        shapes.append(Shape(tuple(layouts), mesh_layout))
+    parts, shapes = zip(*map(padded.record_component, run.components), strict=True)
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
     near = shape.faces[shape.nearest(nodes)[1]]
     triangles = run.input_of_vertex[near]
     offsets = source.solid.leave(shape.vertices[near]) - run.vertices[triangles]
     return Tape(
-        parts=tuple(parts),
+        parts=parts,
         vertices=run.vertices,
         areas=source.areas,
         node_of_vertex=curve.mesh_map,
@@ -174,7 +170,7 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         meso_row=_live([part.meso_row for part in parts], [component.num_meso for component in run.components]),
         mesh_hash=_hash(run.vertices, run.faces),
         weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
-        shapes=tuple(shapes),
+        shapes=shapes,
         config=config,
         is_joined=bool(run.is_made.any()),
     )
@@ -184,19 +180,6 @@ def _live(arrays: list[np.ndarray], counts: list[int]) -> np.ndarray:
     """The live rows of concatenated padded arrays: the first ``counts[k]`` rows of array k."""
     first = np.cumsum([0, *map(len, arrays)])
     return np.concatenate([start + np.arange(count) for start, count in zip(first, counts, strict=False)])
-
-
-def _part(arrays: dict[str, Any]) -> Part:
-    """A `Part` from nested dictionaries of arrays; a missing or unknown name raises a KeyError or TypeError."""
-    named = dict(arrays)
-    for name in ("mesh_filter", "site_filter"):
-        values = named.setdefault(name, None)
-        if values is not None:
-            named[name] = Basis(**values) if "basis" in values else Polynomial(**values)
-    for name in ("gather", "nodes"):
-        named[name] = Mixing(**named[name])
-    named["stretches"] = tuple(Stretch(**values) for values in named.get("stretches", ()))
-    return Part(**named)
 
 
 def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy import sparse
 
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.base.layout import Layout, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
@@ -81,21 +82,20 @@ def stretches_of(steps: list[Step]) -> list[Planned]:
     return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
 
 
-def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple[list[dict[str, Any]], np.ndarray]:
-    """The arrays of `device.playback.Stretch`, by name, for each of ``plan``, and the row (m,) of each vertex of the
-    meso-skeleton in the last workspace."""
+def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple[tuple[Stretch, ...], np.ndarray]:
+    """A `Stretch` for each of ``plan``, and the row (m,) of each vertex of the meso-skeleton in the last workspace."""
     if not steps:
-        return [], np.arange(num_meso)
+        return (), np.arange(num_meso)
     first = np.argsort(steps[0].order)
     at = Row(first, first)
     stretches = []
     for start, end, layout in plan:
-        fields, at = _stretch(steps[start:end], layout, at)
-        stretches.append(fields)
-    return stretches, at.workspace
+        stretch, at = _stretch(steps[start:end], layout, at)
+        stretches.append(stretch)
+    return tuple(stretches), at.workspace
 
 
-def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any], Row]:
+def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[Stretch, Row]:
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
     num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS)
@@ -138,7 +138,7 @@ def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any]
     lines = [idle] * (size_for(len(lines), FEWEST_LINES) - len(lines)) + lines
     rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
     stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
-    return {**stacked, "rings": rings, "handover": handovers[0]}, at
+    return Stretch(**stacked, rings=rings, handover=handovers[0]), at
 
 
 def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -175,8 +175,8 @@ def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.n
     return group, share, mean
 
 
-def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layout], Layout | None]:
-    """The arrays of `device.playback.Part`, by name, and the layouts of its stretches and of its mesh filter."""
+def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
+    """The tape of a component, and the layouts of its stretches and of its mesh filter."""
     start, steps = record.start, record.steps
     num = len(record.vertices)
     place, blend = edit_matrices(start.edits, num)
@@ -197,26 +197,26 @@ def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layo
     pin_count = np.bincount(record.node_of_pin, minlength=len(is_held))
     is_pin = np.zeros(num, dtype=bool)
     is_pin[record.pins] = True
-    arrays = {
-        "vertices": record.vertices,
-        "vertex_of_input": record.vertex_of_input.astype(np.int32),
-        "is_pin": is_pin,
-        "mesh_filter": mesh_filter,
-        "gather": entries(place[order], blend[order]),
-        "site_filter": record_site_filter(start.found.kept if start.found else None, steps, plan),
+    part = Part(
+        vertices=record.vertices,
+        vertex_of_input=record.vertex_of_input.astype(np.int32),
+        is_pin=is_pin,
+        mesh_filter=mesh_filter,
+        gather=entries(place[order], blend[order]),
+        site_filter=record_site_filter(start.found.kept if start.found else None, steps, plan),
         **record_poles(start.found, order, capacity),
-        "stretches": stretches,
-        "meso_row": packing.pad(meso_row, size_for(len(meso_row), 512), 0, np.dtype(np.int32)),
-        "nodes": entries(means @ thinned),
-        "pin_node": record.node_of_pin.astype(np.int32),
-        "pin_input": record.vertex_of_input[record.pins].astype(np.int32),
-        "pin_share": 1.0 / np.maximum(pin_count[record.node_of_pin], 1),
-        "is_held": is_held,
-        "centre": record.frame.centre,
-        "diagonal": np.asarray(record.frame.diagonal),
-        "axes": record.frame.axes,
-    }
-    return arrays, [planned.layout for planned in plan], mesh_layout
+        stretches=stretches,
+        meso_row=packing.pad(meso_row, size_for(len(meso_row), 512), 0, np.dtype(np.int32)),
+        nodes=entries(means @ thinned),
+        pin_node=record.node_of_pin.astype(np.int32),
+        pin_input=record.vertex_of_input[record.pins].astype(np.int32),
+        pin_share=1.0 / np.maximum(pin_count[record.node_of_pin], 1),
+        is_held=is_held,
+        centre=record.frame.centre,
+        diagonal=np.asarray(record.frame.diagonal),
+        axes=record.frame.axes,
+    )
+    return part, Shape(tuple(planned.layout for planned in plan), mesh_layout)
 
 
 def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
@@ -249,22 +249,22 @@ def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
     return place, blend
 
 
-def entries(place: Any, blend: Any = None) -> dict[str, np.ndarray]:
-    """The matrices' entries, by the names of `device.playback.Mixing`, padded with zeros."""
+def entries(place: Any, blend: Any = None) -> Mixing:
+    """The matrices' entries, padded with zeros."""
     blend = place if blend is None else blend
     row, column = (abs(place) + abs(blend)).nonzero()
     size = size_for(len(row), 256)
-    shares = {name: np.asarray(matrix[row, column]).ravel() for name, matrix in (("share", place), ("blend", blend))}
-    arrays = {"row": row.astype(np.int32), "column": column.astype(np.int32), **shares}
-    return {name: packing.pad(values, size, 0, values.dtype) for name, values in arrays.items()}
+    shares = (np.asarray(matrix[row, column]).ravel() for matrix in (place, blend))
+    arrays = row.astype(np.int32), column.astype(np.int32), *shares
+    return Mixing(*(packing.pad(values, size, 0, values.dtype) for values in arrays))
 
 
-def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Planned]) -> dict[str, Any] | None:
-    """The filter of the sites of poles, for the first rows of the flow, by the names of `device.playback`."""
+def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Planned]) -> Basis | Polynomial | None:
+    """The filter of the sites of poles, for the first rows of the flow."""
     if kept is None or not steps:
         return None
     if kept.basis is not None:
-        return {"basis": packing.pad(kept.basis[steps[0].order], plan[0].layout.capacity, 0, kept.basis.dtype)}
+        return Basis(packing.pad(kept.basis[steps[0].order], plan[0].layout.capacity, 0, kept.basis.dtype))
     layout, first = plan[0].layout, steps[0]
     own = np.arange(layout.capacity)
     return _polynomial(kept, packing.slots(first.rings, first.degree, layout), first.degree, own, own)
@@ -272,12 +272,12 @@ def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Plann
 
 def record_mesh_filter(
     kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray
-) -> tuple[dict[str, Any] | None, Layout | None]:
+) -> tuple[Basis | Polynomial | None, Layout | None]:
     """The filter of the mesh itself, with its own one-rings, and their layout."""
     if kept is None:
         return None, None
     if kept.basis is not None:
-        return {"basis": kept.basis}, None
+        return Basis(kept.basis), None
     meso = Meso.from_mesh(vertices, faces)
     layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
@@ -288,17 +288,17 @@ def record_mesh_filter(
 
 def _polynomial(
     kept: LowPass, rings: tuple[np.ndarray, ...], degree: np.ndarray, vertex: np.ndarray, row: np.ndarray
-) -> dict[str, Any]:
+) -> Polynomial:
     neighbour, _, _, is_used = rings
-    return {
-        "vertex": vertex.astype(np.int32),
-        "row": row.astype(np.int32),
-        "neighbour": neighbour,
-        "is_used": is_used,
-        "degree": packing.pad(degree, len(vertex), 0, np.dtype(np.float64)),
-        "share": packing.pad(kept.share, rung(len(kept.share), 32), 0, np.dtype(np.float64)),
-        "top": np.asarray(kept.top),
-    }
+    return Polynomial(
+        vertex=vertex.astype(np.int32),
+        row=row.astype(np.int32),
+        neighbour=neighbour,
+        is_used=is_used,
+        degree=packing.pad(degree, len(vertex), 0, np.dtype(np.float64)),
+        share=packing.pad(kept.share, rung(len(kept.share), 32), 0, np.dtype(np.float64)),
+        top=np.asarray(kept.top),
+    )
 
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
