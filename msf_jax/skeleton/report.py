@@ -144,7 +144,7 @@ class Report:
         in_sheets, unexplained, elongation = (np.nan if each is None else each for each in measured)
         if None in measured:
             return (UNMEASURED,)
-        parts, handles = (_count(self.left_out, "part"), _count(self.joined_handles, "handle"))
+        parts, handles = (count_of(self.left_out, "part"), count_of(self.joined_handles, "handle"))
         found = (
             (elongation < LEAST_ELONGATION, "no part is longer than it is wide"),
             (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
@@ -203,16 +203,16 @@ class Report:
 
 
 def _compare(found: int, what: str, expected: int, why: str) -> str:
-    count = _count(found, what)
+    count = count_of(found, what)
     return f"{count} {why}" if found == expected else f"{count}, EXPECTED {expected} {why}"
 
 
-def _count(number: int, what: str) -> str:
+def count_of(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
 
 
 def _around(loops: int, cycles: int) -> str:
-    return "around as many handles" if loops == cycles else f"around ONLY {_count(loops, 'handle')}"
+    return "around as many handles" if loops == cycles else f"around ONLY {count_of(loops, 'handle')}"
 
 
 def loops_of(
@@ -307,7 +307,7 @@ def _overlaps(
     if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
         least = "at least " if shape.crossed.num > len(shape.crossed.pairs) or shape.crossed.is_cut else ""
         doubts.append(
-            f"the surface crosses itself, in {least}{num} pair{'' if num == 1 else 's'} of triangles: radii count "
+            f"the surface crosses itself, in {least}{count_of(num, 'pair')} of triangles: radii count "
             'walls inside the solid, and loops may be missing; repair="join" makes one solid'
         )
     if num := sum(body.is_within for body in bodies(shape)):

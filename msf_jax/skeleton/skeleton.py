@@ -25,7 +25,7 @@ from msf_jax.limbs.one_branch import Branch
 from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.measures import add_corners
-from msf_jax.skeleton.report import Report, assessed
+from msf_jax.skeleton.report import Report, assessed, count_of
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -115,7 +115,7 @@ class Skeleton:
     units: str = ""
 
     def __repr__(self) -> str:
-        cycles = f"{self.report.cycles} {'cycle' if self.report.cycles == 1 else 'cycles'}"
+        cycles = count_of(self.report.cycles, "cycle")
         inside = "" if np.isnan(self.report.inside) else f", {100 * self.report.inside:.2f} % inside"
         return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {cycles}{inside})"
 
@@ -308,7 +308,6 @@ class Skeleton:
         edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
         roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
         where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
-        loops = f"{len(gone)} {'loop' if len(gone) == 1 else 'loops'}"
         place = f"root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}{why}"
         report = replace(
             self.report,
@@ -316,7 +315,7 @@ class Skeleton:
             loops=None if self.report.loops is None else 0,
             cut=self.report.cut + len(gone),
             inside=_share_inside(self, self.vertices, edges, self.radii),
-            notes=(*self.report.notes, f"a tree: {loops} cut where thinnest{where}; {place}"),
+            notes=(*self.report.notes, f"a tree: {count_of(len(gone), 'loop')} cut where thinnest{where}; {place}"),
             figures={},
         )
         return replace(self, edges=edges, report=report, roots=roots)
@@ -558,8 +557,8 @@ class Skeleton:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
         A face belongs to the branch of most of its corners' nodes, or else of its first corner's; a node at a junction
-        counts for the first of its branches. A small piece within another branch belongs to that branch. A branch may
-        have no faces. Each mesh has its own colour, and ``vertex_attributes`` "radius", "node" and "branch".
+        counts for the first of its branches. A branch may have no faces, or some apart from the others beside a
+        junction. Each mesh has its own colour, and ``vertex_attributes`` "radius", "node" and "branch".
 
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.

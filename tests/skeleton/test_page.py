@@ -1,7 +1,5 @@
 """Pages, the camera and segments: what is in them, where it is seen from, and that sliders name their own traces."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 import trimesh
@@ -12,7 +10,6 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, shapes, view
 from msf_jax.skeleton.skeleton import curve_of
 from msf_jax.view import looking
-from tests.benchmarks import ground_truth
 
 
 @pytest.fixture(scope="module")
@@ -137,35 +134,6 @@ def test_segments_share_the_surface_between_the_branches(hand):
             np.testing.assert_array_equal(part.vertex_attributes["radius"], skeleton.radii[node])
     colours = {tuple(part.visual.face_colors[0]) for part in parts if len(part.faces)}
     assert len(colours) == sum(bool(len(part.faces)) for part in parts)
-
-
-def test_segments_are_in_one_piece_with_even_borders():
-    """A tube has three branches. Its vertices have the nearest, except for a speck. A file with UVs has a seam."""
-    shape = ground_truth.make("straight")
-    along = (shape.mesh.vertices - shape.points[0]) @ (shape.points[-1] - shape.points[0]) / 2.2**2
-    third = np.minimum((3 * np.clip(along, 0, 1)).astype(int), 2)
-    near = np.argsort(np.linalg.norm(shape.mesh.vertices - shape.mesh.vertices[third == 1][0], axis=1))
-    third[near[:7]] = 2
-    nodes = shape.points[0] + np.linspace(0, 1, 4)[:, None] * (shape.points[-1] - shape.points[0])
-    twigs = nodes[1:3] + 0.01
-    edges = np.array([[0, 1], [1, 2], [1, 4], [2, 3], [2, 5]])  # two twigs, so that there are three branches
-    curve = curve_of(np.concatenate([nodes, twigs]), edges, np.full(6, 0.1))
-    number = {tuple(sorted(branch.nodes)): k for k, branch in enumerate(curve.branches)}
-    is_other = np.arange(len(shape.mesh.faces)) % 2 == 1
-    doubled = shape.mesh.faces + len(shape.mesh.vertices) * is_other[:, None]
-    for vertices, faces in (
-        (shape.mesh.vertices, shape.mesh.faces),
-        (np.tile(shape.mesh.vertices, (2, 1)), doubled),
-    ):
-        node = np.array([0, 1, 3])[third]
-        mesh_map = np.tile(node, len(vertices) // len(third))
-        parts = replace(curve, mesh_map=mesh_map).segments((vertices, faces))
-        given = [parts[number[ends]] for ends in ((0, 1), (1, 2), (2, 3)) if len(parts[number[ends]].faces)]
-        assert len(given) >= 2
-        for part in given:
-            joined = trimesh.Trimesh(part.vertices, part.faces, process=False)
-            joined.merge_vertices()
-            assert joined.body_count == 1
 
 
 def test_a_page_far_from_the_origin_keeps_its_shape():
