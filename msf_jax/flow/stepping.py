@@ -84,7 +84,7 @@ def step(state: State, weights: Weights, config: Config, clock: Clock) -> None:
 
 def packed(state: State, weights: Weights) -> tuple[Layout, np.ndarray, np.ndarray, Buffers, Weights]:
     """The padded surface for a device step, still on the host: its layout, the vertex in each row, the rows of its
-    neighbours, see `packing.Packed`, the buffers, and the weights, one value a row if they are by vertex."""
+    neighbours, see `packing.pack`, the buffers, and the weights, one value a row if they are by vertex."""
     meso = state.meso
     layout = layout_after(state.capacity, meso.num_rows, packing.rows_beyond(meso.degree))
     # Solves end when vertices move by a small part of the least t_c of any limb.

@@ -102,15 +102,8 @@ def binding_of(skeleton: Any) -> Binding:
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     """``vertices`` as a JAX or NumPy array (V, 3). Only the shape of a traced array is checked. Vertices that no face
     of the surface uses may be at any position."""
-    binding = binding_of(skeleton)
-    try:
-        array = vertices if isinstance(vertices, Tracer | np.ndarray) else jnp.asarray(vertices)
-        is_real = jnp.isdtype(array.dtype, "real floating")
-        is_whole = jnp.isdtype(array.dtype, "integral")
-    except (TypeError, ValueError) as error:
-        raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
-    if not (is_real or is_whole):
-        raise MeshError(f"vertices has the type {array.dtype}: expected real numbers, (V, 3)")
+    binding, array = binding_of(skeleton), numbers_of(vertices)
+    is_real = jnp.isdtype(array.dtype, "real floating")
     wide = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
     array = array.astype(jax.dtypes.canonicalize_dtype(wide))
     least = most = len(skeleton.mesh_map) if isinstance(skeleton, Skeleton) else binding.num_vertices
@@ -124,12 +117,27 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     if not isinstance(array, Tracer) and not isinstance(binding.faces, Tracer):
         is_used = np.zeros(len(array), dtype=bool)
         is_used[np.asarray(binding.faces)] = True
-        bad = np.flatnonzero(~np.isfinite(jax.device_get(array)).all(axis=1) & is_used)
-        if len(bad):
-            raise MeshError(
-                f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions"
-            )
+        check_finite(array, is_used)
     return array
+
+
+def numbers_of(vertices: Any) -> Any:
+    """``vertices`` as an array of real numbers of JAX or NumPy; else a `MeshError`."""
+    try:
+        array = vertices if isinstance(vertices, Tracer | np.ndarray) else jnp.asarray(vertices)
+        is_real = jnp.isdtype(array.dtype, ("real floating", "integral"))
+    except (TypeError, ValueError) as error:
+        raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
+    if not is_real:
+        raise MeshError(f"vertices has the type {array.dtype}: expected real numbers, (V, 3)")
+    return array
+
+
+def check_finite(vertices: Any, is_used: Any = True) -> None:
+    """Raise a `MeshError` if some of ``vertices`` (V, 3) that are used are not finite."""
+    bad = np.flatnonzero(~np.isfinite(jax.device_get(vertices)).all(axis=1) & is_used)
+    if len(bad):
+        raise MeshError(f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions")
 
 
 @jax.tree_util.register_dataclass

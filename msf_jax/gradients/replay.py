@@ -19,6 +19,7 @@ from msf_jax.base.options import Solver, StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.nearest import clearance
 from msf_jax.device.playback import replay_part
+from msf_jax.gradients.follow import check_finite, numbers_of
 from msf_jax.gradients.tape import Tape
 
 # Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.
@@ -149,20 +150,17 @@ def _check_tape(tape: Any) -> None:
 
 
 def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
-    tape.check_movable()
-    try:
-        array = jnp.asarray(vertices, real_dtype())
-    except (TypeError, ValueError) as error:
-        raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
+    if tape.is_joined:
+        raise MeshError(
+            "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
+            'expected a run without repair="join" and without extruded rims, or a call without vertices'
+        )
+    array = numbers_of(vertices).astype(real_dtype())
     if array.shape != tape.vertices.shape:
         raise MeshError(
             f"vertices has shape {array.shape}: expected {tape.vertices.shape}, as in the mesh that the tape was "
             "recorded for"
         )
     if not is_traced(array):
-        bad = np.flatnonzero(~np.isfinite(np.asarray(array)).all(axis=1))
-        if len(bad):
-            raise MeshError(
-                f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions"
-            )
-    return array
+        check_finite(array)
+    return jnp.asarray(array)

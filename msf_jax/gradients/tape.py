@@ -94,14 +94,6 @@ class Tape:
         extent = self.vertices.max(axis=0) - self.vertices.min(axis=0)
         return (extent * extent).sum() ** 0.5
 
-    def check_movable(self) -> None:
-        """Raise a `MeshError` if the surface cannot follow the mesh's vertices, because repair made some of its own."""
-        if self.is_joined:
-            raise MeshError(
-                "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
-                'expected a run without repair="join" and without extruded rims, or a call without vertices'
-            )
-
     def check(self, mesh: "MeshLike") -> None:
         """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
         vertices, faces = reading.read(mesh, finite=False)

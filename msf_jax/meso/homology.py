@@ -81,14 +81,14 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
     count = np.bincount(edges.origin)[:, None]
     ends = edges.origin, edges.target
     neighbours = graphs.weighted(len(rings), *ends)
-    values = half_edge_classes(positions, faces)
+    values = None
     handles = 1 - (np.count_nonzero(count) - len(faces) // 2) // 2
-    for rounds in SMOOTHINGS[: 1 if handles > MANY_HANDLES else None]:
-        if values is not None:
-            break
+    for rounds in (0, *SMOOTHINGS[: 1 if handles > MANY_HANDLES else None]):
         for _ in range(rounds):
             positions = (positions + neighbours @ positions / count) / 2
         values = half_edge_classes(positions, faces)
+        if values is not None:
+            break
     if values is None:
         return None
     classes = np.zeros(rings.shape, dtype=np.int64)

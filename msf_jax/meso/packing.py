@@ -1,23 +1,11 @@
 """Packing of the meso-skeleton's arrays into a padded layout for the device, and unpacking."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from msf_jax.base.layout import Layout
 from msf_jax.meso.meso import Meso
-
-
-class Packed(NamedTuple):
-    """A surface of m vertices in a layout.
-
-    order: (m,) the vertex in each row. rings: (m, K) the rows of its neighbours; entries beyond its degree are not
-    defined. fields: the arrays of `device.buffers.Buffers`, by name.
-    """
-
-    order: np.ndarray
-    rings: np.ndarray
-    fields: dict[str, Any]
 
 
 def rows_beyond(degree: np.ndarray) -> list[int]:
@@ -32,8 +20,14 @@ def pad(array: np.ndarray, size: int, fill: float, dtype: np.dtype) -> np.ndarra
     return padded
 
 
-def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: float = 0.0) -> Packed:
-    """The surface in ``layout``: rows sorted by degree, the largest first; real numbers of type ``dtype``."""
+def pack(
+    meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: float = 0.0
+) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
+    """The surface of m vertices in ``layout``: rows sorted by degree, the largest first; real numbers are ``dtype``.
+
+    Returns the vertex (m,) in each row, the rows (m, K) of its neighbours, of which those beyond its degree are not
+    defined, and the arrays of `device.buffers.Buffers`, by name.
+    """
     order = np.argsort(-meso.degree, kind="stable")
     rank = np.empty(meso.num_rows + 1, dtype=np.int32)
     rank[order] = np.arange(meso.num_rows, dtype=np.int32)
@@ -50,7 +44,7 @@ def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: flo
         "t_c": np.asarray(t_c, dtype=dtype),
         "area": pad(area[order] if len(area) else area, size, 1, dtype),
     }
-    return Packed(order, rings, fields)
+    return order, rings, fields
 
 
 def slots(rings: np.ndarray, degree: np.ndarray, layout: Layout) -> tuple[np.ndarray, ...]:

@@ -34,7 +34,7 @@ class Step(NamedTuple):
     """One iteration on a surface of m vertices, and the edits after it.
 
     order: (m,) the vertex in each packed row; the other arrays are by rows. positions: (m, 3) float32, before the
-    iteration. rings: (m, K), see `packing.Packed`. degree, free, pull: (m,). left: (2, m, 3) residuals of the two
+    iteration. rings: (m, K), see `packing.pack`. degree, free, pull: (m,). left: (2, m, 3) residuals of the two
     solves, divided by the norms of their right-hand sides. factor: on w_L.
     """
 
