@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import jax
 import numpy as np
+import trimesh
 from scipy import spatial
 
 from msf_jax import metrics
@@ -22,6 +23,8 @@ from msf_jax.inside import containment
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.one_branch import Branch
+from msf_jax.meshes import reading
+from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.measures import add_corners
@@ -34,10 +37,8 @@ if TYPE_CHECKING:
     from networkx import Graph
     from plotly.graph_objects import Figure as PlotlyFigure
     from scipy.sparse import csr_matrix
-    from trimesh import Trimesh
 
     from msf_jax.base.binding import Binding
-    from msf_jax.meshes.reading import MeshLike
     from msf_jax.skeleton.framing import Frame
     from msf_jax.skeleton.rigging.rig import Rig
 
@@ -553,7 +554,7 @@ class Skeleton:
 
         return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)
 
-    def segments(self, mesh: "MeshLike") -> list["Trimesh"]:
+    def segments(self, mesh: "MeshLike") -> list[trimesh.Trimesh]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
         A face belongs to the branch of most of its corners' nodes, or else of its first corner's; a node at a junction
@@ -563,9 +564,24 @@ class Skeleton:
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
-        from msf_jax.skeleton import segments
-
-        return segments.segments(self, mesh)
+        vertices, faces = reading.read(mesh, finite=False)
+        reading.check_map(self.mesh_map, len(vertices))
+        every, branch_of_node = self.branches, np.full(len(self.vertices), -1)
+        for number, one in reversed(list(enumerate(every))):  # a junction has the first of its branches
+            branch_of_node[np.asarray(one.nodes)] = number
+        branch = branch_of_node[self.mesh_map]
+        first, second, third = branch[faces].T
+        of_face = np.where(second == third, second, first)
+        parts = []
+        for number in range(len(every)):
+            hue = number * 0.61803398875 + np.array([0, 1 / 3, 2 / 3])  # the golden ratio: unlike those before
+            colour = [*(150 + 90 * np.cos(2 * np.pi * hue)).astype(np.uint8), 255]
+            used, local = np.unique(faces[of_face == number], return_inverse=True)
+            node, local = self.mesh_map[used], local.reshape(-1, 3)
+            part = trimesh.Trimesh(vertices[used], local, process=False, face_colors=np.tile(colour, (len(local), 1)))
+            part.vertex_attributes |= {"radius": self.radii[node], "node": node, "branch": branch[used]}
+            parts.append(part)
+        return parts
 
     def to_networkx(self) -> "Graph":
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
