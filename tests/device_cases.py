@@ -2,7 +2,7 @@
 
 from contextlib import contextmanager
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -11,7 +11,6 @@ import scipy.sparse as sp
 from scipy.spatial import ConvexHull
 
 from msf_jax.base.layout import Layout, Level, fits, layout_for
-from msf_jax.base.options import Solver
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, relaxed, smoothing
@@ -20,6 +19,13 @@ from msf_jax.meso.meso import Meso
 
 TIGHT = 1e-13  # relative residual of solves that are compared with direct ones
 MANY = 5000  # CG steps that no test needs
+
+
+class Solver(NamedTuple):
+    """What a solve asks of `SolverOptions`, here also of numbers that JAX traces."""
+
+    tolerance: Any
+    max_steps: Any
 
 
 class Case(NamedTuple):

@@ -262,21 +262,11 @@ class CurveOptions(Options):
 
 
 @dataclass(frozen=True)
-class Solver:
-    """The members of `SolverOptions` that conjugate gradients depend on."""
-
-    tolerance: float
-    max_steps: int
-    preconditioner: str = "jacobi"
-
-
-@dataclass(frozen=True)
 class StepSettings:
     """The settings that a jitted step depends on, besides the layout of its buffers; `Config` explains them."""
 
     laplacian: str
-    solver: Solver
-    step_tolerance: float
+    solver: SolverOptions
     w_H_follows_area: bool
 
 
@@ -418,12 +408,7 @@ class Config(Options):
     @property
     def on_device(self) -> StepSettings:
         """The settings that a jitted step depends on. A change of any other setting compiles nothing again."""
-        return StepSettings(
-            laplacian=self.flow.laplacian,
-            solver=Solver(self.solver.tolerance, self.solver.max_steps, self.solver.preconditioner),
-            step_tolerance=self.solver.step_tolerance,
-            w_H_follows_area=self.flow.w_H_follows_area,
-        )
+        return StepSettings(self.flow.laplacian, self.solver, self.flow.w_H_follows_area)
 
     def default_weights(self) -> Weights:
         """The weights that go with this system."""

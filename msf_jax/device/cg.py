@@ -19,7 +19,7 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
     from jaxopt import loop
 
-from msf_jax.base.options import Solver
+from msf_jax.base.options import SolverOptions
 
 Map = Callable[[jax.Array], jax.Array]  # of vectors (n, c)
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
@@ -50,7 +50,7 @@ class Descent(NamedTuple):
     gamma: jax.Array
 
 
-def _descended(A: Map, M: Map, b: jax.Array, smallest: Any, solver: Solver, in_python: bool = False) -> Descent:
+def _descended(A: Map, M: Map, b: jax.Array, smallest: Any, solver: SolverOptions, in_python: bool = False) -> Descent:
     """CG for A x = b from x = 0, preconditioned by M, a symmetric positive definite operator near A's inverse.
 
     It also ends after a step that changes every entry by less than ``smallest``. The first step is always made, and
@@ -104,7 +104,7 @@ def norm(x: jax.Array) -> jax.Array:
 
 
 def solve(
-    operator: Any, b: jax.Array, solver: Solver, smallest: Any = 0.0, left: jax.Array | None = None
+    operator: Any, b: jax.Array, solver: SolverOptions, smallest: Any = 0.0, left: jax.Array | None = None
 ) -> tuple[jax.Array, SolveReport]:
     """Solve A x = b - |b| left for b (n, c), from x = 0; without ``left``, A x = b.
 
@@ -125,7 +125,7 @@ def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
 
 
 def _solved(
-    solver: Solver, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
+    solver: SolverOptions, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
 ) -> tuple[jax.Array, SolveReport]:
     """`solve` in the type of b, or in float32 if ``is_short``.
 
@@ -179,18 +179,18 @@ def _together(values: Any) -> Any:
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _rounded(solver: Solver, *arguments: Any) -> tuple[jax.Array, SolveReport]:
+def _rounded(solver: SolverOptions, *arguments: Any) -> tuple[jax.Array, SolveReport]:
     """`_solved` in float32. Partial evaluation may drop the rule below: then derivatives are in float32, too."""
     return _solved(solver, *arguments, is_short=True)
 
 
 @_rounded.defjvp
-def _rounded_jvp(solver: Solver, primals: Any, tangents: Any) -> Any:
+def _rounded_jvp(solver: SolverOptions, primals: Any, tangents: Any) -> Any:
     return jax.jvp(partial(_solved, solver), primals, tangents)
 
 
 def solve_outside(
-    operator: Any, b: jax.Array, solver: Solver, precondition: Map, smallest: Any = 0.0
+    operator: Any, b: jax.Array, solver: SolverOptions, precondition: Map, smallest: Any = 0.0
 ) -> tuple[jax.Array, SolveReport]:
     """Like `solve`, with a loop in Python, so that ``precondition``, r -> M r near A^-1 r, may be a function on the
     host, see `numerics/factors.py`. It cannot be jitted or differentiated."""
@@ -205,7 +205,7 @@ def _scale(size: jax.Array) -> jax.Array:
     return jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)
 
 
-def _has_ended(end: Descent, left: jax.Array, solver: Solver) -> jax.Array:
+def _has_ended(end: Descent, left: jax.Array, solver: SolverOptions) -> jax.Array:
     """Whether CG ended by a short step or by its tolerance. Rounding leaves more than CG's own residual says: then
     ``left``, b - A x for the final x in the type of b, may be twice the tolerance, or cost half of the type's digits.
     """

@@ -32,7 +32,7 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     energies = _energies(buffers, weights, settings, layout)
-    smallest = settings.step_tolerance * buffers.t_c
+    smallest = settings.solver.step_tolerance * buffers.t_c
 
     def relax(positions: jax.Array, line: Any) -> tuple[jax.Array, SolveReport]:
         energy, smallest, left = line
@@ -80,7 +80,7 @@ def move_factored(
     CG then needs few steps. Python runs each step, and calls jitted functions.
     """
     positions, reports = buffers.positions, []
-    smallest = settings.step_tolerance * buffers.t_c
+    smallest = settings.solver.step_tolerance * buffers.t_c
     for energy, least in zip(_jitted_energies(buffers, weights, settings, layout), (smallest, 0.0), strict=True):
         moved = buffers._replace(positions=positions)
         operator, b = _equations(moved, energy, settings, layout)

@@ -15,7 +15,7 @@ from jax.custom_derivatives import SymbolicZero
 
 from msf_jax.base.decisions import Shape
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.base.options import Solver, StepSettings, Weights, is_traced
+from msf_jax.base.options import StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.nearest import clearance
 from msf_jax.device.playback import replay_part
@@ -112,7 +112,9 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
         raise ConfigError(f"tolerance is {tolerance!r}: expected a number above 0 and below 1")
     else:
         tight = loose = tolerance
-    settings = tuple(changed(tape.config.on_device, solver=Solver(each, MOST_STEPS)) for each in (tight, loose))
+    run = tape.config.on_device
+    solvers = [changed(run.solver, tolerance=t, max_steps=MOST_STEPS, preconditioner="jacobi") for t in (tight, loose)]
+    settings = tuple(changed(run, solver=solver) for solver in solvers)
     results = [
         _replayed_part(shape, settings, (part, weights, given + moved, moved))
         for part, shape in zip(tape.parts, tape.shapes, strict=True)

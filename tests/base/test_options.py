@@ -81,7 +81,7 @@ def test_a_step_depends_on_these_options_and_on_no_others():
     others = Config(least_slenderness=0.0, coarsen=0.0, max_iterations=3, flow=FlowOptions(threshold_min=0.004))
     assert others.on_device == Config().on_device
     settings = vars(Config().on_device)
-    assert set(settings) == {"laplacian", "solver", "step_tolerance", "w_H_follows_area"}
+    assert set(settings) == {"laplacian", "solver", "w_H_follows_area"}
     for name in settings:
         with pytest.raises(TypeError, match=name):
             StepSettings(**{key: value for key, value in settings.items() if key != name})

@@ -11,6 +11,7 @@ from device_cases import (
     TIGHT,
     Case,
     Diagonal,
+    Solver,
     bipyramid,
     build,
     case_with_everything,
@@ -24,7 +25,7 @@ from device_cases import (
     strict,
 )
 
-from msf_jax.base.options import LAPLACIANS, Solver, StepSettings, Weights
+from msf_jax.base.options import LAPLACIANS, SolverOptions, StepSettings, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, relaxed
@@ -302,7 +303,7 @@ def small() -> Case:
 )
 def test_an_iteration_works_in_the_strict_modes_of_jax(small, kind):
     """With a loose solve, in float32, and with w_H that follows areas."""
-    settings = StepSettings(kind, Solver(3e-3, 10), 0.0, True)
+    settings = StepSettings(kind, SolverOptions(max_steps=10, step_tolerance=0.0), True)
     with strict():
         slope = jax.grad(lambda w_H: iteration.move(small.buffers, Weights(1.0, w_H), settings, small.layout)[0].sum())
         jax.eval_shape(slope, 0.1)

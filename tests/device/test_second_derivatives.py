@@ -7,11 +7,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from conftest import blob
-from device_cases import Diagonal, quick_jit
+from device_cases import Diagonal, Solver, quick_jit
 
 import msf_jax
 from msf_jax import Config, FlowOptions, PreprocessingOptions, Weights
-from msf_jax.base.options import Solver
 from msf_jax.device import cg
 
 FIRST = {"forward": jax.jacfwd, "reverse": jax.jacrev}
