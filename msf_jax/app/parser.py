@@ -23,7 +23,6 @@ Curve skeletons of closed triangle meshes by Medial Skeletonization Flow.
 first steps:
   msf-jax demo                      a hand made in code, its curve and a picture
   msf-jax skeletonize hand.off      hand.swc, and a report that says how far to trust it
-  msf-jax view hand.off             an interactive page
   msf-jax COMMAND --help            options and more examples
 
 exit codes: 0 all files are written (warnings name doubtful curves), 1 a mesh of a batch failed, or
@@ -31,11 +30,7 @@ a frame has no curve, 2 bad input or options, 130 Ctrl-C (the curve so far is wr
     "skeletonize": """\
 the curve skeleton of a closed mesh
 
-The report at the end says whether the flow converged, whether the curve has one cycle for each handle
-of the mesh, and how much of the curve is inside.
-
 examples:
-  msf-jax skeletonize hand.off                              writes hand.swc, if it does not exist
   msf-jax skeletonize hand.off -o hand.png                  a picture of the curve in the mesh
   msf-jax skeletonize scan.stl -o scan.vtp --repair         a mesh that is not closed, or not oriented
   msf-jax skeletonize teapot.obj -o teapot.npz --repair join   join parts that overlap or touch
@@ -46,8 +41,7 @@ examples:
     "view": """\
 the same as an interactive page
 
-The page needs no network: the surface, the curve, and sliders for the iterations of the flow and for
-pruning.
+The page needs no network: the surface, the curve, and sliders for the flow's iterations and for pruning.
 
 example:
   msf-jax view hand.off -o hand.html --w-M 0.8""",
@@ -63,7 +57,6 @@ Started again, the batch skeletonises what is missing.
 
 examples:
   msf-jax batch meshes curves --jobs 4 --format .vtp --prune 2
-  msf-jax batch meshes curves --retry                       try failed meshes again
   msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
     "track": """\
 one curve through all meshes of a folder, in the order of their names

@@ -19,6 +19,7 @@ from msf_jax.meshes.repair import (
     NO_VOLUME,
     Repair,
     as_repair,
+    cut_apart,
     has_corner_twice,
     repaired,
     with_volume,
@@ -27,7 +28,7 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.solid.solid import nested
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import by_label, edge_codes, half_edges, next_in_ring
+from msf_jax.topology.half_edges import by_label, edge_codes, half_edges
 
 
 @dataclass(frozen=True)
@@ -315,15 +316,12 @@ def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
 
     Returns vertices, faces, and the old vertex for each new one.
     """
-    edges = half_edges(faces)
-    fan = graphs.labels(faces.size, np.arange(faces.size), next_in_ring(edges))
-    owner = edges.origin[np.unique(fan, return_index=True)[1]]  # fans are numbered in the order of their first corners
-    is_extra = np.ones(len(owner), dtype=bool)
-    is_extra[np.unique(owner, return_index=True)[1]] = False
-    extra = owner[is_extra]
-    number = owner.copy()
-    number[is_extra] = len(vertices) + np.arange(len(extra))
-    return np.concatenate([vertices, vertices[extra]]), number[fan].reshape(-1, 3), extra
+    parted, source = cut_apart(faces, half_edges(faces).twin)
+    extra = np.flatnonzero(np.append(False, source[1:] == source[:-1]))
+    extra = extra[np.argsort(np.unique(parted, return_index=True)[1][extra])]  # in the order of their first corners
+    number = source.copy()
+    number[extra] = len(vertices) + np.arange(len(extra))
+    return np.concatenate([vertices, vertices[source[extra]]]), number[parted], source[extra]
 
 
 def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) -> tuple[Component, float]:
