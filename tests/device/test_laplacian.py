@@ -48,23 +48,20 @@ def weight_matrices(case, kind):
 
 
 @pytest.fixture(scope="module")
-def surfaces(research_mesh):
-    """A blob, a torus, a pebble with many degrees, and a function for the research mesh."""
-    made = {"blob": (blob(1, 2).vertices, blob(1, 2).faces), "torus": (torus().vertices, torus().faces)}
-    made["pebble"] = pebble(0)
-
-    def load(name):
-        vertices, faces = made[name] if name in made else research_mesh(name)
-        vertices = np.array(vertices)
-        return build(vertices / np.linalg.norm(np.ptp(vertices, axis=0)), np.array(faces))
-
-    return load
+def surfaces():
+    """A blob, a torus, and a pebble with many degrees, as cases."""
+    ring = torus(around=20)
+    made = {"blob": (blob(1, 2).vertices, blob(1, 2).faces), "torus": (ring.vertices, ring.faces), "pebble": pebble(0)}
+    return {
+        name: build(np.array(vertices) / np.linalg.norm(np.ptp(vertices, axis=0)), np.array(faces))
+        for name, (vertices, faces) in made.items()
+    }
 
 
 @pytest.mark.parametrize("kind", LAPLACIANS)
-@pytest.mark.parametrize("name", ["blob", "torus", "pebble", "three-holes"])
+@pytest.mark.parametrize("name", ["blob", "torus", "pebble"])
 def test_all_rows_agree_with_half_edges_in_numpy(surfaces, name, kind):
-    case = surfaces(name)
+    case = surfaces[name]
     reference = reference_weights(kind, case.vertices, case.faces)
     rows = rows_of(case, kind)
     used, i, j = edges_of(case)
@@ -155,10 +152,11 @@ def test_weights_have_no_unit(kind, factor):
 def test_one_ring_areas():
     case = build(*pebble(3))
     buffers = case.buffers
-    area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, case.layout)
+    areas_of = quick_jit(laplacian.one_ring_areas, static_argnums=3)
+    area = areas_of(buffers.positions, buffers.rings, buffers.degree, case.layout)
     np.testing.assert_allclose(case.to_vertices(area), ring_areas(case.vertices, case.faces), rtol=1e-12)
     assert (np.asarray(area)[len(case.order) :] == 1).all()
-    flat = laplacian.one_ring_areas(0 * buffers.positions, buffers.rings, buffers.degree, case.layout)
+    flat = areas_of(0 * buffers.positions, buffers.rings, buffers.degree, case.layout)
     assert (np.asarray(flat) > 0).all()
 
 

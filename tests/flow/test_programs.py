@@ -17,7 +17,7 @@ from msf_jax.device.buffers import slot_product, slot_sum
 from msf_jax.flow import programs
 
 SETTINGS = Config(flow=FlowOptions(laplacian="uniform"), solver=SolverOptions(max_steps=49)).on_device
-LAYOUTS = [one_level(128, 16), one_level(192, 16)]
+LAYOUTS = [one_level(64, 10), one_level(96, 10)]
 
 
 def test_steps_from_the_cache_are_those_that_were_compiled(tmp_path, monkeypatch):

@@ -30,8 +30,8 @@ def filled(nodes=LINE, radii=RADII, junk=0.0) -> Followed:
     """In rows of a binding; ``junk`` is what rows of padding hold."""
     rest = CAPACITY.nodes - len(nodes)
     return Followed(
-        jnp.concatenate([jnp.asarray(nodes), jnp.full((rest, 3), junk)]),
-        jnp.concatenate([jnp.asarray(radii), jnp.full(rest, junk)]),
+        jnp.asarray(np.concatenate([nodes, np.full((rest, 3), junk)])),
+        jnp.asarray(np.concatenate([radii, np.full(rest, junk)])),
     )
 
 
