@@ -11,7 +11,7 @@ from msf_jax.curve import centring, finishing, handle_loops
 from msf_jax.curve.finishing import Draft, Job
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap
-from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology.graphs import cycle_count
 from tests.benchmarks import ground_truth
@@ -67,7 +67,9 @@ def turns_of(x, edges):
 
 def job_of(shape):
     """What a pass may ask of the solid ``shape``."""
-    return Job(shape, shape, 1.5, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape))
+    return Job(
+        shape, shape, 1.5, Roadmap(shape, containment.is_inside), centring.Budget(), partial(LimbTree, shape), 0.5
+    )
 
 
 def draft_of(x, edges):

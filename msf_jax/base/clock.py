@@ -1,6 +1,6 @@
 """The clock of a run: the seconds of its stages, and when it has to end, by Ctrl-C or because its time is over.
 
-The run asks the clock between iterations, passes and tips of limbs, so that it ends within one of these. One worker
+The run asks the clock between iterations and passes, so that it ends within one of these. One worker
 thread computes what is asked for later, beside the caller's thread.
 """
 
@@ -77,19 +77,12 @@ class Clock:
         finally:
             self.seconds[name] = self.seconds.get(name, 0.0) + time.perf_counter() - start
 
-    def ask(self) -> None:
-        """Raise `Stopped` if the run has to end."""
-        if time.monotonic() >= self._end:
-            raise Stopped
-
     def check(self) -> None:
-        """`ask`, of the run itself: what follows a first `Stopped` has ``GRACE`` seconds."""
-        try:
-            self.ask()
-        except Stopped:
+        """Raise `Stopped` if the run has to end. What follows a first `Stopped` has ``GRACE`` seconds."""
+        if time.monotonic() >= self._end:
             if not self.reason:
                 self.reason, self._end = self._why, time.monotonic() + GRACE
-            raise
+            raise Stopped
 
 
 @contextmanager

@@ -285,11 +285,11 @@ class Config(Options):
 
     Attributes:
         detail: which limbs that are shorter than ``least_slenderness`` asks have a branch, because they stand out (see
-            `limbs.caps.protrusions`): none at 0, and any that might be a limb from 0.83 on. Nested: a finer detail
-            only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
-        least_slenderness: of the solid's limbs (see `limbs.caps`): length over radius, and half of that below 0.12 % of
-            the surface. Each limb gets one branch, others are removed, and junctions within one ball become one; 0
-            keeps the flow's branches. A half ball on a wall has 0.5, the corner of a box up to 0.6.
+            `limbs.tree`): none at 0, and any at 1. Nested: at a finer detail, each limb stays, or several in its place.
+            At the default, 0.5, they are most of those that people draw; the report names the next ones.
+        least_slenderness: of the solid's limbs (see `limbs.tree`): length over radius. Each limb gets one branch,
+            others are removed, and junctions within one ball become one; 0 keeps the flow's branches. A half ball on a
+            wall has 0.5.
         coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over.
             The cost of a run then depends on the solid's shape, and hardly on the number of its vertices. 0 collapses
             none. If it would change the volume by a twentieth, as of a thin plate, the mesh is not coarsened. On a limb
@@ -304,7 +304,7 @@ class Config(Options):
     """
 
     detail: float = number(0.5, 0, 1)
-    least_slenderness: float = number(1.0, 0, math.inf)
+    least_slenderness: float = number(0.5, 0, math.inf)
     coarsen: float = number(0.005, 0, 0.1)
     max_iterations: int = number(200, 1, math.inf)
     max_seconds: float | None = number(None, 0, math.inf)

@@ -17,7 +17,7 @@ from msf_jax.curve import branches, centring, handle_loops, junctions, resamplin
 from msf_jax.inside import containment
 from msf_jax.inside.roadmap import Roadmap
 from msf_jax.limbs import one_branch, reeb_curve
-from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology import graphs
 
@@ -73,8 +73,8 @@ class Job(NamedTuple):
     """The inputs of all passes.
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
-    prune: least slenderness of a limb, 0 for no pruning (see `limbs.caps`). roadmap: paths through the solid.
-    budget: of all centring together. caps: returns those of the coarse surface, or of the refined one.
+    prune: least slenderness of a limb, 0 for no pruning (see `limbs.tree`). roadmap: paths through the solid.
+    detail: of limbs (see `Config`). budget: of all centring together. limbs: returns the merge trees of the surface.
     """
 
     shape: Enclosure
@@ -82,7 +82,8 @@ class Job(NamedTuple):
     prune: float
     roadmap: Roadmap
     budget: centring.Budget
-    caps: Callable[[], Caps]
+    limbs: Callable[[], LimbTree]
+    detail: float
 
 
 def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
@@ -155,7 +156,7 @@ def finish(
     is_tangle: bool = False,
     coarse: Enclosure | None = None,
     outside: Enclosure | None = None,
-    caps: Callable[[], Caps] | None = None,
+    limbs: Callable[[], LimbTree] | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
     clock: Clock | None = None,
 ) -> Finished:
@@ -166,24 +167,27 @@ def finish(
     and no node held.
 
     ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
-    (see `Caps`); ``centre`` and ``extend`` switch those steps. ``is_thin`` says that the solid has thin limbs.
+    (see `Config`); ``centre`` and ``extend`` switch those steps. ``is_thin`` says that the solid has thin limbs.
     ``is_tangle`` says that the flow ended in a tangle that no pass can repair: it stays as it is, unless there is a
     Reeb curve. ``coarse`` is about the same surface with fewer triangles, fine enough for centring, ``outside`` the
-    surface without cavities, and ``caps`` returns its caps. ``first`` is a pass that comes before all others. If
-    ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
+    surface without cavities, and ``limbs`` returns its merge trees. ``first`` is a pass that comes before all others.
+    If ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse, detail))
+    job = Job(shape, coarse, prune, roadmap, centring.Budget(), limbs or partial(LimbTree, outside or coarse), detail)
     clock, is_cut = clock or Clock(), False
-    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)))
+    draft, laid = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes))), None
     try:
         if centre and extend and not is_held.any():
             clock.check()
-            done = _by_wavefronts(outside or shape, nodes, edges, job, is_thin, is_tangle)
-            if done is not None:
-                return done
-        wanted = [] if is_tangle else [*([] if first is None else [first]), *passes(centre, extend)]
+            laid = _by_wavefronts(outside or shape, nodes, edges, job, is_thin, is_tangle)
+        if laid is not None:
+            none = np.zeros(len(laid.vertices), dtype=bool)
+            draft = Draft(laid.vertices, laid.edges, none, np.arange(len(none)), laid.node_of_vertex)
+        is_tangle &= laid is None
+        before = [] if first is None or laid is not None else [first]
+        wanted = [] if is_tangle else [*before, *passes(centre, extend)]
         for each in wanted:
             clock.check()
             draft = each(draft, job)
@@ -191,6 +195,8 @@ def finish(
         is_cut = True
     if is_tangle:
         return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)), is_cut=is_cut)
+    if laid is not None:
+        return _of_reeb_curve(draft, nodes, job, is_cut)
     if (draft.origin < 0).all():  # every node is new, so the first one stands for the flow's nearest node
         draft.origin[0] = np.linalg.norm(nodes - draft.vertices[0], axis=1).argmin()
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
@@ -213,15 +219,15 @@ def finish(
 
 def _by_wavefronts(
     outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_thin: bool, is_tangle: bool
-) -> Finished | None:
-    """The finished Reeb curve of a coarse solid that ``is_thin``, or whose curve by the flow is astray, if it has one
+) -> reeb_curve.ReebCurve | None:
+    """The Reeb curve of a coarse solid that ``is_thin``, or whose curve by the flow is astray, if it has one
     that is not more astray. The flow's can be inside because it lost limbs."""
     astray = 1.0 if is_tangle else _outside(job, nodes, edges)
     if not (is_thin or astray > ASTRAY):
         return None
     laid = reeb_curve.reeb_curve(outside, containment.is_inside, only_thin=astray <= ASTRAY)
     is_worse = laid is not None and _outside(job, *laid[:2]) > max(astray, ASTRAY)
-    return None if laid is None or is_worse else _of_reeb_curve(laid, nodes, job)
+    return None if is_worse else laid
 
 
 def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
@@ -231,16 +237,9 @@ def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
     return float(length[~containment.is_inside(job.shape, a, b)].sum() / max(length.sum(), 1e-300))
 
 
-def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> Finished:
-    """Finish the Reeb curve ``laid``. It is centred and reaches the limbs' ends, so extension is left out, and centring
-    but for trunks of side branches. Each of the flow's ``nodes`` (n, 3) becomes the nearest node of the curve; of
+def _of_reeb_curve(draft: Draft, nodes: np.ndarray, job: Job, is_cut: bool) -> Finished:
+    """The finished curve that began as a Reeb curve. Each of the flow's ``nodes`` (n, 3) becomes the nearest node; of
     several, the first stays. In the draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
-    x, num = laid.vertices, len(laid.vertices)
-    none = np.zeros(num, dtype=bool)
-    draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex)
-    topology = (contain, remove_excess_cycles, enforce_topology)
-    for each in (*topology, prune_by_balls, partial(centre_nodes, hold_leaves=True), intersect_axes, round_corners):
-        draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
     is_kept = np.isin(np.arange(len(nodes)), first)
@@ -254,7 +253,11 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
         job.roadmap.num_refused,
         job.roadmap.num_closed,
         job.budget.was_hit,
-        num_pruned=draft.num_pruned,
+        draft.is_sparse,
+        draft.num_pruned,
+        draft.num_grown,
+        draft.finer,
+        is_cut=is_cut,
         node_of_vertex=rank[draft.node_of_flow],
         num_unsought=job.roadmap.num_unsought,
     )
@@ -356,17 +359,6 @@ def _without_new_ends(draft: Draft, is_leaf: np.ndarray) -> Draft:
     return reduced(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
 
 
-def prune_by_balls(draft: Draft, job: Job) -> Draft:
-    """Branches of a Reeb curve that are no limbs by their balls are removed: its limbs are tubes, and have too few
-    triangles for caps."""
-    if not job.prune:
-        return draft
-    x = draft.vertices
-    slenderness = one_branch.by_balls(x, job.shape.approximate_clearance(x)[0])
-    left = reduced(draft, *one_branch.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
-    return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
-
-
 def refine(draft: Draft, job: Job) -> Draft:
     """Nodes are about ``SPACING`` radii apart."""
     x, edges, is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
@@ -380,9 +372,8 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     """
     if not (job.prune or extend):
         return draft
-    caps = job.caps()
-    choice = one_branch.choose(caps, job.coarse, draft.vertices, draft.edges, draft.is_held, job.prune)
-    job.budget.was_hit |= choice.was_hit
+    tree = job.limbs()
+    choice = one_branch.choose(tree, job.coarse, draft.vertices, draft.edges, draft.is_held, job.prune, job.detail)
     num_leaves, worth, leaf, missing = int(draft.is_leaf().sum()), choice.worth, np.array(choice.leaf, np.int64), 0
     if job.prune:
         if extend:
@@ -395,7 +386,7 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
         draft = contain(draft.changed(*one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
-    finer = tuple((each.detail, caps.surface.points[each.cap.tip]) for each in caps.limbs(job.prune).finer)
+    finer = tuple((each.detail, each.place) for each in tree.limbs(job.prune, job.detail).finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 
 

@@ -130,12 +130,8 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
             closed,
             f"no path inside was found for {_counted(closed, 'edge')} of the curve: the solid may be in pieces there",
         ),
-        (
-            laid,
-            f"edges are longer than the limbs' radius: geodesic wavefronts made {laid} {of}; "
-            "loops no larger than a limb's thickness are missing in them",
-        ),
-        (short, f"centring of {short} {of}, or the search for limbs, ended early: there are too many cross-sections"),
+        (laid, f"edges are longer than the limbs' radius: geodesic wavefronts made the first form of {laid} {of}"),
+        (short, f"centring of {short} {of} ended early: there are too many cross-sections"),
         (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
         (unsought, f"the search for loops around {unsought} handles reached its limit"),
         (cut, f"the run had to end before {cut} {of} had been finished"),
@@ -167,7 +163,7 @@ def _skeleton(
     components, cycles = graphs.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    measure = partial(assessed, is_tubular=report.wavefronts > 0) if is_finished else loops_of
+    measure = assessed if is_finished else loops_of
     found: dict[str, Any] = {"doubts": (UNCHECKED,)}
     if not clock.reason:
         found = measure(solid.shape, solid.enter(vertices), edges, node_of_vertex)

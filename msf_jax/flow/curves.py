@@ -69,11 +69,11 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
             is_tangle=is_tangle(state),
             coarse=state.coarse if state.shape is state.outside else state.shape,  # with the cavities
             outside=state.outside,
-            caps=None if state.caps is None else state.caps.result,
+            limbs=None if state.limbs is None else state.limbs.result,
             first=partial(_recentred, meso, found) if config.curve.surgery else None,
             clock=clock,
         )
-    state.caps = None  # as large as the surface
+    state.limbs = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]

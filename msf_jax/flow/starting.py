@@ -9,7 +9,7 @@ from msf_jax.base.options import Config, PreprocessingOptions
 from msf_jax.flow.programs import compile_moves
 from msf_jax.flow.state import State
 from msf_jax.inside import balls
-from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.checking import Component
 from msf_jax.meso import edits, homology, packing, ring_tables
 from msf_jax.meso.meso import Meso
@@ -82,9 +82,6 @@ def init(
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with clock.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
-    # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
-    is_refined = len(meso.positions) > len(shape.vertices) and not (options.reconstruct_mesh or options.resample)
-    of_limbs = Enclosure(meso.positions, meso.faces()) if is_refined else coarse
     clock.check()
     with clock.stage("compile"):  # for the size of the surface, and for the smallest layout, which all runs reach
         layouts = {layout_for(meso.num_rows, packing.rows_beyond(meso.degree))}
@@ -92,9 +89,9 @@ def init(
             layouts.add(layout_for(1, []))
         compile_moves(config.on_device, sorted(layouts, reverse=True), meso.weights is not None)
     clock.check()
-    caps = None
+    limbs = None
     if config.least_slenderness or config.curve.extend_tips:
-        caps = begin(_find_limbs, of_limbs, config.least_slenderness, config.detail, clock)
+        limbs = begin(_find_limbs, coarse, config.least_slenderness, config.detail)
     found = None
     if options.use_poles:
         found = _poles(meso, shape, options, clock)
@@ -123,7 +120,7 @@ def init(
         start=start,
         meso=meso,
         t_c=config.flow.threshold_min,
-        caps=caps,
+        limbs=limbs,
         w_L_factor=FIRST * np.sqrt(meso.area() / len(meso.faces())) if config.flow.w_H_follows_area else 1.0,
     )
 
@@ -141,11 +138,11 @@ def _entered(component: Component) -> tuple[UnitFrame, np.ndarray, Enclosure, En
     return frame, order, shape, Enclosure(vertices, np.concatenate([faces, inner]))
 
 
-def _find_limbs(shape: Enclosure, least: float, detail: float, clock: Clock) -> Caps:
-    """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
-    caps = Caps(shape, detail, clock.ask)
-    caps.limbs(least)
-    return caps
+def _find_limbs(shape: Enclosure, least: float, detail: float) -> LimbTree:
+    """The merge trees of a surface, whose limbs are known then."""
+    tree = LimbTree(shape)
+    tree.limbs(least, detail)
+    return tree
 
 
 def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:

@@ -66,7 +66,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
-    caps: Future | None  # of the coarse surface, or of the refined one; None if limbs are not asked for, or known
+    limbs: Future | None  # of ``coarse``, found by the worker; None if limbs are not asked for, or known
     capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape

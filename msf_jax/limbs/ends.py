@@ -46,8 +46,6 @@ WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance 
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
 SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
 SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
-# Of a limb's length from its end: rings that show its direction. They go around it, and are not yet at its base.
-LOW_RINGS = 0.55, 0.9
 EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, a square plate; 0.25 in a plate of 2 : 1
 MOST_LINES = 200  # that are tried of a solid without a direction
 
@@ -93,38 +91,6 @@ def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np
     found = np.zeros(len(vertices))
     found[inner] = surface_factor(own).solve(share[inner])
     return found
-
-
-def times_across(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray, blunt: list[int]) -> np.ndarray:
-    """(V,) as `exit_times`, but for the parts ``blunt`` of ``owner`` (V,) from a base that is plane, and 0 beyond it.
-
-    A disc around a corner of the end has an oblique front. If that is the base, the time is largest in this corner.
-    """
-    time, before = exit_times(vertices, faces, owner), np.zeros_like(owner)
-    for number in blunt:
-        region = np.flatnonzero(owner == number)
-        if len(region):
-            before[_before_base(vertices, faces, time, region)] = number
-    return np.where(np.isin(owner, blunt), exit_times(vertices, faces, before), time)
-
-
-def _before_base(vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> np.ndarray:
-    """The vertices (k,) of the limb ``region`` (r,) before a plane across it that touches its base.
-
-    Two rings far from the end show the limb's direction: though they are oblique, their middles are in its middle. All
-    of the limb stays if that plane is nearer to the end than to the middle of the base.
-    """
-    near, own, away = _around_end(vertices, faces, time, region)
-    low, high = np.array(LOW_RINGS) * away.max()
-    found = levels(vertices[near], own, away + -low % (high - low), high - low)
-    rings = [*_rings_from(found, int(found.piece[away.argmin()]))]
-    if len(rings) < 2:
-        return region
-    along = vertices[near] @ (found.centre[rings[-2]] - found.centre[rings[-1]])
-    is_in = np.isin(near, region)
-    base = along[~is_in]
-    is_short = base.max() - base.mean() > along.max() - base.max()
-    return region if is_short else near[is_in & (along > base.max())]
 
 
 def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:

@@ -23,8 +23,8 @@ class Levels(NamedTuple):
 
     centre: (R, 3) centroid of the area inside a ring. normal: (R, 3) its unit normal, to where the function grows if
     the ring goes around the solid. perimeter: (R,) of a ring. size: (R,) twice its area over its perimeter, the radius
-    of a disc. below, above: (R,) the pieces that meet there. piece: (V,) the piece of each vertex. num_pieces: of all
-    pieces, also those without a vertex.
+    of a disc. below, above: (R,) the pieces that meet there. level: (R,) the number of steps. piece: (V,) the piece of
+    each vertex. contents: (P, 5) of each piece its area, its area vector, and the sum of x . n over it.
     """
 
     centre: np.ndarray
@@ -33,8 +33,14 @@ class Levels(NamedTuple):
     size: np.ndarray
     below: np.ndarray
     above: np.ndarray
+    level: np.ndarray
     piece: np.ndarray
-    num_pieces: int
+    contents: np.ndarray
+
+    @property
+    def num_pieces(self) -> int:
+        """Number of all pieces, also of those without a vertex."""
+        return len(self.contents)
 
 
 def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float) -> Levels:
@@ -77,8 +83,29 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     num = int(ring.max(initial=-1)) + 1
     below, above = np.zeros((2, num), dtype=np.int64)
     below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
+    of_ring = np.zeros(num, dtype=np.int64)
+    of_ring[ring] = level
     centre, normal, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
-    return Levels(centre, normal, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
+    # All bands of a face are on the edge from its lowest to its highest corner.
+    longest = edge_of[np.arange(len(faces)), np.ptp(height[ends], axis=1)[edge_of].argmax(axis=1)]
+    face, band = repeated(high[longest] - low[longest] + 1)
+    part = _shares_below(height[faces][face], (low[longest][face] + band + 1) * step)
+    part -= np.where(band > 0, np.append(0.0, part[:-1]), 0.0)
+    corners = vertices[faces]
+    vector = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    moment = np.einsum("fi,fi->f", corners[:, 0], vector)
+    size_of = np.column_stack([np.linalg.norm(vector, axis=1), vector, moment])
+    owner = piece[stretch[longest][face] + band]
+    contents = np.stack([np.bincount(owner, part * column[face], num_pieces) for column in size_of.T], axis=1)
+    return Levels(centre, normal, perimeter, size, below, above, of_ring, piece[: len(vertices)], contents)
+
+
+def _shares_below(corner: np.ndarray, level: np.ndarray) -> np.ndarray:
+    """(k,) the share of a triangle's area below each ``level`` (k,) of a function with the values ``corner`` (k, 3)."""
+    a, b, c = np.sort(corner, axis=1).T
+    low = np.clip(level - a, 0.0, b - a) ** 2 / np.maximum((b - a) * (c - a), 1e-300)
+    top = np.clip(c - level, 0.0, c - b) ** 2 / np.maximum((c - b) * (c - a), 1e-300)
+    return np.where(level >= c, 1.0, np.where(level <= b, low, 1.0 - top))
 
 
 def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> Measures:

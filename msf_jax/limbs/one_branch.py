@@ -1,8 +1,8 @@
 """One branch for each limb of a solid: which leaves stay, and branches for limbs without one.
 
-Limbs are found on the surface (see `caps`), wherever the curve runs. Of the leaves in a limb, the one farthest from its
-base stays. A limb without a leaf can get a branch, through the middles of the curves around its discs. All other leaves
-are removed. A component without loops keeps two leaves: the ends of its longest path, from its limb if it has one.
+Limbs are found on the surface (see `limbs.tree`), wherever the curve runs. Of the leaves in a limb, the one farthest
+from its base stays. A limb without a leaf can get a branch, through the middles of its rings. All other leaves are
+removed. A component without loops keeps two leaves: the ends of its longest path, from its limb if it has one.
 
 The branch of a limb that was cut off ends in the middle of the lid, see `opened`. Branches of least worth are pruned
 first. Of a curve without its solid only the balls of its nodes are known. Then a branch stands for a tube of radius
@@ -24,8 +24,8 @@ from scipy import spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside.containment import is_inside
-from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis, is_near_end
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.solid.openings import JUST_INSIDE, Lid, is_end, lids_of
@@ -43,9 +43,8 @@ class Branch(NamedTuple):
     """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
 
     slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
-    `limbs.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than 0.12 %
-    of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
-    `by_balls`). Infinite for a branch without a junction or between junctions: its removal would change the
+    `limbs.tree`): a cylinder that sticks out by h has h / radius. Without the mesh it is measured by the nodes' balls
+    (see `by_balls`). Infinite for a branch without a junction or between junctions: its removal would change the
     curve's components or cycles.
 
     surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
@@ -149,49 +148,50 @@ def measure(
 
 class Choice(NamedTuple):
     """worth: (N,) of each leaf: infinite for one that stays, else the slenderness of its cap, 0 in a limb that has a
-    better leaf. leaf: of each limb, the leaf that stays, or -1. axes: of the limbs. was_hit: whether the search ended
-    early."""
+    better leaf. leaf: of each limb, the leaf that stays, or -1. axes: of the limbs."""
 
     worth: np.ndarray
     leaf: list[int]
     axes: list[LimbAxis]
-    was_hit: bool
 
 
 def choose(
-    caps: Caps, shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float
+    tree: LimbTree,
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    least: float,
+    detail: float,
 ) -> Choice:
-    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a solid.
+    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of a solid (see `LimbTree.limbs`).
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
     left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A leaf behind a
     hole across the limb is not at its end.
     """
-    leaves, limbs = leaves_of(edges), caps.limbs(least)
-    axes = [caps.axis(shape, limbs, number) for number in range(len(limbs.caps))]
-    foot = feet(caps.shape, vertices[leaves])
+    leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
+    axes = [tree.axis(shape, limbs, number) for number in range(len(limbs.limbs))]
+    foot = feet(tree.shape, vertices[leaves])
     own = limbs.owner[foot]
     worth, leaf = np.zeros(len(vertices)), []
-    worth[leaves] = np.where(own > 0, 0.0, limbs.slenderness[caps.tip_of[foot]])
-    for number, (cap, time) in enumerate(zip(limbs.caps, limbs.times, strict=True), 1):
+    worth[leaves] = np.where(own > 0, 0.0, tree.slenderness(foot))
+    time = limbs.time
+    for number, limb in enumerate(limbs.limbs, 1):
         mine = np.flatnonzero(own == number)
-        away = np.sqrt(2 * (time[cap.region].max() - time[foot[mine]]))
-        is_end = is_held[leaves[mine]] & is_near_end(time, *cap[2:], foot[mine])
+        away = np.sqrt(2 * (time[limb.region].max() - time[foot[mine]]))
+        is_end = is_held[leaves[mine]] & is_near_end(time, limb.area, limb.region, foot[mine])
         order = np.lexsort((away, ~is_end))
         first = mine[order[away[order] < axes[number - 1].reach][:1]]
         worth[leaves[first]] = np.inf
         leaf.append(int(leaves[first[0]]) if len(first) else -1)
-    return Choice(worth, leaf, axes, caps.was_hit)
+    return Choice(worth, leaf, axes)
 
 
-def slenderness(caps: Caps, vertices: np.ndarray, edges: np.ndarray, enough: float = np.inf) -> np.ndarray:
-    """(N,) the largest slenderness of the caps around each leaf's tip without another leaf, infinite for other nodes.
-
-    With ``enough`` it is some value of at least that, of caps around the nearest vertex, which is faster.
-    """
+def slenderness(tree: LimbTree, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(N,) the slenderness of the part of the surface around each leaf, see `LimbTree`; infinite for other nodes."""
     leaves, found = leaves_of(edges), np.full(len(vertices), np.inf)
-    foot = feet(caps.shape, vertices[leaves])
-    found[leaves] = caps.slenderness(foot, caps.tip_of[foot] if enough == np.inf else foot, enough)
+    found[leaves] = tree.slenderness(feet(tree.shape, vertices[leaves]))
     return found
 
 

@@ -14,10 +14,9 @@ from scipy.sparse import csgraph
 
 from msf_jax.inside import balls
 from msf_jax.inside.roadmap import Test
-from msf_jax.limbs import ends
 from msf_jax.limbs.levels import Levels, levels
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, repeated, unit, vertex_normals
+from msf_jax.solid.geometry import repeated, unit, vertex_normals
 from msf_jax.topology import graphs
 
 COARSE = 1.0  # radii: edges of a limb with six sides; a surface is coarse if more than half, by length, are longer
@@ -65,82 +64,25 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
     found = levels(x, faces, away, step)
     if not len(found.centre) or np.median(found.perimeter / np.maximum(found.size, 1e-300)) > ROUND * 2 * np.pi:
         return None
-    found = _ending_once(found, step)
-    # A piece with one ring is the end of a limb.
-    num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
-    end = np.flatnonzero(num_rings == 1)
-    ring_of = np.zeros(found.num_pieces, dtype=np.int64)
-    ring_of[found.below] = ring_of[found.above] = np.arange(len(found.centre))
-    centre, tip = _to_ends(shape, found, end, num_rings, step)
-    vertices, edges = _joined(shape, found._replace(centre=centre), tip, end, is_inside)
-    return ReebCurve(vertices, edges, ring_of[found.piece])
-
-
-def _ending_once(found: Levels, step: float) -> Levels:
-    """Where a limb that is thicker than a ``step`` ends in several pieces of one ring each, it ends in the piece that
-    they stand on: they are corners of its end."""
-    num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
-    is_above = num_rings[found.above] == 1
-    end, base = np.where(is_above, (found.above, found.below), (found.below, found.above))
-    is_corner = num_rings[end] == 1
-    corners = np.bincount(base[is_corner], minlength=found.num_pieces)
-    thickest = np.zeros(found.num_pieces)
-    for side in (found.below, found.above):
-        np.maximum.at(thickest, side, np.where(is_corner, 0.0, found.size))
-    is_end = (corners > 1) & (num_rings == corners + 1) & (thickest > step)
-    is_gone = is_corner & is_end[base]
-    to = np.arange(found.num_pieces)
-    to[end[is_gone]] = base[is_gone]
-    centre, normal, perimeter, size, below, above = (each[~is_gone] for each in found[:6])
-    return Levels(centre, normal, perimeter, size, below, above, to[found.piece], found.num_pieces)
-
-
-def _to_ends(
-    shape: Enclosure, found: Levels, end: np.ndarray, num_rings: np.ndarray, step: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """The rings' centres (R, 3), and where the curve ends in each of the pieces ``end`` (T,): see `ends.to_end`. The
-    rings before the first one that goes around the limb lie in its end, and come to the line ahead."""
-    centre, tips = found.centre.copy(), []
-    beside = np.split(np.argsort(np.concatenate([found.below, found.above]), kind="stable"), np.cumsum(num_rings)[:-1])
-    for piece in end.tolist():
-        rings, width = _of_limb(found, beside, piece, step)
-        stride = max(1, round(ends.RING_SPACING * width / step))
-        skipped = min(stride // 2, len(rings) - 1)
-        few = rings[skipped::stride]
-        inward = found.normal[few] * (-1 if found.above[rings[0]] == piece else 1)
-        asked = found.centre[few], inward, found.perimeter[few], found.size[few]
-        laid = ends.to_end(shape, *asked, ends.NEAR_END, stride * step, ends.DEEP * width)
-        count = skipped + stride * (len(few) - 1)
-        along = arc_length(laid)
-        centre[rings[:count]] = at(laid, along, np.linspace(0, along[-1], count + 2)[1:-1])
-        tips.append(laid[0])
-    return centre, np.array(tips).reshape(-1, 3)
-
-
-def _of_limb(found: Levels, beside: list[np.ndarray], piece: int, step: float) -> tuple[list[int], float]:
-    """The rings of the limb that ends in ``piece``, from there to where limbs meet, within `ends.LAST` widths of it,
-    and its width. ``beside``: of each piece, its rings."""
-    rings, width = [], step
-    while len(rings) * step <= ends.LAST * width:
-        own = np.setdiff1d(beside[piece] % len(found.size), rings[-1:])
-        if len(own) != 1:
-            break
-        rings.append(int(own[0]))
-        width, piece = max(width, float(found.size[own[0]])), int(found.below[own[0]] + found.above[own[0]] - piece)
-    return rings, width
+    place = int(found.piece[np.linalg.norm(x - middles[seed], axis=1).argmin()])
+    vertices, edges = _joined(shape, found, middles[seed], place, is_inside)
+    node_of_piece = np.full(found.num_pieces, len(found.centre))
+    node_of_piece[found.below] = node_of_piece[found.above] = np.arange(len(found.centre))
+    return ReebCurve(vertices, edges, node_of_piece[found.piece])
 
 
 def _joined(
-    shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.ndarray, is_inside: Test
+    shape: Enclosure, found: Levels, start: np.ndarray, piece_of_start: int, is_inside: Test
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve through the rings' centres and the ``ends`` (T, 3) of limbs, joined by a shortest tree in each piece.
+    """The curve through the rings' centres, joined by a shortest tree in each piece, and the ``start`` (3,) in its
+    piece, to which all rings there are joined.
 
     Edges inside the solid are preferred. The curve has as many cycles as the graph of rings and pieces.
     """
     num = len(found.centre)
-    vertices = np.concatenate([found.centre, ends])
-    piece = np.concatenate([found.below, found.above, piece_of_end])
-    node = np.concatenate([np.arange(num), np.arange(num), num + np.arange(len(ends))])
+    vertices = np.concatenate([found.centre, start[None]])
+    piece = np.concatenate([found.below, found.above, [piece_of_start]])
+    node = np.concatenate([np.arange(num), np.arange(num), [num]])
     order = np.lexsort((node, piece))
     piece, node = piece[order], node[order]
     count = np.bincount(piece, minlength=found.num_pieces)[piece]
@@ -150,6 +92,7 @@ def _joined(
     row, other = row[other < row], other[other < row]
     a, b = vertices[node[row]], vertices[node[other]]
     cost = np.linalg.norm(a - b, axis=1) + 1e-12
+    cost[(node[row] == num) | (node[other] == num)] = 1e-12
     is_choice = count[row] > 2
     cost[is_choice] *= np.where(is_inside(shape, a[is_choice], b[is_choice]), 1.0, OUTSIDE)
     tree = csgraph.minimum_spanning_tree(graphs.weighted(len(node), row, other, cost)).tocoo()

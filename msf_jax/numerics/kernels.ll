@@ -4184,36 +4184,36 @@ define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_a
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr i8, ptr %0, i64 40
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 64
+  %13 = getelementptr i8, ptr %0, i64 48
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 72
+  %15 = getelementptr i8, ptr %0, i64 56
   %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 80
+  %17 = getelementptr i8, ptr %0, i64 64
   %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 88
+  %19 = getelementptr i8, ptr %0, i64 72
   %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 120
+  %21 = getelementptr i8, ptr %0, i64 80
   %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 128
+  %23 = getelementptr i8, ptr %0, i64 88
   %24 = load i64, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 136
+  %25 = getelementptr i8, ptr %0, i64 96
   %26 = load ptr, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 144
+  %27 = getelementptr i8, ptr %0, i64 104
   %28 = load i64, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 200
+  %29 = getelementptr i8, ptr %0, i64 112
   %30 = load ptr, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 208
+  %31 = getelementptr i8, ptr %0, i64 120
   %32 = load i64, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 216
+  %33 = getelementptr i8, ptr %0, i64 128
   %34 = load ptr, ptr %33, align 8
-  %35 = getelementptr i8, ptr %0, i64 224
+  %35 = getelementptr i8, ptr %0, i64 136
   %36 = load i64, ptr %35, align 8
-  %37 = getelementptr i8, ptr %0, i64 248
+  %37 = getelementptr i8, ptr %0, i64 144
   %38 = load ptr, ptr %37, align 8
-  %39 = getelementptr i8, ptr %0, i64 256
+  %39 = getelementptr i8, ptr %0, i64 152
   %40 = load i64, ptr %39, align 8
   %41 = icmp sgt i64 %40, 0
-  br i1 %41, label %42, label %385
+  br i1 %41, label %42, label %389
 42:
   %43 = phi i64 [ %79, %75 ], [ 0, %1 ]
   %44 = shl i64 %43, 3
@@ -4265,2342 +4265,355 @@ define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_a
   br i1 %80, label %81, label %42
 81:
   %82 = shl i64 %24, 3
-  %83 = shl i64 %6, 3
-  br label %84
-84:
-  %85 = phi i64 [ %368, %367 ], [ %40, %81 ]
-  %86 = load i64, ptr %34, align 8
-  %87 = add nsw i64 %85, -1
-  %88 = icmp slt i64 %85, 1
-  %89 = select i1 %88, i64 %32, i64 0
-  %90 = getelementptr double, ptr %30, i64 %87
-  %91 = getelementptr double, ptr %90, i64 %89
-  %92 = load double, ptr %91, align 8
-  %93 = select i1 %88, i64 %36, i64 0
-  %94 = getelementptr i64, ptr %34, i64 %87
-  %95 = getelementptr i64, ptr %94, i64 %93
-  %96 = load i64, ptr %95, align 8
-  %97 = icmp sgt i64 %85, 2
-  br i1 %97, label %98, label %370
-98:
-  %99 = phi i64 [ %118, %125 ], [ 0, %84 ]
-  %100 = shl nsw i64 %99, 1
-  %101 = or disjoint i64 %100, 1
-  %102 = add nsw i64 %100, 2
-  %103 = icmp slt i64 %102, %87
-  br i1 %103, label %104, label %117
-104:
-  %105 = icmp slt i64 %99, -1
-  %106 = select i1 %105, i64 %32, i64 0
-  %107 = getelementptr double, ptr %30, i64 %102
-  %108 = getelementptr double, ptr %107, i64 %106
-  %109 = load double, ptr %108, align 8
-  %110 = icmp slt i64 %99, 0
-  %111 = select i1 %110, i64 %32, i64 0
-  %112 = getelementptr double, ptr %30, i64 %101
-  %113 = getelementptr double, ptr %112, i64 %111
-  %114 = load double, ptr %113, align 8
-  %115 = fcmp olt double %109, %114
-  br i1 %115, label %116, label %117
+  br label %83
+83:
+  %84 = phi i64 [ %372, %371 ], [ %40, %81 ]
+  %85 = load i64, ptr %34, align 8
+  %86 = add nsw i64 %84, -1
+  %87 = icmp slt i64 %84, 1
+  %88 = select i1 %87, i64 %32, i64 0
+  %89 = getelementptr double, ptr %30, i64 %86
+  %90 = getelementptr double, ptr %89, i64 %88
+  %91 = load double, ptr %90, align 8
+  %92 = select i1 %87, i64 %36, i64 0
+  %93 = getelementptr i64, ptr %34, i64 %86
+  %94 = getelementptr i64, ptr %93, i64 %92
+  %95 = load i64, ptr %94, align 8
+  %96 = icmp sgt i64 %84, 2
+  br i1 %96, label %97, label %374
+97:
+  %98 = phi i64 [ %117, %124 ], [ 0, %83 ]
+  %99 = shl nsw i64 %98, 1
+  %100 = or disjoint i64 %99, 1
+  %101 = add nsw i64 %99, 2
+  %102 = icmp slt i64 %101, %86
+  br i1 %102, label %103, label %116
+103:
+  %104 = icmp slt i64 %98, -1
+  %105 = select i1 %104, i64 %32, i64 0
+  %106 = getelementptr double, ptr %30, i64 %101
+  %107 = getelementptr double, ptr %106, i64 %105
+  %108 = load double, ptr %107, align 8
+  %109 = icmp slt i64 %98, 0
+  %110 = select i1 %109, i64 %32, i64 0
+  %111 = getelementptr double, ptr %30, i64 %100
+  %112 = getelementptr double, ptr %111, i64 %110
+  %113 = load double, ptr %112, align 8
+  %114 = fcmp olt double %108, %113
+  br i1 %114, label %115, label %116
+115:
+  br label %116
 116:
-  br label %117
-117:
-  %118 = phi i64 [ %102, %116 ], [ %101, %104 ], [ %101, %98 ]
-  %119 = icmp slt i64 %118, 0
-  %120 = select i1 %119, i64 %32, i64 0
-  %121 = getelementptr double, ptr %30, i64 %118
-  %122 = getelementptr double, ptr %121, i64 %120
-  %123 = load double, ptr %122, align 8
-  %124 = fcmp ult double %123, %92
-  br i1 %124, label %125, label %370
-125:
-  %126 = select i1 %119, i64 %36, i64 0
-  %127 = getelementptr i64, ptr %34, i64 %118
-  %128 = getelementptr i64, ptr %127, i64 %126
-  %129 = load i64, ptr %128, align 8
-  %130 = icmp slt i64 %99, 0
-  %131 = select i1 %130, i64 %32, i64 0
-  %132 = getelementptr double, ptr %30, i64 %99
-  %133 = getelementptr double, ptr %132, i64 %131
-  store double %123, ptr %133, align 8
-  %134 = select i1 %130, i64 %36, i64 0
-  %135 = getelementptr i64, ptr %34, i64 %99
-  %136 = getelementptr i64, ptr %135, i64 %134
-  store i64 %129, ptr %136, align 8
-  %137 = shl nsw i64 %118, 1
-  %138 = or disjoint i64 %137, 1
-  %139 = icmp slt i64 %138, %87
-  br i1 %139, label %98, label %370
-140:
-  %141 = shl i64 %380, 3
-  %142 = getelementptr inbounds i8, ptr %381, i64 %141
-  store i64 1, ptr %142, align 8
-  %143 = select i1 %379, i64 %16, i64 0
-  %144 = getelementptr i64, ptr %14, i64 %86
-  %145 = getelementptr i64, ptr %144, i64 %143
-  %146 = load i64, ptr %145, align 8
-  %147 = icmp slt i64 %86, -1
-  %148 = select i1 %147, i64 %16, i64 0
-  %149 = getelementptr i8, ptr %144, i64 8
-  %150 = getelementptr i64, ptr %149, i64 %148
-  %151 = load i64, ptr %150, align 8
-  %152 = sub i64 %151, %146
-  %153 = icmp slt i64 %152, 1
-  br i1 %153, label %367, label %154
-154:
-  %155 = getelementptr double, ptr %22, i64 %86
-  %156 = select i1 %379, i64 %4, i64 0
-  %157 = add i64 %156, %86
-  %158 = select i1 %379, i64 %82, i64 0
-  %159 = getelementptr inbounds i8, ptr %155, i64 %158
-  %160 = mul i64 %83, %157
+  %117 = phi i64 [ %101, %115 ], [ %100, %103 ], [ %100, %97 ]
+  %118 = icmp slt i64 %117, 0
+  %119 = select i1 %118, i64 %32, i64 0
+  %120 = getelementptr double, ptr %30, i64 %117
+  %121 = getelementptr double, ptr %120, i64 %119
+  %122 = load double, ptr %121, align 8
+  %123 = fcmp ult double %122, %91
+  br i1 %123, label %124, label %374
+124:
+  %125 = select i1 %118, i64 %36, i64 0
+  %126 = getelementptr i64, ptr %34, i64 %117
+  %127 = getelementptr i64, ptr %126, i64 %125
+  %128 = load i64, ptr %127, align 8
+  %129 = icmp slt i64 %98, 0
+  %130 = select i1 %129, i64 %32, i64 0
+  %131 = getelementptr double, ptr %30, i64 %98
+  %132 = getelementptr double, ptr %131, i64 %130
+  store double %122, ptr %132, align 8
+  %133 = select i1 %129, i64 %36, i64 0
+  %134 = getelementptr i64, ptr %34, i64 %98
+  %135 = getelementptr i64, ptr %134, i64 %133
+  store i64 %128, ptr %135, align 8
+  %136 = shl nsw i64 %117, 1
+  %137 = or disjoint i64 %136, 1
+  %138 = icmp slt i64 %137, %86
+  br i1 %138, label %97, label %374
+139:
+  %140 = shl i64 %384, 3
+  %141 = getelementptr inbounds i8, ptr %385, i64 %140
+  store i64 1, ptr %141, align 8
+  %142 = select i1 %383, i64 %16, i64 0
+  %143 = getelementptr i64, ptr %14, i64 %85
+  %144 = getelementptr i64, ptr %143, i64 %142
+  %145 = load i64, ptr %144, align 8
+  %146 = icmp slt i64 %85, -1
+  %147 = select i1 %146, i64 %16, i64 0
+  %148 = getelementptr i8, ptr %143, i64 8
+  %149 = getelementptr i64, ptr %148, i64 %147
+  %150 = load i64, ptr %149, align 8
+  %151 = sub i64 %150, %145
+  %152 = icmp slt i64 %151, 1
+  br i1 %152, label %371, label %153
+153:
+  %154 = getelementptr double, ptr %22, i64 %85
+  %155 = select i1 %383, i64 %4, i64 0
+  %156 = add i64 %155, %85
+  %157 = mul i64 %156, %6
+  %158 = select i1 %383, i64 %82, i64 0
+  %159 = getelementptr inbounds i8, ptr %154, i64 %158
+  %160 = shl i64 %157, 3
   %161 = getelementptr i8, ptr %2, i64 %160
   %162 = getelementptr i8, ptr %161, i64 16
   %163 = getelementptr i8, ptr %161, i64 8
-  br label %164
-164:
-  %165 = phi i64 [ %361, %363 ], [ %87, %154 ]
-  %166 = phi i64 [ %364, %363 ], [ %152, %154 ]
-  %167 = phi i64 [ %365, %363 ], [ %146, %154 ]
-  %168 = icmp slt i64 %167, 0
-  %169 = select i1 %168, i64 %20, i64 0
-  %170 = getelementptr i64, ptr %18, i64 %167
-  %171 = getelementptr i64, ptr %170, i64 %169
-  %172 = load i64, ptr %171, align 8
-  %173 = icmp slt i64 %172, 0
-  %174 = select i1 %173, i64 %10, i64 0
-  %175 = add i64 %174, %172
-  %176 = mul i64 %175, %12
-  %177 = getelementptr i64, ptr %8, i64 %176
-  %178 = getelementptr i8, ptr %177, i64 8
-  %179 = getelementptr i8, ptr %177, i64 16
-  br label %180
-180:
-  %181 = phi i64 [ %165, %164 ], [ %361, %360 ]
-  %182 = phi i64 [ 0, %164 ], [ %183, %360 ]
-  %183 = add nuw nsw i64 %182, 1
-  %184 = getelementptr i64, ptr %177, i64 %182
-  %185 = load i64, ptr %184, align 8
-  %186 = icmp eq i64 %185, %86
-  br i1 %186, label %360, label %187
-187:
-  %188 = icmp slt i64 %185, 0
-  %189 = select i1 %188, i64 %28, i64 0
-  %190 = getelementptr i64, ptr %26, i64 %185
-  %191 = getelementptr i64, ptr %190, i64 %189
-  %192 = load i64, ptr %191, align 8
-  %193 = icmp eq i64 %192, 1
-  %194 = load double, ptr %162, align 8
-  br i1 %193, label %218, label %195
-195:
-  %196 = load double, ptr %159, align 8
-  %197 = select i1 %188, i64 %4, i64 0
-  %198 = add i64 %197, %185
-  %199 = mul i64 %198, %6
-  %200 = getelementptr double, ptr %2, i64 %199
-  %201 = getelementptr i8, ptr %200, i64 16
-  %202 = load double, ptr %201, align 8
-  %203 = fsub double %202, %194
-  %204 = fmul double %203, %203
-  %205 = load double, ptr %200, align 8
-  %206 = load double, ptr %161, align 8
-  %207 = fsub double %205, %206
-  %208 = fmul double %207, %207
-  %209 = getelementptr i8, ptr %200, i64 8
-  %210 = load double, ptr %209, align 8
-  %211 = load double, ptr %163, align 8
-  %212 = fsub double %210, %211
-  %213 = fmul double %212, %212
-  %214 = fadd double %208, %213
-  %215 = fadd double %204, %214
-  %216 = tail call double @llvm.sqrt.f64(double %215)
-  %217 = fadd double %196, %216
-  br label %308
-218:
-  %219 = load i64, ptr %177, align 8
-  %220 = load i64, ptr %178, align 8
-  %221 = load i64, ptr %179, align 8
-  %222 = add i64 %185, %86
-  %223 = sub i64 %219, %222
-  %224 = add i64 %223, %220
-  %225 = add i64 %224, %221
-  %226 = select i1 %188, i64 %4, i64 0
-  %227 = add i64 %226, %185
-  %228 = mul i64 %227, %6
-  %229 = getelementptr double, ptr %2, i64 %228
-  %230 = getelementptr i8, ptr %229, i64 16
-  %231 = load double, ptr %230, align 8
-  %232 = fsub double %194, %231
-  %233 = fmul double %232, %232
-  %234 = load double, ptr %161, align 8
-  %235 = load double, ptr %229, align 8
-  %236 = fsub double %234, %235
+  %164 = getelementptr double, ptr %2, i64 %157
+  %165 = getelementptr i8, ptr %164, i64 16
+  %166 = getelementptr i8, ptr %164, i64 8
+  br label %167
+167:
+  %168 = phi i64 [ %365, %367 ], [ %86, %153 ]
+  %169 = phi i64 [ %368, %367 ], [ %151, %153 ]
+  %170 = phi i64 [ %369, %367 ], [ %145, %153 ]
+  %171 = icmp slt i64 %170, 0
+  %172 = select i1 %171, i64 %20, i64 0
+  %173 = getelementptr i64, ptr %18, i64 %170
+  %174 = getelementptr i64, ptr %173, i64 %172
+  %175 = load i64, ptr %174, align 8
+  %176 = icmp slt i64 %175, 0
+  %177 = select i1 %176, i64 %10, i64 0
+  %178 = add i64 %177, %175
+  %179 = mul i64 %178, %12
+  %180 = getelementptr i64, ptr %8, i64 %179
+  %181 = getelementptr i8, ptr %180, i64 8
+  %182 = getelementptr i8, ptr %180, i64 16
+  br label %183
+183:
+  %184 = phi i64 [ %168, %167 ], [ %365, %364 ]
+  %185 = phi i64 [ 0, %167 ], [ %186, %364 ]
+  %186 = add nuw nsw i64 %185, 1
+  %187 = getelementptr i64, ptr %180, i64 %185
+  %188 = load i64, ptr %187, align 8
+  %189 = icmp eq i64 %188, %85
+  br i1 %189, label %364, label %190
+190:
+  %191 = icmp slt i64 %188, 0
+  %192 = select i1 %191, i64 %28, i64 0
+  %193 = getelementptr i64, ptr %26, i64 %188
+  %194 = getelementptr i64, ptr %193, i64 %192
+  %195 = load i64, ptr %194, align 8
+  %196 = icmp eq i64 %195, 1
+  br i1 %196, label %221, label %197
+197:
+  %198 = load double, ptr %159, align 8
+  %199 = select i1 %191, i64 %4, i64 0
+  %200 = add i64 %199, %188
+  %201 = mul i64 %200, %6
+  %202 = getelementptr double, ptr %2, i64 %201
+  %203 = getelementptr i8, ptr %202, i64 16
+  %204 = load double, ptr %203, align 8
+  %205 = load double, ptr %162, align 8
+  %206 = fsub double %204, %205
+  %207 = fmul double %206, %206
+  %208 = load double, ptr %202, align 8
+  %209 = load double, ptr %161, align 8
+  %210 = fsub double %208, %209
+  %211 = fmul double %210, %210
+  %212 = getelementptr i8, ptr %202, i64 8
+  %213 = load double, ptr %212, align 8
+  %214 = load double, ptr %163, align 8
+  %215 = fsub double %213, %214
+  %216 = fmul double %215, %215
+  %217 = fadd double %211, %216
+  %218 = fadd double %207, %217
+  %219 = tail call double @llvm.sqrt.f64(double %218)
+  %220 = fadd double %198, %219
+  br label %312
+221:
+  %222 = load i64, ptr %180, align 8
+  %223 = load i64, ptr %181, align 8
+  %224 = load i64, ptr %182, align 8
+  %225 = add i64 %188, %85
+  %226 = sub i64 %222, %225
+  %227 = add i64 %226, %223
+  %228 = add i64 %227, %224
+  %229 = load double, ptr %165, align 8
+  %230 = select i1 %191, i64 %4, i64 0
+  %231 = add i64 %230, %188
+  %232 = mul i64 %231, %6
+  %233 = getelementptr double, ptr %2, i64 %232
+  %234 = getelementptr i8, ptr %233, i64 16
+  %235 = load double, ptr %234, align 8
+  %236 = fsub double %229, %235
   %237 = fmul double %236, %236
-  %238 = load double, ptr %163, align 8
-  %239 = getelementptr i8, ptr %229, i64 8
-  %240 = load double, ptr %239, align 8
-  %241 = fsub double %238, %240
-  %242 = fmul double %241, %241
-  %243 = fadd double %237, %242
-  %244 = fadd double %233, %243
-  %245 = tail call double @llvm.sqrt.f64(double %244)
-  %246 = fcmp une double %244, 0.000000e+00
-  br i1 %246, label %274, label %308
-247:
-  %248 = fmul double %287, %287
-  %249 = fmul double %290, %290
-  %250 = fmul double %294, %294
-  %251 = fadd double %249, %250
-  %252 = fadd double %248, %251
-  %253 = fmul double %298, %298
-  %254 = fsub double %252, %253
-  %255 = fcmp olt double %254, 0.000000e+00
-  %256 = select i1 %255, double 0.000000e+00, double %254
-  %257 = tail call double @llvm.sqrt.f64(double %256)
-  %258 = tail call double @llvm.sqrt.f64(double %306)
-  %259 = fadd double %257, %258
-  %260 = fcmp ogt double %259, 0.000000e+00
-  br i1 %260, label %261, label %308
-261:
-  %262 = fsub double %298, %304
-  %263 = fmul double %262, %258
-  %264 = fdiv double %263, %259
-  %265 = fadd double %304, %264
-  %266 = fcmp oge double %265, 0.000000e+00
-  %267 = fcmp ole double %265, %245
-  %268 = and i1 %266, %267
-  br i1 %268, label %269, label %308
-269:
-  %270 = fmul double %262, %262
-  %271 = fmul double %259, %259
-  %272 = fadd double %270, %271
-  %273 = tail call double @llvm.sqrt.f64(double %272)
-  br label %308
-274:
-  %275 = load double, ptr %159, align 8
-  %276 = getelementptr double, ptr %22, i64 %185
-  %277 = select i1 %188, i64 %24, i64 0
-  %278 = getelementptr double, ptr %276, i64 %277
-  %279 = load double, ptr %278, align 8
-  %280 = icmp slt i64 %225, 0
-  %281 = select i1 %280, i64 %4, i64 0
-  %282 = add i64 %281, %225
-  %283 = mul i64 %282, %6
-  %284 = getelementptr double, ptr %2, i64 %283
-  %285 = getelementptr i8, ptr %284, i64 16
-  %286 = load double, ptr %285, align 8
-  %287 = fsub double %286, %231
-  %288 = fmul double %232, %287
-  %289 = load double, ptr %284, align 8
-  %290 = fsub double %289, %235
-  %291 = fmul double %236, %290
-  %292 = getelementptr i8, ptr %284, i64 8
-  %293 = load double, ptr %292, align 8
-  %294 = fsub double %293, %240
-  %295 = fmul double %241, %294
-  %296 = fadd double %291, %295
-  %297 = fadd double %288, %296
-  %298 = fdiv double %297, %245
-  %299 = fmul double %279, %279
-  %300 = fmul double %275, %275
-  %301 = fsub double %299, %300
-  %302 = fadd double %244, %301
-  %303 = fmul double %245, 2.000000e+00
-  %304 = fdiv double %302, %303
-  %305 = fmul double %304, %304
-  %306 = fsub double %299, %305
-  %307 = fcmp olt double %306, 0.000000e+00
-  br i1 %307, label %308, label %247
-308:
-  %309 = phi double [ %217, %195 ], [ 0x7FF0000000000000, %274 ], [ 0x7FF0000000000000, %218 ], [ %273, %269 ], [ 0x7FF0000000000000, %261 ], [ 0x7FF0000000000000, %247 ]
-  %310 = phi i64 [ %185, %195 ], [ %225, %274 ], [ %225, %218 ], [ %225, %269 ], [ %225, %261 ], [ %225, %247 ]
-  %311 = icmp slt i64 %310, 0
-  %312 = select i1 %311, i64 %28, i64 0
-  %313 = getelementptr i64, ptr %26, i64 %310
-  %314 = getelementptr i64, ptr %313, i64 %312
-  %315 = load i64, ptr %314, align 8
-  %316 = icmp eq i64 %315, 1
-  br i1 %316, label %360, label %317
-317:
-  %318 = select i1 %311, i64 %24, i64 0
-  %319 = getelementptr double, ptr %22, i64 %310
-  %320 = getelementptr double, ptr %319, i64 %318
-  %321 = load double, ptr %320, align 8
-  %322 = fcmp olt double %309, %321
-  br i1 %322, label %323, label %360
-323:
-  %324 = shl i64 %318, 3
-  %325 = getelementptr inbounds i8, ptr %319, i64 %324
-  store double %309, ptr %325, align 8
-  %326 = icmp sgt i64 %181, 0
-  br i1 %326, label %327, label %350
+  %238 = load double, ptr %164, align 8
+  %239 = load double, ptr %233, align 8
+  %240 = fsub double %238, %239
+  %241 = fmul double %240, %240
+  %242 = load double, ptr %166, align 8
+  %243 = getelementptr i8, ptr %233, i64 8
+  %244 = load double, ptr %243, align 8
+  %245 = fsub double %242, %244
+  %246 = fmul double %245, %245
+  %247 = fadd double %241, %246
+  %248 = fadd double %237, %247
+  %249 = tail call double @llvm.sqrt.f64(double %248)
+  %250 = fcmp une double %248, 0.000000e+00
+  br i1 %250, label %278, label %312
+251:
+  %252 = fmul double %291, %291
+  %253 = fmul double %294, %294
+  %254 = fmul double %298, %298
+  %255 = fadd double %253, %254
+  %256 = fadd double %252, %255
+  %257 = fmul double %302, %302
+  %258 = fsub double %256, %257
+  %259 = fcmp olt double %258, 0.000000e+00
+  %260 = select i1 %259, double 0.000000e+00, double %258
+  %261 = tail call double @llvm.sqrt.f64(double %260)
+  %262 = tail call double @llvm.sqrt.f64(double %310)
+  %263 = fadd double %261, %262
+  %264 = fcmp ogt double %263, 0.000000e+00
+  br i1 %264, label %265, label %312
+265:
+  %266 = fsub double %302, %308
+  %267 = fmul double %266, %262
+  %268 = fdiv double %267, %263
+  %269 = fadd double %308, %268
+  %270 = fcmp oge double %269, 0.000000e+00
+  %271 = fcmp ole double %269, %249
+  %272 = and i1 %270, %271
+  br i1 %272, label %273, label %312
+273:
+  %274 = fmul double %266, %266
+  %275 = fmul double %263, %263
+  %276 = fadd double %274, %275
+  %277 = tail call double @llvm.sqrt.f64(double %276)
+  br label %312
+278:
+  %279 = load double, ptr %159, align 8
+  %280 = getelementptr double, ptr %22, i64 %188
+  %281 = select i1 %191, i64 %24, i64 0
+  %282 = getelementptr double, ptr %280, i64 %281
+  %283 = load double, ptr %282, align 8
+  %284 = icmp slt i64 %228, 0
+  %285 = select i1 %284, i64 %4, i64 0
+  %286 = add i64 %285, %228
+  %287 = mul i64 %286, %6
+  %288 = getelementptr double, ptr %2, i64 %287
+  %289 = getelementptr i8, ptr %288, i64 16
+  %290 = load double, ptr %289, align 8
+  %291 = fsub double %290, %235
+  %292 = fmul double %236, %291
+  %293 = load double, ptr %288, align 8
+  %294 = fsub double %293, %239
+  %295 = fmul double %240, %294
+  %296 = getelementptr i8, ptr %288, i64 8
+  %297 = load double, ptr %296, align 8
+  %298 = fsub double %297, %244
+  %299 = fmul double %245, %298
+  %300 = fadd double %295, %299
+  %301 = fadd double %292, %300
+  %302 = fdiv double %301, %249
+  %303 = fmul double %283, %283
+  %304 = fmul double %279, %279
+  %305 = fsub double %303, %304
+  %306 = fadd double %248, %305
+  %307 = fmul double %249, 2.000000e+00
+  %308 = fdiv double %306, %307
+  %309 = fmul double %308, %308
+  %310 = fsub double %303, %309
+  %311 = fcmp olt double %310, 0.000000e+00
+  br i1 %311, label %312, label %251
+312:
+  %313 = phi double [ %220, %197 ], [ 0x7FF0000000000000, %278 ], [ 0x7FF0000000000000, %221 ], [ %277, %273 ], [ 0x7FF0000000000000, %265 ], [ 0x7FF0000000000000, %251 ]
+  %314 = phi i64 [ %188, %197 ], [ %228, %278 ], [ %228, %221 ], [ %228, %273 ], [ %228, %265 ], [ %228, %251 ]
+  %315 = icmp slt i64 %314, 0
+  %316 = select i1 %315, i64 %28, i64 0
+  %317 = getelementptr i64, ptr %26, i64 %314
+  %318 = getelementptr i64, ptr %317, i64 %316
+  %319 = load i64, ptr %318, align 8
+  %320 = icmp eq i64 %319, 1
+  br i1 %320, label %364, label %321
+321:
+  %322 = select i1 %315, i64 %24, i64 0
+  %323 = getelementptr double, ptr %22, i64 %314
+  %324 = getelementptr double, ptr %323, i64 %322
+  %325 = load double, ptr %324, align 8
+  %326 = fcmp olt double %313, %325
+  br i1 %326, label %327, label %364
 327:
-  %328 = add nsw i64 %181, -1
-  %329 = lshr i64 %328, 1
-  %330 = getelementptr double, ptr %30, i64 %329
-  %331 = load double, ptr %330, align 8
-  %332 = fcmp ogt double %331, %309
-  br i1 %332, label %333, label %350
-333:
-  %334 = phi i64 [ %336, %344 ], [ %181, %327 ]
-  %335 = add nsw i64 %334, -1
-  %336 = lshr i64 %335, 1
-  %337 = getelementptr double, ptr %30, i64 %336
-  %338 = load double, ptr %337, align 8
-  %339 = getelementptr i64, ptr %34, i64 %336
-  %340 = load i64, ptr %339, align 8
-  %341 = getelementptr double, ptr %30, i64 %334
-  store double %338, ptr %341, align 8
-  %342 = getelementptr i64, ptr %34, i64 %334
-  store i64 %340, ptr %342, align 8
-  %343 = icmp eq i64 %336, 0
-  br i1 %343, label %350, label %344
-344:
-  %345 = add nsw i64 %336, -1
-  %346 = lshr i64 %345, 1
-  %347 = getelementptr double, ptr %30, i64 %346
-  %348 = load double, ptr %347, align 8
-  %349 = fcmp ogt double %348, %309
-  br i1 %349, label %333, label %350
-350:
-  %351 = phi i64 [ %181, %327 ], [ %181, %323 ], [ 0, %333 ], [ %336, %344 ]
-  %352 = icmp slt i64 %351, 0
-  %353 = select i1 %352, i64 %32, i64 0
-  %354 = getelementptr double, ptr %30, i64 %351
-  %355 = getelementptr double, ptr %354, i64 %353
-  store double %309, ptr %355, align 8
-  %356 = select i1 %352, i64 %36, i64 0
-  %357 = getelementptr i64, ptr %34, i64 %351
-  %358 = getelementptr i64, ptr %357, i64 %356
-  store i64 %310, ptr %358, align 8
-  %359 = add nsw i64 %181, 1
-  br label %360
-360:
-  %361 = phi i64 [ %181, %180 ], [ %181, %308 ], [ %181, %317 ], [ %359, %350 ]
-  %362 = icmp eq i64 %183, 3
-  br i1 %362, label %363, label %180
-363:
-  %364 = add nsw i64 %166, -1
-  %365 = add i64 %167, 1
-  %366 = icmp sgt i64 %166, 1
-  br i1 %366, label %164, label %367
+  %328 = shl i64 %322, 3
+  %329 = getelementptr inbounds i8, ptr %323, i64 %328
+  store double %313, ptr %329, align 8
+  %330 = icmp sgt i64 %184, 0
+  br i1 %330, label %331, label %354
+331:
+  %332 = add nsw i64 %184, -1
+  %333 = lshr i64 %332, 1
+  %334 = getelementptr double, ptr %30, i64 %333
+  %335 = load double, ptr %334, align 8
+  %336 = fcmp ogt double %335, %313
+  br i1 %336, label %337, label %354
+337:
+  %338 = phi i64 [ %340, %348 ], [ %184, %331 ]
+  %339 = add nsw i64 %338, -1
+  %340 = lshr i64 %339, 1
+  %341 = getelementptr double, ptr %30, i64 %340
+  %342 = load double, ptr %341, align 8
+  %343 = getelementptr i64, ptr %34, i64 %340
+  %344 = load i64, ptr %343, align 8
+  %345 = getelementptr double, ptr %30, i64 %338
+  store double %342, ptr %345, align 8
+  %346 = getelementptr i64, ptr %34, i64 %338
+  store i64 %344, ptr %346, align 8
+  %347 = icmp eq i64 %340, 0
+  br i1 %347, label %354, label %348
+348:
+  %349 = add nsw i64 %340, -1
+  %350 = lshr i64 %349, 1
+  %351 = getelementptr double, ptr %30, i64 %350
+  %352 = load double, ptr %351, align 8
+  %353 = fcmp ogt double %352, %313
+  br i1 %353, label %337, label %354
+354:
+  %355 = phi i64 [ %184, %331 ], [ %184, %327 ], [ 0, %337 ], [ %340, %348 ]
+  %356 = icmp slt i64 %355, 0
+  %357 = select i1 %356, i64 %32, i64 0
+  %358 = getelementptr double, ptr %30, i64 %355
+  %359 = getelementptr double, ptr %358, i64 %357
+  store double %313, ptr %359, align 8
+  %360 = select i1 %356, i64 %36, i64 0
+  %361 = getelementptr i64, ptr %34, i64 %355
+  %362 = getelementptr i64, ptr %361, i64 %360
+  store i64 %314, ptr %362, align 8
+  %363 = add nsw i64 %184, 1
+  br label %364
+364:
+  %365 = phi i64 [ %184, %183 ], [ %184, %312 ], [ %184, %321 ], [ %363, %354 ]
+  %366 = icmp eq i64 %186, 3
+  br i1 %366, label %367, label %183
 367:
-  %368 = phi i64 [ %87, %370 ], [ %87, %140 ], [ %361, %363 ]
-  %369 = icmp eq i64 %368, 0
-  br i1 %369, label %385, label %84
-370:
-  %371 = phi i64 [ 0, %84 ], [ %118, %125 ], [ %99, %117 ]
-  %372 = icmp slt i64 %371, 0
-  %373 = select i1 %372, i64 %32, i64 0
-  %374 = getelementptr double, ptr %30, i64 %371
-  %375 = getelementptr double, ptr %374, i64 %373
-  store double %92, ptr %375, align 8
-  %376 = select i1 %372, i64 %36, i64 0
-  %377 = getelementptr i64, ptr %34, i64 %371
-  %378 = getelementptr i64, ptr %377, i64 %376
-  store i64 %96, ptr %378, align 8
-  %379 = icmp slt i64 %86, 0
-  %380 = select i1 %379, i64 %28, i64 0
-  %381 = getelementptr i64, ptr %26, i64 %86
+  %368 = add nsw i64 %169, -1
+  %369 = add i64 %170, 1
+  %370 = icmp sgt i64 %169, 1
+  br i1 %370, label %167, label %371
+371:
+  %372 = phi i64 [ %86, %374 ], [ %86, %139 ], [ %365, %367 ]
+  %373 = icmp eq i64 %372, 0
+  br i1 %373, label %389, label %83
+374:
+  %375 = phi i64 [ 0, %83 ], [ %117, %124 ], [ %98, %116 ]
+  %376 = icmp slt i64 %375, 0
+  %377 = select i1 %376, i64 %32, i64 0
+  %378 = getelementptr double, ptr %30, i64 %375
+  %379 = getelementptr double, ptr %378, i64 %377
+  store double %91, ptr %379, align 8
+  %380 = select i1 %376, i64 %36, i64 0
+  %381 = getelementptr i64, ptr %34, i64 %375
   %382 = getelementptr i64, ptr %381, i64 %380
-  %383 = load i64, ptr %382, align 8
-  %384 = icmp eq i64 %383, 1
-  br i1 %384, label %367, label %140
-385:
+  store i64 %95, ptr %382, align 8
+  %383 = icmp slt i64 %85, 0
+  %384 = select i1 %383, i64 %28, i64 0
+  %385 = getelementptr i64, ptr %26, i64 %85
+  %386 = getelementptr i64, ptr %385, i64 %384
+  %387 = load i64, ptr %386, align 8
+  %388 = icmp eq i64 %387, 1
+  br i1 %388, label %371, label %139
+389:
   ret i64 0
 }
 declare i64 @llvm.smin.i64(i64, i64)
-declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg)
-declare { i8, i1 } @llvm.usub.with.overflow.i8(i8, i8)
-define i64 @msf_jax.limbs.fronts.cap(ptr readonly %0) local_unnamed_addr {
-  %2 = load ptr, ptr %0, align 8
-  %3 = getelementptr i8, ptr %0, i64 8
-  %4 = load i64, ptr %3, align 8
-  %5 = getelementptr i8, ptr %0, i64 16
-  %6 = load i64, ptr %5, align 8
-  %7 = shl i64 %6, 3
-  %8 = getelementptr i8, ptr %0, i64 24
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr i8, ptr %0, i64 32
-  %11 = load i64, ptr %10, align 8
-  %12 = getelementptr i8, ptr %0, i64 40
-  %13 = load i64, ptr %12, align 8
-  %14 = getelementptr i8, ptr %0, i64 48
-  %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr i8, ptr %0, i64 56
-  %17 = load i64, ptr %16, align 8
-  %18 = getelementptr i8, ptr %0, i64 64
-  %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr i8, ptr %0, i64 72
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr i8, ptr %0, i64 80
-  %23 = load ptr, ptr %22, align 8
-  %24 = getelementptr i8, ptr %0, i64 88
-  %25 = load i64, ptr %24, align 8
-  %26 = getelementptr i8, ptr %0, i64 96
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr i8, ptr %0, i64 104
-  %29 = load i64, ptr %28, align 8
-  %30 = getelementptr i8, ptr %0, i64 112
-  %31 = load i64, ptr %30, align 8
-  %32 = getelementptr i8, ptr %0, i64 120
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr i8, ptr %0, i64 128
-  %35 = load i64, ptr %34, align 8
-  %36 = getelementptr i8, ptr %0, i64 136
-  %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr i8, ptr %0, i64 144
-  %39 = load i64, ptr %38, align 8
-  %40 = getelementptr i8, ptr %0, i64 152
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr i8, ptr %0, i64 160
-  %43 = load i64, ptr %42, align 8
-  %44 = getelementptr i8, ptr %0, i64 168
-  %45 = load ptr, ptr %44, align 8
-  %46 = getelementptr i8, ptr %0, i64 176
-  %47 = load i64, ptr %46, align 8
-  %48 = getelementptr i8, ptr %0, i64 184
-  %49 = load ptr, ptr %48, align 8
-  %50 = getelementptr i8, ptr %0, i64 192
-  %51 = load i64, ptr %50, align 8
-  %52 = getelementptr i8, ptr %0, i64 200
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr i8, ptr %0, i64 208
-  %55 = load i64, ptr %54, align 8
-  %56 = getelementptr i8, ptr %0, i64 216
-  %57 = load ptr, ptr %56, align 8
-  %58 = getelementptr i8, ptr %0, i64 224
-  %59 = load i64, ptr %58, align 8
-  %60 = getelementptr i8, ptr %0, i64 232
-  %61 = load ptr, ptr %60, align 8
-  %62 = getelementptr i8, ptr %0, i64 240
-  %63 = load i64, ptr %62, align 8
-  %64 = getelementptr i8, ptr %0, i64 248
-  %65 = load i64, ptr %64, align 8
-  %66 = getelementptr i8, ptr %0, i64 256
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr i8, ptr %0, i64 264
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr i8, ptr %0, i64 272
-  %71 = load double, ptr %70, align 8
-  %72 = getelementptr i8, ptr %0, i64 280
-  %73 = load double, ptr %72, align 8
-  %74 = getelementptr i8, ptr %0, i64 288
-  %75 = load double, ptr %74, align 8
-  %76 = getelementptr i8, ptr %0, i64 296
-  %77 = load ptr, ptr %76, align 8
-  %78 = getelementptr i8, ptr %0, i64 304
-  %79 = load i64, ptr %78, align 8
-  %80 = getelementptr i8, ptr %0, i64 312
-  %81 = load ptr, ptr %80, align 8
-  %82 = getelementptr i8, ptr %0, i64 320
-  %83 = load i64, ptr %82, align 8
-  %84 = getelementptr i8, ptr %0, i64 328
-  %85 = load i64, ptr %84, align 8
-  %86 = shl i64 %85, 3
-  %87 = getelementptr i8, ptr %0, i64 336
-  %88 = load ptr, ptr %87, align 8
-  %89 = getelementptr i8, ptr %0, i64 344
-  %90 = load i64, ptr %89, align 8
-  %91 = add nsw i64 %83, -1
-  %92 = tail call i64 @llvm.smin.i64(i64 %83, i64 0)
-  %93 = add i64 %91, %92
-  %94 = mul i64 %93, %85
-  %95 = getelementptr double, ptr %81, i64 %94
-  %96 = add i64 %83, 2305843009213693950
-  %97 = icmp slt i64 %83, 2
-  %98 = select i1 %97, i64 %83, i64 0
-  %99 = add i64 %96, %98
-  %100 = add nsw i64 %83, -3
-  %101 = icmp slt i64 %83, 3
-  %102 = select i1 %101, i64 %83, i64 0
-  %103 = add i64 %100, %102
-  %104 = mul i64 %103, %85
-  %105 = getelementptr double, ptr %81, i64 %104
-  %106 = add nsw i64 %83, -4
-  %107 = icmp slt i64 %83, 4
-  %108 = select i1 %107, i64 %83, i64 0
-  %109 = add i64 %108, %106
-  %110 = mul i64 %109, %85
-  %111 = getelementptr double, ptr %81, i64 %110
-  %112 = icmp slt i64 %65, 0
-  %113 = select i1 %112, i64 %35, i64 0
-  %114 = getelementptr double, ptr %33, i64 %65
-  %115 = getelementptr double, ptr %114, i64 %113
-  store double 0.000000e+00, ptr %115, align 8
-  store double 0.000000e+00, ptr %53, align 8
-  store i64 %65, ptr %57, align 8
-  %116 = shl i64 %35, 3
-  %117 = getelementptr i8, ptr %88, i64 24
-  %118 = mul i64 %86, %99
-  %119 = getelementptr i8, ptr %81, i64 %118
-  %120 = shl i64 %25, 3
-  %121 = getelementptr i8, ptr %111, i64 8
-  %122 = getelementptr i8, ptr %111, i64 16
-  %123 = getelementptr i8, ptr %111, i64 24
-  %124 = getelementptr i8, ptr %111, i64 32
-  %125 = getelementptr i8, ptr %95, i64 8
-  %126 = getelementptr i8, ptr %95, i64 16
-  %127 = getelementptr i8, ptr %95, i64 24
-  %128 = getelementptr i8, ptr %95, i64 32
-  %129 = getelementptr i8, ptr %95, i64 40
-  %130 = getelementptr i8, ptr %95, i64 48
-  %131 = getelementptr i8, ptr %95, i64 56
-  %132 = getelementptr i8, ptr %95, i64 64
-  %133 = getelementptr i8, ptr %119, i64 8
-  %134 = getelementptr i8, ptr %119, i64 16
-  %135 = getelementptr i8, ptr %119, i64 24
-  %136 = getelementptr i8, ptr %105, i64 8
-  %137 = getelementptr i8, ptr %105, i64 16
-  %138 = getelementptr i8, ptr %105, i64 24
-  %139 = getelementptr i8, ptr %105, i64 32
-  br label %140
-140:
-  %141 = phi i64 [ 1, %1 ], [ %480, %477 ]
-  %142 = phi double [ 0xFFF0000000000000, %1 ], [ %176, %477 ]
-  %143 = phi double [ 0x7FF0000000000000, %1 ], [ %175, %477 ]
-  %144 = phi i64 [ 0, %1 ], [ %174, %477 ]
-  %145 = phi i64 [ 0, %1 ], [ %478, %477 ]
-  %146 = phi i64 [ 0, %1 ], [ %173, %477 ]
-  %147 = phi double [ %67, %1 ], [ %172, %477 ]
-  %148 = icmp sgt i64 %145, 5
-  br i1 %148, label %149, label %156
-149:
-  %150 = and i64 %145, 3
-  %151 = and i64 %145, 9223372036854775804
-  %152 = shl i64 %145, 3
-  %153 = getelementptr i8, ptr %117, i64 %152
-  %154 = getelementptr i8, ptr %88, i64 %152
-  %155 = icmp eq i64 %150, 0
-  br label %163
-156:
-  %157 = load double, ptr %53, align 8
-  %158 = fcmp olt double %157, %147
-  br i1 %158, label %171, label %159
-159:
-  %160 = phi double [ %161, %159 ], [ %147, %156 ]
-  %161 = fmul double %69, %160
-  %162 = fcmp olt double %157, %161
-  br i1 %162, label %171, label %159
-163:
-  %164 = phi double [ %1467, %1461 ], [ %147, %149 ]
-  %165 = phi i64 [ %1462, %1461 ], [ %146, %149 ]
-  %166 = phi i64 [ %1463, %1461 ], [ %144, %149 ]
-  %167 = phi double [ %1464, %1461 ], [ %143, %149 ]
-  %168 = phi double [ %1465, %1461 ], [ %142, %149 ]
-  %169 = load double, ptr %53, align 8
-  %170 = fcmp olt double %169, %164
-  br i1 %170, label %171, label %483
-171:
-  %172 = phi double [ %164, %163 ], [ %147, %156 ], [ %161, %159 ]
-  %173 = phi i64 [ %165, %163 ], [ %146, %156 ], [ %146, %159 ]
-  %174 = phi i64 [ %166, %163 ], [ %144, %156 ], [ %144, %159 ]
-  %175 = phi double [ %167, %163 ], [ %143, %156 ], [ %143, %159 ]
-  %176 = phi double [ %168, %163 ], [ %142, %156 ], [ %142, %159 ]
-  %177 = load i64, ptr %57, align 8
-  %178 = add nsw i64 %141, -1
-  %179 = icmp slt i64 %141, 1
-  %180 = select i1 %179, i64 %55, i64 0
-  %181 = getelementptr double, ptr %53, i64 %178
-  %182 = getelementptr double, ptr %181, i64 %180
-  %183 = load double, ptr %182, align 8
-  %184 = select i1 %179, i64 %59, i64 0
-  %185 = getelementptr i64, ptr %57, i64 %178
-  %186 = getelementptr i64, ptr %185, i64 %184
-  %187 = load i64, ptr %186, align 8
-  %188 = icmp sgt i64 %141, 2
-  br i1 %188, label %189, label %1507
-189:
-  %190 = phi i64 [ %209, %216 ], [ 0, %171 ]
-  %191 = shl nsw i64 %190, 1
-  %192 = or disjoint i64 %191, 1
-  %193 = add nsw i64 %191, 2
-  %194 = icmp slt i64 %193, %178
-  br i1 %194, label %195, label %208
-195:
-  %196 = icmp slt i64 %190, -1
-  %197 = select i1 %196, i64 %55, i64 0
-  %198 = getelementptr double, ptr %53, i64 %193
-  %199 = getelementptr double, ptr %198, i64 %197
-  %200 = load double, ptr %199, align 8
-  %201 = icmp slt i64 %190, 0
-  %202 = select i1 %201, i64 %55, i64 0
-  %203 = getelementptr double, ptr %53, i64 %192
-  %204 = getelementptr double, ptr %203, i64 %202
-  %205 = load double, ptr %204, align 8
-  %206 = fcmp olt double %200, %205
-  br i1 %206, label %207, label %208
-207:
-  br label %208
-208:
-  %209 = phi i64 [ %193, %207 ], [ %192, %195 ], [ %192, %189 ]
-  %210 = icmp slt i64 %209, 0
-  %211 = select i1 %210, i64 %55, i64 0
-  %212 = getelementptr double, ptr %53, i64 %209
-  %213 = getelementptr double, ptr %212, i64 %211
-  %214 = load double, ptr %213, align 8
-  %215 = fcmp ult double %214, %183
-  br i1 %215, label %216, label %1507
-216:
-  %217 = select i1 %210, i64 %59, i64 0
-  %218 = getelementptr i64, ptr %57, i64 %209
-  %219 = getelementptr i64, ptr %218, i64 %217
-  %220 = load i64, ptr %219, align 8
-  %221 = icmp slt i64 %190, 0
-  %222 = select i1 %221, i64 %55, i64 0
-  %223 = getelementptr double, ptr %53, i64 %190
-  %224 = getelementptr double, ptr %223, i64 %222
-  store double %214, ptr %224, align 8
-  %225 = select i1 %221, i64 %59, i64 0
-  %226 = getelementptr i64, ptr %57, i64 %190
-  %227 = getelementptr i64, ptr %226, i64 %225
-  store i64 %220, ptr %227, align 8
-  %228 = shl nsw i64 %209, 1
-  %229 = or disjoint i64 %228, 1
-  %230 = icmp slt i64 %229, %178
-  br i1 %230, label %189, label %1507
-231:
-  %232 = shl i64 %1517, 3
-  %233 = getelementptr inbounds i8, ptr %1518, i64 %232
-  store i64 1, ptr %233, align 8
-  %234 = icmp slt i64 %145, 0
-  %235 = select i1 %234, i64 %43, i64 0
-  %236 = getelementptr i64, ptr %41, i64 %145
-  %237 = getelementptr i64, ptr %236, i64 %235
-  store i64 %177, ptr %237, align 8
-  %238 = add i64 %145, 1
-  %239 = icmp eq i64 %177, %65
-  br i1 %239, label %246, label %240
-240:
-  %241 = select i1 %1516, i64 %79, i64 0
-  %242 = getelementptr i64, ptr %77, i64 %177
-  %243 = getelementptr i64, ptr %242, i64 %241
-  %244 = load i64, ptr %243, align 8
-  %245 = icmp eq i64 %244, 0
-  br label %246
-246:
-  %247 = phi i1 [ true, %231 ], [ %245, %240 ]
-  %248 = select i1 %1516, i64 %21, i64 0
-  %249 = getelementptr i64, ptr %19, i64 %177
-  %250 = getelementptr i64, ptr %249, i64 %248
-  %251 = load i64, ptr %250, align 8
-  %252 = icmp slt i64 %177, -1
-  %253 = select i1 %252, i64 %21, i64 0
-  %254 = getelementptr i8, ptr %249, i64 8
-  %255 = getelementptr i64, ptr %254, i64 %253
-  %256 = load i64, ptr %255, align 8
-  %257 = sub i64 %256, %251
-  %258 = icmp slt i64 %257, 1
-  br i1 %258, label %477, label %259
-259:
-  %260 = getelementptr double, ptr %33, i64 %177
-  %261 = select i1 %1516, i64 %4, i64 0
-  %262 = add i64 %261, %177
-  %263 = select i1 %1516, i64 %116, i64 0
-  %264 = mul i64 %7, %262
-  %265 = getelementptr inbounds i8, ptr %260, i64 %263
-  %266 = getelementptr i8, ptr %2, i64 %264
-  %267 = getelementptr i8, ptr %266, i64 16
-  %268 = getelementptr i8, ptr %266, i64 8
-  %269 = mul i64 %262, %6
-  %270 = getelementptr double, ptr %2, i64 %269
-  %271 = getelementptr i8, ptr %270, i64 16
-  %272 = getelementptr i8, ptr %270, i64 8
-  br label %273
-273:
-  %274 = phi i64 [ %471, %473 ], [ %178, %259 ]
-  %275 = phi i64 [ %474, %473 ], [ %257, %259 ]
-  %276 = phi i64 [ %475, %473 ], [ %251, %259 ]
-  %277 = icmp slt i64 %276, 0
-  %278 = select i1 %277, i64 %25, i64 0
-  %279 = getelementptr i64, ptr %23, i64 %276
-  %280 = getelementptr i64, ptr %279, i64 %278
-  %281 = load i64, ptr %280, align 8
-  %282 = icmp slt i64 %281, 0
-  %283 = select i1 %282, i64 %11, i64 0
-  %284 = add i64 %283, %281
-  %285 = mul i64 %284, %13
-  %286 = getelementptr i64, ptr %9, i64 %285
-  %287 = getelementptr i8, ptr %286, i64 8
-  %288 = getelementptr i8, ptr %286, i64 16
-  br label %289
-289:
-  %290 = phi i64 [ %274, %273 ], [ %471, %470 ]
-  %291 = phi i64 [ 0, %273 ], [ %292, %470 ]
-  %292 = add nuw nsw i64 %291, 1
-  %293 = getelementptr i64, ptr %286, i64 %291
-  %294 = load i64, ptr %293, align 8
-  %295 = icmp eq i64 %294, %177
-  br i1 %295, label %470, label %296
-296:
-  %297 = icmp slt i64 %294, 0
-  %298 = select i1 %297, i64 %39, i64 0
-  %299 = getelementptr i64, ptr %37, i64 %294
-  %300 = getelementptr i64, ptr %299, i64 %298
-  %301 = load i64, ptr %300, align 8
-  %302 = icmp eq i64 %301, 1
-  br i1 %302, label %327, label %303
-303:
-  %304 = load double, ptr %265, align 8
-  %305 = select i1 %297, i64 %4, i64 0
-  %306 = add i64 %305, %294
-  %307 = mul i64 %306, %6
-  %308 = getelementptr double, ptr %2, i64 %307
-  %309 = getelementptr i8, ptr %308, i64 16
-  %310 = load double, ptr %309, align 8
-  %311 = load double, ptr %267, align 8
-  %312 = fsub double %310, %311
-  %313 = fmul double %312, %312
-  %314 = load double, ptr %308, align 8
-  %315 = load double, ptr %266, align 8
-  %316 = fsub double %314, %315
-  %317 = fmul double %316, %316
-  %318 = getelementptr i8, ptr %308, i64 8
-  %319 = load double, ptr %318, align 8
-  %320 = load double, ptr %268, align 8
-  %321 = fsub double %319, %320
-  %322 = fmul double %321, %321
-  %323 = fadd double %317, %322
-  %324 = fadd double %313, %323
-  %325 = tail call double @llvm.sqrt.f64(double %324)
-  %326 = fadd double %304, %325
-  br label %418
-327:
-  %328 = load i64, ptr %286, align 8
-  %329 = load i64, ptr %287, align 8
-  %330 = load i64, ptr %288, align 8
-  %331 = add i64 %294, %177
-  %332 = sub i64 %328, %331
-  %333 = add i64 %332, %329
-  %334 = add i64 %333, %330
-  %335 = load double, ptr %271, align 8
-  %336 = select i1 %297, i64 %4, i64 0
-  %337 = add i64 %336, %294
-  %338 = mul i64 %337, %6
-  %339 = getelementptr double, ptr %2, i64 %338
-  %340 = getelementptr i8, ptr %339, i64 16
-  %341 = load double, ptr %340, align 8
-  %342 = fsub double %335, %341
-  %343 = fmul double %342, %342
-  %344 = load double, ptr %270, align 8
-  %345 = load double, ptr %339, align 8
-  %346 = fsub double %344, %345
-  %347 = fmul double %346, %346
-  %348 = load double, ptr %272, align 8
-  %349 = getelementptr i8, ptr %339, i64 8
-  %350 = load double, ptr %349, align 8
-  %351 = fsub double %348, %350
-  %352 = fmul double %351, %351
-  %353 = fadd double %347, %352
-  %354 = fadd double %343, %353
-  %355 = tail call double @llvm.sqrt.f64(double %354)
-  %356 = fcmp une double %354, 0.000000e+00
-  br i1 %356, label %384, label %418
-357:
-  %358 = fmul double %397, %397
-  %359 = fmul double %400, %400
-  %360 = fmul double %404, %404
-  %361 = fadd double %359, %360
-  %362 = fadd double %358, %361
-  %363 = fmul double %408, %408
-  %364 = fsub double %362, %363
-  %365 = fcmp olt double %364, 0.000000e+00
-  %366 = select i1 %365, double 0.000000e+00, double %364
-  %367 = tail call double @llvm.sqrt.f64(double %366)
-  %368 = tail call double @llvm.sqrt.f64(double %416)
-  %369 = fadd double %367, %368
-  %370 = fcmp ogt double %369, 0.000000e+00
-  br i1 %370, label %371, label %418
-371:
-  %372 = fsub double %408, %414
-  %373 = fmul double %372, %368
-  %374 = fdiv double %373, %369
-  %375 = fadd double %414, %374
-  %376 = fcmp oge double %375, 0.000000e+00
-  %377 = fcmp ole double %375, %355
-  %378 = and i1 %376, %377
-  br i1 %378, label %379, label %418
-379:
-  %380 = fmul double %372, %372
-  %381 = fmul double %369, %369
-  %382 = fadd double %380, %381
-  %383 = tail call double @llvm.sqrt.f64(double %382)
-  br label %418
-384:
-  %385 = load double, ptr %265, align 8
-  %386 = getelementptr double, ptr %33, i64 %294
-  %387 = select i1 %297, i64 %35, i64 0
-  %388 = getelementptr double, ptr %386, i64 %387
-  %389 = load double, ptr %388, align 8
-  %390 = icmp slt i64 %334, 0
-  %391 = select i1 %390, i64 %4, i64 0
-  %392 = add i64 %391, %334
-  %393 = mul i64 %392, %6
-  %394 = getelementptr double, ptr %2, i64 %393
-  %395 = getelementptr i8, ptr %394, i64 16
-  %396 = load double, ptr %395, align 8
-  %397 = fsub double %396, %341
-  %398 = fmul double %342, %397
-  %399 = load double, ptr %394, align 8
-  %400 = fsub double %399, %345
-  %401 = fmul double %346, %400
-  %402 = getelementptr i8, ptr %394, i64 8
-  %403 = load double, ptr %402, align 8
-  %404 = fsub double %403, %350
-  %405 = fmul double %351, %404
-  %406 = fadd double %401, %405
-  %407 = fadd double %398, %406
-  %408 = fdiv double %407, %355
-  %409 = fmul double %389, %389
-  %410 = fmul double %385, %385
-  %411 = fsub double %409, %410
-  %412 = fadd double %354, %411
-  %413 = fmul double %355, 2.000000e+00
-  %414 = fdiv double %412, %413
-  %415 = fmul double %414, %414
-  %416 = fsub double %409, %415
-  %417 = fcmp olt double %416, 0.000000e+00
-  br i1 %417, label %418, label %357
-418:
-  %419 = phi double [ %326, %303 ], [ 0x7FF0000000000000, %384 ], [ 0x7FF0000000000000, %327 ], [ %383, %379 ], [ 0x7FF0000000000000, %371 ], [ 0x7FF0000000000000, %357 ]
-  %420 = phi i64 [ %294, %303 ], [ %334, %384 ], [ %334, %327 ], [ %334, %379 ], [ %334, %371 ], [ %334, %357 ]
-  %421 = icmp slt i64 %420, 0
-  %422 = select i1 %421, i64 %39, i64 0
-  %423 = getelementptr i64, ptr %37, i64 %420
-  %424 = getelementptr i64, ptr %423, i64 %422
-  %425 = load i64, ptr %424, align 8
-  %426 = icmp eq i64 %425, 1
-  br i1 %426, label %470, label %427
-427:
-  %428 = select i1 %421, i64 %35, i64 0
-  %429 = getelementptr double, ptr %33, i64 %420
-  %430 = getelementptr double, ptr %429, i64 %428
-  %431 = load double, ptr %430, align 8
-  %432 = fcmp olt double %419, %431
-  br i1 %432, label %433, label %470
-433:
-  %434 = shl i64 %428, 3
-  %435 = getelementptr inbounds i8, ptr %429, i64 %434
-  store double %419, ptr %435, align 8
-  %436 = icmp sgt i64 %290, 0
-  br i1 %436, label %437, label %460
-437:
-  %438 = add nsw i64 %290, -1
-  %439 = lshr i64 %438, 1
-  %440 = getelementptr double, ptr %53, i64 %439
-  %441 = load double, ptr %440, align 8
-  %442 = fcmp ogt double %441, %419
-  br i1 %442, label %443, label %460
-443:
-  %444 = phi i64 [ %446, %454 ], [ %290, %437 ]
-  %445 = add nsw i64 %444, -1
-  %446 = lshr i64 %445, 1
-  %447 = getelementptr double, ptr %53, i64 %446
-  %448 = load double, ptr %447, align 8
-  %449 = getelementptr i64, ptr %57, i64 %446
-  %450 = load i64, ptr %449, align 8
-  %451 = getelementptr double, ptr %53, i64 %444
-  store double %448, ptr %451, align 8
-  %452 = getelementptr i64, ptr %57, i64 %444
-  store i64 %450, ptr %452, align 8
-  %453 = icmp eq i64 %446, 0
-  br i1 %453, label %460, label %454
-454:
-  %455 = add nsw i64 %446, -1
-  %456 = lshr i64 %455, 1
-  %457 = getelementptr double, ptr %53, i64 %456
-  %458 = load double, ptr %457, align 8
-  %459 = fcmp ogt double %458, %419
-  br i1 %459, label %443, label %460
-460:
-  %461 = phi i64 [ %290, %437 ], [ %290, %433 ], [ 0, %443 ], [ %446, %454 ]
-  %462 = icmp slt i64 %461, 0
-  %463 = select i1 %462, i64 %55, i64 0
-  %464 = getelementptr double, ptr %53, i64 %461
-  %465 = getelementptr double, ptr %464, i64 %463
-  store double %419, ptr %465, align 8
-  %466 = select i1 %462, i64 %59, i64 0
-  %467 = getelementptr i64, ptr %57, i64 %461
-  %468 = getelementptr i64, ptr %467, i64 %466
-  store i64 %420, ptr %468, align 8
-  %469 = add nsw i64 %290, 1
-  br label %470
-470:
-  %471 = phi i64 [ %290, %289 ], [ %290, %418 ], [ %290, %427 ], [ %469, %460 ]
-  %472 = icmp eq i64 %292, 3
-  br i1 %472, label %473, label %289
-473:
-  %474 = add nsw i64 %275, -1
-  %475 = add i64 %276, 1
-  %476 = icmp sgt i64 %275, 1
-  br i1 %476, label %273, label %477
-477:
-  %478 = phi i64 [ %145, %1507 ], [ %238, %246 ], [ %238, %473 ]
-  %479 = phi i1 [ true, %1507 ], [ %247, %246 ], [ %247, %473 ]
-  %480 = phi i64 [ %178, %1507 ], [ %178, %246 ], [ %471, %473 ]
-  %481 = icmp ne i64 %480, 0
-  %482 = select i1 %481, i1 %479, i1 false
-  br i1 %482, label %140, label %1468
-483:
-  %484 = icmp slt i64 %165, %106
-  br i1 %484, label %1522, label %1461
-485:
-  %486 = phi i64 [ %1525, %1523 ], [ %1502, %1501 ]
-  %487 = phi i64 [ %1524, %1523 ], [ %1503, %1501 ]
-  %488 = icmp eq i64 %1527, %145
-  br i1 %488, label %779, label %1523
-489:
-  %490 = phi i64 [ %1543, %1542 ], [ %1504, %1501 ]
-  %491 = phi i64 [ %1524, %1542 ], [ %1503, %1501 ]
-  %492 = phi i64 [ %1525, %1542 ], [ %1502, %1501 ]
-  %493 = phi i64 [ %1534, %1542 ], [ %1505, %1501 ]
-  %494 = icmp slt i64 %493, 0
-  %495 = select i1 %494, i64 %120, i64 0
-  %496 = getelementptr i8, ptr %23, i64 %495
-  %497 = shl i64 %493, 3
-  %498 = getelementptr i8, ptr %496, i64 %497
-  %499 = load i64, ptr %498, align 8
-  %500 = icmp slt i64 %499, 0
-  %501 = select i1 %500, i64 %11, i64 0
-  %502 = add i64 %501, %499
-  %503 = mul i64 %502, %13
-  %504 = getelementptr i64, ptr %9, i64 %503
-  %505 = load i64, ptr %504, align 8
-  %506 = icmp slt i64 %505, 0
-  %507 = select i1 %506, i64 %39, i64 0
-  %508 = getelementptr i64, ptr %37, i64 %505
-  %509 = getelementptr i64, ptr %508, i64 %507
-  %510 = load i64, ptr %509, align 8
-  %511 = icmp eq i64 %510, 1
-  %512 = zext i1 %511 to i64
-  %513 = getelementptr i8, ptr %504, i64 8
-  %514 = load i64, ptr %513, align 8
-  %515 = icmp slt i64 %514, 0
-  %516 = select i1 %515, i64 %39, i64 0
-  %517 = getelementptr i64, ptr %37, i64 %514
-  %518 = getelementptr i64, ptr %517, i64 %516
-  %519 = load i64, ptr %518, align 8
-  %520 = icmp eq i64 %519, 1
-  %521 = zext i1 %520 to i64
-  %522 = add nuw nsw i64 %521, %512
-  %523 = getelementptr i8, ptr %504, i64 16
-  %524 = load i64, ptr %523, align 8
-  %525 = icmp slt i64 %524, 0
-  %526 = select i1 %525, i64 %39, i64 0
-  %527 = getelementptr i64, ptr %37, i64 %524
-  %528 = getelementptr i64, ptr %527, i64 %526
-  %529 = load i64, ptr %528, align 8
-  %530 = icmp eq i64 %529, 1
-  %531 = zext i1 %530 to i64
-  %532 = add nuw nsw i64 %522, %531
-  switch i64 %532, label %535 [
-    i64 0, label %533
-    i64 3, label %533
-  ]
-533:
-  %534 = icmp samesign ugt i64 %532, 2
-  br i1 %534, label %1544, label %535
-535:
-  %536 = select i1 %500, i64 %63, i64 0
-  %537 = getelementptr i64, ptr %61, i64 %499
-  %538 = getelementptr i64, ptr %537, i64 %536
-  %539 = load i64, ptr %538, align 8
-  %540 = icmp slt i64 %539, 0
-  br i1 %540, label %541, label %1501
-541:
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %95, i8 0, i64 72, i1 false)
-  %542 = load i64, ptr %538, align 8
-  %543 = icmp slt i64 %542, 0
-  br i1 %543, label %544, label %774
-544:
-  %545 = phi i64 [ %767, %594 ], [ %499, %541 ]
-  %546 = icmp slt i64 %545, 0
-  %547 = select i1 %546, i64 %63, i64 0
-  %548 = getelementptr i64, ptr %61, i64 %545
-  %549 = getelementptr i64, ptr %548, i64 %547
-  store i64 %492, ptr %549, align 8
-  %550 = select i1 %546, i64 %11, i64 0
-  %551 = add i64 %550, %545
-  %552 = mul i64 %551, %13
-  %553 = getelementptr i64, ptr %9, i64 %552
-  %554 = load i64, ptr %553, align 8
-  %555 = icmp slt i64 %554, 0
-  %556 = select i1 %555, i64 %39, i64 0
-  %557 = getelementptr i64, ptr %37, i64 %554
-  %558 = getelementptr i64, ptr %557, i64 %556
-  %559 = load i64, ptr %558, align 8
-  %560 = icmp eq i64 %559, 1
-  %561 = zext i1 %560 to i64
-  %562 = getelementptr i8, ptr %553, i64 8
-  %563 = load i64, ptr %562, align 8
-  %564 = icmp slt i64 %563, 0
-  %565 = select i1 %564, i64 %39, i64 0
-  %566 = getelementptr i64, ptr %37, i64 %563
-  %567 = getelementptr i64, ptr %566, i64 %565
-  %568 = load i64, ptr %567, align 8
-  %569 = icmp eq i64 %568, 1
-  %570 = zext i1 %569 to i64
-  %571 = add nuw nsw i64 %570, %561
-  %572 = getelementptr i8, ptr %553, i64 16
-  %573 = load i64, ptr %572, align 8
-  %574 = icmp slt i64 %573, 0
-  %575 = select i1 %574, i64 %39, i64 0
-  %576 = getelementptr i64, ptr %37, i64 %573
-  %577 = getelementptr i64, ptr %576, i64 %575
-  %578 = load i64, ptr %577, align 8
-  %579 = icmp eq i64 %578, 1
-  %580 = zext i1 %579 to i64
-  %581 = add nuw nsw i64 %571, %580
-  switch i64 %581, label %585 [
-    i64 0, label %582
-    i64 3, label %582
-  ]
-582:
-  %583 = icmp samesign ugt i64 %581, 2
-  %584 = select i1 %583, i64 7, i64 6
-  br label %594
-585:
-  %586 = icmp ne i64 %581, 1
-  %587 = xor i1 %569, %586
-  %588 = zext i1 %587 to i64
-  %589 = xor i1 %579, %586
-  %590 = select i1 %589, i64 2, i64 %588
-  %591 = icmp eq i64 %581, 1
-  %592 = add nuw nsw i64 %590, 3
-  %593 = select i1 %591, i64 %590, i64 %592
-  br label %594
-594:
-  %595 = phi i64 [ %584, %582 ], [ %593, %585 ]
-  %596 = freeze i64 %595
-  %597 = trunc i64 %596 to i8
-  %598 = urem i8 %597, 3
-  %599 = zext nneg i8 %598 to i64
-  %600 = getelementptr i64, ptr %553, i64 %599
-  %601 = load i64, ptr %600, align 8
-  %602 = add nuw nsw i8 %598, 1
-  %603 = icmp eq i8 %602, 3
-  %604 = select i1 %603, i8 0, i8 %602
-  %605 = zext nneg i8 %604 to i64
-  %606 = getelementptr i64, ptr %553, i64 %605
-  %607 = load i64, ptr %606, align 8
-  %608 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %598, i8 1)
-  %609 = extractvalue { i8, i1 } %608, 0
-  %610 = extractvalue { i8, i1 } %608, 1
-  %611 = zext nneg i8 %609 to i64
-  %612 = select i1 %610, i64 2, i64 %611
-  %613 = getelementptr i64, ptr %553, i64 %612
-  %614 = load i64, ptr %613, align 8
-  %615 = icmp slt i64 %601, 0
-  %616 = select i1 %615, i64 %35, i64 0
-  %617 = getelementptr double, ptr %33, i64 %601
-  %618 = getelementptr double, ptr %617, i64 %616
-  %619 = load double, ptr %618, align 8
-  %620 = fsub double %164, %619
-  %621 = icmp slt i64 %607, 0
-  %622 = select i1 %621, i64 %35, i64 0
-  %623 = getelementptr double, ptr %33, i64 %607
-  %624 = getelementptr double, ptr %623, i64 %622
-  %625 = load double, ptr %624, align 8
-  %626 = fsub double %625, %619
-  %627 = fdiv double %620, %626
-  %628 = icmp slt i64 %614, 0
-  %629 = select i1 %628, i64 %35, i64 0
-  %630 = getelementptr double, ptr %33, i64 %614
-  %631 = getelementptr double, ptr %630, i64 %629
-  %632 = load double, ptr %631, align 8
-  %633 = fsub double %632, %619
-  %634 = fdiv double %620, %633
-  %635 = select i1 %621, i64 %4, i64 0
-  %636 = add i64 %635, %607
-  %637 = mul i64 %636, %6
-  %638 = getelementptr double, ptr %2, i64 %637
-  %639 = select i1 %615, i64 %4, i64 0
-  %640 = add i64 %639, %601
-  %641 = mul i64 %640, %6
-  %642 = getelementptr double, ptr %2, i64 %641
-  %643 = select i1 %628, i64 %4, i64 0
-  %644 = add i64 %643, %614
-  %645 = mul i64 %644, %6
-  %646 = getelementptr double, ptr %2, i64 %645
-  %647 = load double, ptr %638, align 8
-  %648 = load double, ptr %642, align 8
-  %649 = fsub double %647, %648
-  %650 = fmul double %627, %649
-  %651 = load double, ptr %646, align 8
-  %652 = fsub double %651, %648
-  %653 = fmul double %634, %652
-  %654 = fsub double %650, %653
-  %655 = fmul double %654, %654
-  %656 = getelementptr i8, ptr %638, i64 8
-  %657 = load double, ptr %656, align 8
-  %658 = getelementptr i8, ptr %642, i64 8
-  %659 = load double, ptr %658, align 8
-  %660 = fsub double %657, %659
-  %661 = fmul double %627, %660
-  %662 = getelementptr i8, ptr %646, i64 8
-  %663 = load double, ptr %662, align 8
-  %664 = fsub double %663, %659
-  %665 = fmul double %634, %664
-  %666 = fsub double %661, %665
-  %667 = fmul double %666, %666
-  %668 = fadd double %655, %667
-  %669 = getelementptr i8, ptr %638, i64 16
-  %670 = load double, ptr %669, align 8
-  %671 = getelementptr i8, ptr %642, i64 16
-  %672 = load double, ptr %671, align 8
-  %673 = fsub double %670, %672
-  %674 = fmul double %627, %673
-  %675 = getelementptr i8, ptr %646, i64 16
-  %676 = load double, ptr %675, align 8
-  %677 = fsub double %676, %672
-  %678 = fmul double %634, %677
-  %679 = fsub double %674, %678
-  %680 = fmul double %679, %679
-  %681 = fadd double %668, %680
-  %682 = tail call double @llvm.sqrt.f64(double %681)
-  %683 = load double, ptr %95, align 8
-  %684 = fadd double %683, %682
-  store double %684, ptr %95, align 8
-  %685 = load double, ptr %125, align 8
-  %686 = load double, ptr %642, align 8
-  %687 = load double, ptr %638, align 8
-  %688 = fsub double %687, %686
-  %689 = fmul double %627, %688
-  %690 = load double, ptr %646, align 8
-  %691 = fsub double %690, %686
-  %692 = fmul double %634, %691
-  %693 = fadd double %689, %692
-  %694 = fmul double %693, 5.000000e-01
-  %695 = fadd double %686, %694
-  %696 = fmul double %682, %695
-  %697 = fadd double %685, %696
-  store double %697, ptr %125, align 8
-  %698 = load double, ptr %126, align 8
-  %699 = load double, ptr %658, align 8
-  %700 = load double, ptr %656, align 8
-  %701 = fsub double %700, %699
-  %702 = fmul double %627, %701
-  %703 = load double, ptr %662, align 8
-  %704 = fsub double %703, %699
-  %705 = fmul double %634, %704
-  %706 = fadd double %702, %705
-  %707 = fmul double %706, 5.000000e-01
-  %708 = fadd double %699, %707
-  %709 = fmul double %682, %708
-  %710 = fadd double %698, %709
-  store double %710, ptr %126, align 8
-  %711 = load double, ptr %127, align 8
-  %712 = load double, ptr %671, align 8
-  %713 = load double, ptr %669, align 8
-  %714 = fsub double %713, %712
-  %715 = fmul double %627, %714
-  %716 = load double, ptr %675, align 8
-  %717 = fsub double %716, %712
-  %718 = fmul double %634, %717
-  %719 = fadd double %715, %718
-  %720 = fmul double %719, 5.000000e-01
-  %721 = fadd double %712, %720
-  %722 = fmul double %682, %721
-  %723 = fadd double %711, %722
-  store double %723, ptr %127, align 8
-  %724 = select i1 %546, i64 %29, i64 0
-  %725 = add i64 %724, %545
-  %726 = mul i64 %725, %31
-  %727 = getelementptr double, ptr %27, i64 %726
-  %728 = icmp samesign ult i64 %596, 3
-  %729 = fmul double %627, %634
-  %730 = fsub double 1.000000e+00, %729
-  %731 = select i1 %728, double %729, double %730
-  %732 = load double, ptr %128, align 8
-  %733 = load double, ptr %727, align 8
-  %734 = fmul double %731, %733
-  %735 = fadd double %732, %734
-  store double %735, ptr %128, align 8
-  %736 = load double, ptr %129, align 8
-  %737 = getelementptr i8, ptr %727, i64 8
-  %738 = load double, ptr %737, align 8
-  %739 = fmul double %731, %738
-  %740 = fadd double %736, %739
-  store double %740, ptr %129, align 8
-  %741 = load double, ptr %130, align 8
-  %742 = getelementptr i8, ptr %727, i64 16
-  %743 = load double, ptr %742, align 8
-  %744 = fmul double %731, %743
-  %745 = fadd double %741, %744
-  store double %745, ptr %130, align 8
-  %746 = load double, ptr %131, align 8
-  %747 = getelementptr i8, ptr %727, i64 24
-  %748 = load double, ptr %747, align 8
-  %749 = fmul double %731, %748
-  %750 = fadd double %746, %749
-  store double %750, ptr %131, align 8
-  %751 = load double, ptr %132, align 8
-  %752 = getelementptr i8, ptr %727, i64 32
-  %753 = load double, ptr %752, align 8
-  %754 = fmul double %731, %753
-  %755 = fadd double %751, %754
-  store double %755, ptr %132, align 8
-  %756 = mul nsw i64 %545, 3
-  %757 = select i1 %728, i64 %612, i64 %599
-  %758 = add nsw i64 %757, %756
-  %759 = icmp slt i64 %758, 0
-  %760 = select i1 %759, i64 %17, i64 0
-  %761 = getelementptr i64, ptr %15, i64 %758
-  %762 = getelementptr i64, ptr %761, i64 %760
-  %763 = load i64, ptr %762, align 8
-  %764 = sdiv i64 %763, 3
-  %765 = srem i64 %763, 3
-  %766 = ashr i64 %765, 63
-  %767 = add nsw i64 %766, %764
-  %768 = icmp slt i64 %767, 0
-  %769 = select i1 %768, i64 %63, i64 0
-  %770 = getelementptr i64, ptr %61, i64 %767
-  %771 = getelementptr i64, ptr %770, i64 %769
-  %772 = load i64, ptr %771, align 8
-  %773 = icmp slt i64 %772, 0
-  br i1 %773, label %544, label %774
-774:
-  %775 = phi double [ 0.000000e+00, %541 ], [ %735, %594 ]
-  %776 = phi double [ 0.000000e+00, %541 ], [ %684, %594 ]
-  %777 = load double, ptr %119, align 8
-  %778 = fcmp ogt double %776, %777
-  br i1 %778, label %1573, label %1578
-779:
-  %780 = icmp sgt i64 %486, 1
-  br i1 %780, label %781, label %1631
-781:
-  %782 = load double, ptr %111, align 8
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %105, i8 0, i64 40, i1 false)
-  br label %920
-783:
-  %784 = phi i64 [ %921, %920 ], [ %918, %917 ]
-  %785 = icmp eq i64 %145, %923
-  br i1 %785, label %1243, label %920
-786:
-  %787 = phi i64 [ %918, %917 ], [ %921, %920 ]
-  %788 = phi i64 [ %790, %917 ], [ %936, %920 ]
-  %789 = phi i64 [ %791, %917 ], [ %930, %920 ]
-  %790 = add nsw i64 %788, -1
-  %791 = add i64 %789, 1
-  %792 = icmp slt i64 %789, 0
-  %793 = select i1 %792, i64 %25, i64 0
-  %794 = getelementptr i64, ptr %23, i64 %789
-  %795 = getelementptr i64, ptr %794, i64 %793
-  %796 = load i64, ptr %795, align 8
-  %797 = icmp slt i64 %796, 0
-  %798 = select i1 %797, i64 %63, i64 0
-  %799 = getelementptr i64, ptr %61, i64 %796
-  %800 = getelementptr i64, ptr %799, i64 %798
-  %801 = load i64, ptr %800, align 8
-  %802 = icmp slt i64 %801, 0
-  %803 = icmp eq i64 %801, %487
-  %804 = select i1 %802, i1 true, i1 %803
-  br i1 %804, label %917, label %938
-805:
-  %806 = shl i64 %945, 3
-  %807 = getelementptr inbounds i8, ptr %946, i64 %806
-  store i64 2, ptr %807, align 8
-  %808 = shl i64 %941, 3
-  %809 = getelementptr i8, ptr %9, i64 %808
-  %810 = load i64, ptr %809, align 8
-  %811 = icmp slt i64 %787, 0
-  %812 = select i1 %811, i64 %47, i64 0
-  %813 = getelementptr i64, ptr %45, i64 %787
-  %814 = getelementptr i64, ptr %813, i64 %812
-  store i64 %810, ptr %814, align 8
-  store i64 %810, ptr %49, align 8
-  %815 = add nsw i64 %787, 1
-  br label %816
-816:
-  %817 = phi i64 [ %951, %950 ], [ %808, %805 ]
-  %818 = phi i64 [ %787, %950 ], [ %815, %805 ]
-  %819 = phi i64 [ 0, %950 ], [ 1, %805 ]
-  %820 = getelementptr i8, ptr %9, i64 %817
-  %821 = getelementptr i8, ptr %820, i64 8
-  %822 = load i64, ptr %821, align 8
-  %823 = icmp slt i64 %822, 0
-  %824 = select i1 %823, i64 %39, i64 0
-  %825 = getelementptr i64, ptr %37, i64 %822
-  %826 = getelementptr i64, ptr %825, i64 %824
-  %827 = load i64, ptr %826, align 8
-  %828 = icmp eq i64 %827, 0
-  br i1 %828, label %829, label %840
-829:
-  %830 = shl i64 %824, 3
-  %831 = getelementptr inbounds i8, ptr %825, i64 %830
-  store i64 2, ptr %831, align 8
-  %832 = load i64, ptr %821, align 8
-  %833 = icmp slt i64 %818, 0
-  %834 = select i1 %833, i64 %47, i64 0
-  %835 = getelementptr i64, ptr %45, i64 %818
-  %836 = getelementptr i64, ptr %835, i64 %834
-  store i64 %832, ptr %836, align 8
-  %837 = getelementptr i64, ptr %49, i64 %819
-  store i64 %832, ptr %837, align 8
-  %838 = add nsw i64 %818, 1
-  %839 = add nuw nsw i64 %819, 1
-  br label %840
-840:
-  %841 = phi i64 [ %838, %829 ], [ %818, %816 ]
-  %842 = phi i64 [ %839, %829 ], [ %819, %816 ]
-  %843 = getelementptr i8, ptr %820, i64 16
-  %844 = load i64, ptr %843, align 8
-  %845 = icmp slt i64 %844, 0
-  %846 = select i1 %845, i64 %39, i64 0
-  %847 = getelementptr i64, ptr %37, i64 %844
-  %848 = getelementptr i64, ptr %847, i64 %846
-  %849 = load i64, ptr %848, align 8
-  %850 = icmp eq i64 %849, 0
-  br i1 %850, label %851, label %865
-851:
-  %852 = shl i64 %846, 3
-  %853 = getelementptr inbounds i8, ptr %847, i64 %852
-  store i64 2, ptr %853, align 8
-  %854 = load i64, ptr %843, align 8
-  %855 = icmp slt i64 %841, 0
-  %856 = select i1 %855, i64 %47, i64 0
-  %857 = getelementptr i64, ptr %45, i64 %841
-  %858 = getelementptr i64, ptr %857, i64 %856
-  store i64 %854, ptr %858, align 8
-  %859 = getelementptr i64, ptr %49, i64 %842
-  store i64 %854, ptr %859, align 8
-  %860 = add nsw i64 %841, 1
-  %861 = add nuw nsw i64 %842, 1
-  br label %862
-862:
-  %863 = phi i64 [ %841, %865 ], [ %860, %851 ]
-  %864 = phi i64 [ %842, %865 ], [ %861, %851 ]
-  br label %952
-865:
-  %866 = icmp eq i64 %842, 0
-  br i1 %866, label %917, label %862
-867:
-  %868 = phi i64 [ 0, %1241 ], [ %888, %867 ]
-  %869 = shl i64 %868, 3
-  %870 = getelementptr i8, ptr %45, i64 %869
-  %871 = load i64, ptr %870, align 8
-  %872 = icmp slt i64 %871, 0
-  %873 = select i1 %872, i64 %39, i64 0
-  %874 = getelementptr i64, ptr %37, i64 %871
-  %875 = getelementptr i64, ptr %874, i64 %873
-  store i64 0, ptr %875, align 8
-  %876 = getelementptr i8, ptr %870, i64 8
-  %877 = load i64, ptr %876, align 8
-  %878 = icmp slt i64 %877, 0
-  %879 = select i1 %878, i64 %39, i64 0
-  %880 = getelementptr i64, ptr %37, i64 %877
-  %881 = getelementptr i64, ptr %880, i64 %879
-  store i64 0, ptr %881, align 8
-  %882 = getelementptr i8, ptr %870, i64 16
-  %883 = load i64, ptr %882, align 8
-  %884 = icmp slt i64 %883, 0
-  %885 = select i1 %884, i64 %39, i64 0
-  %886 = getelementptr i64, ptr %37, i64 %883
-  %887 = getelementptr i64, ptr %886, i64 %885
-  store i64 0, ptr %887, align 8
-  %888 = add nuw nsw i64 %868, 4
-  %889 = getelementptr i8, ptr %870, i64 24
-  %890 = load i64, ptr %889, align 8
-  %891 = icmp slt i64 %890, 0
-  %892 = select i1 %891, i64 %39, i64 0
-  %893 = getelementptr i64, ptr %37, i64 %890
-  %894 = getelementptr i64, ptr %893, i64 %892
-  store i64 0, ptr %894, align 8
-  %895 = icmp eq i64 %1242, %888
-  br i1 %895, label %896, label %867
-896:
-  %897 = icmp eq i64 %1239, 0
-  br i1 %897, label %1631, label %898
-898:
-  %899 = phi i64 [ 0, %1238 ], [ %1242, %896 ]
-  %900 = shl i64 %899, 3
-  %901 = getelementptr i8, ptr %45, i64 %900
-  br label %902
-902:
-  %903 = phi i64 [ %911, %902 ], [ 0, %898 ]
-  %904 = shl i64 %903, 3
-  %905 = getelementptr i8, ptr %901, i64 %904
-  %906 = load i64, ptr %905, align 8
-  %907 = icmp slt i64 %906, 0
-  %908 = select i1 %907, i64 %39, i64 0
-  %909 = getelementptr i64, ptr %37, i64 %906
-  %910 = getelementptr i64, ptr %909, i64 %908
-  store i64 0, ptr %910, align 8
-  %911 = add i64 %903, 1
-  %912 = icmp eq i64 %1239, %911
-  br i1 %912, label %1631, label %902
-913:
-  %914 = phi i64 [ %953, %952 ], [ %1095, %1094 ], [ %1231, %1230 ]
-  %915 = phi i64 [ %955, %952 ], [ %1096, %1094 ], [ %1232, %1230 ]
-  %916 = icmp eq i64 %915, 0
-  br i1 %916, label %917, label %952
-917:
-  %918 = phi i64 [ %787, %786 ], [ %841, %865 ], [ %914, %913 ]
-  %919 = icmp sgt i64 %788, 1
-  br i1 %919, label %786, label %783
-920:
-  %921 = phi i64 [ %784, %783 ], [ 0, %781 ]
-  %922 = phi i64 [ %923, %783 ], [ 0, %781 ]
-  %923 = add nuw nsw i64 %922, 1
-  %924 = getelementptr i64, ptr %41, i64 %922
-  %925 = load i64, ptr %924, align 8
-  %926 = icmp slt i64 %925, 0
-  %927 = select i1 %926, i64 %21, i64 0
-  %928 = getelementptr i64, ptr %19, i64 %925
-  %929 = getelementptr i64, ptr %928, i64 %927
-  %930 = load i64, ptr %929, align 8
-  %931 = icmp slt i64 %925, -1
-  %932 = select i1 %931, i64 %21, i64 0
-  %933 = getelementptr i8, ptr %928, i64 8
-  %934 = getelementptr i64, ptr %933, i64 %932
-  %935 = load i64, ptr %934, align 8
-  %936 = sub i64 %935, %930
-  %937 = icmp slt i64 %936, 1
-  br i1 %937, label %783, label %786
-938:
-  %939 = select i1 %797, i64 %11, i64 0
-  %940 = add i64 %939, %796
-  %941 = mul i64 %940, %13
-  %942 = getelementptr i64, ptr %9, i64 %941
-  %943 = load i64, ptr %942, align 8
-  %944 = icmp slt i64 %943, 0
-  %945 = select i1 %944, i64 %39, i64 0
-  %946 = getelementptr i64, ptr %37, i64 %943
-  %947 = getelementptr i64, ptr %946, i64 %945
-  %948 = load i64, ptr %947, align 8
-  %949 = icmp eq i64 %948, 0
-  br i1 %949, label %805, label %950
-950:
-  %951 = shl i64 %941, 3
-  br label %816
-952:
-  %953 = phi i64 [ %914, %913 ], [ %863, %862 ]
-  %954 = phi i64 [ %915, %913 ], [ %864, %862 ]
-  %955 = add nsw i64 %954, -1
-  %956 = icmp sgt i64 %954, 0
-  %957 = select i1 %956, i64 0, i64 %51
-  %958 = getelementptr i64, ptr %49, i64 %955
-  %959 = getelementptr i64, ptr %958, i64 %957
-  %960 = load i64, ptr %959, align 8
-  %961 = icmp slt i64 %960, 0
-  %962 = select i1 %961, i64 %21, i64 0
-  %963 = getelementptr i64, ptr %19, i64 %960
-  %964 = getelementptr i64, ptr %963, i64 %962
-  %965 = load i64, ptr %964, align 8
-  %966 = icmp slt i64 %960, -1
-  %967 = select i1 %966, i64 %21, i64 0
-  %968 = getelementptr i8, ptr %963, i64 8
-  %969 = getelementptr i64, ptr %968, i64 %967
-  %970 = load i64, ptr %969, align 8
-  %971 = sub i64 %970, %965
-  %972 = icmp slt i64 %971, 1
-  br i1 %972, label %913, label %973
-973:
-  %974 = icmp slt i64 %965, 0
-  %975 = select i1 %974, i64 %25, i64 0
-  %976 = getelementptr i64, ptr %23, i64 %965
-  %977 = getelementptr i64, ptr %976, i64 %975
-  %978 = load i64, ptr %977, align 8
-  %979 = icmp slt i64 %978, 0
-  %980 = select i1 %979, i64 %29, i64 0
-  %981 = add i64 %980, %978
-  %982 = mul i64 %981, %31
-  %983 = getelementptr double, ptr %27, i64 %982
-  %984 = load double, ptr %105, align 8
-  %985 = load double, ptr %983, align 8
-  %986 = fdiv double %985, 3.000000e+00
-  %987 = fadd double %984, %986
-  store double %987, ptr %105, align 8
-  %988 = load double, ptr %136, align 8
-  %989 = getelementptr i8, ptr %983, i64 8
-  %990 = load double, ptr %989, align 8
-  %991 = fdiv double %990, 3.000000e+00
-  %992 = fadd double %988, %991
-  store double %992, ptr %136, align 8
-  %993 = load double, ptr %137, align 8
-  %994 = getelementptr i8, ptr %983, i64 16
-  %995 = load double, ptr %994, align 8
-  %996 = fdiv double %995, 3.000000e+00
-  %997 = fadd double %993, %996
-  store double %997, ptr %137, align 8
-  %998 = load double, ptr %138, align 8
-  %999 = getelementptr i8, ptr %983, i64 24
-  %1000 = load double, ptr %999, align 8
-  %1001 = fdiv double %1000, 3.000000e+00
-  %1002 = fadd double %998, %1001
-  store double %1002, ptr %138, align 8
-  %1003 = load double, ptr %139, align 8
-  %1004 = getelementptr i8, ptr %983, i64 32
-  %1005 = load double, ptr %1004, align 8
-  %1006 = fdiv double %1005, 3.000000e+00
-  %1007 = fadd double %1003, %1006
-  store double %1007, ptr %139, align 8
-  %1008 = select i1 %979, i64 %63, i64 0
-  %1009 = getelementptr i64, ptr %61, i64 %978
-  %1010 = getelementptr i64, ptr %1009, i64 %1008
-  %1011 = load i64, ptr %1010, align 8
-  %1012 = icmp eq i64 %1011, %487
-  %1013 = fcmp ogt double %987, %782
-  %1014 = select i1 %1012, i1 true, i1 %1013
-  br i1 %1014, label %1235, label %1015
-1015:
-  %1016 = select i1 %979, i64 %11, i64 0
-  %1017 = add i64 %1016, %978
-  %1018 = mul i64 %1017, %13
-  %1019 = getelementptr i64, ptr %9, i64 %1018
-  %1020 = load i64, ptr %1019, align 8
-  %1021 = icmp slt i64 %1020, 0
-  %1022 = select i1 %1021, i64 %39, i64 0
-  %1023 = getelementptr i64, ptr %37, i64 %1020
-  %1024 = getelementptr i64, ptr %1023, i64 %1022
-  %1025 = load i64, ptr %1024, align 8
-  %1026 = icmp eq i64 %1025, 0
-  br i1 %1026, label %1029, label %1027
-1027:
-  %1028 = shl i64 %1018, 3
-  br label %1042
-1029:
-  %1030 = shl i64 %1022, 3
-  %1031 = getelementptr inbounds i8, ptr %1023, i64 %1030
-  store i64 2, ptr %1031, align 8
-  %1032 = shl i64 %1018, 3
-  %1033 = getelementptr i8, ptr %9, i64 %1032
-  %1034 = load i64, ptr %1033, align 8
-  %1035 = icmp slt i64 %953, 0
-  %1036 = select i1 %1035, i64 %47, i64 0
-  %1037 = getelementptr i64, ptr %45, i64 %953
-  %1038 = getelementptr i64, ptr %1037, i64 %1036
-  store i64 %1034, ptr %1038, align 8
-  %1039 = shl i64 %957, 3
-  %1040 = getelementptr inbounds i8, ptr %958, i64 %1039
-  store i64 %1034, ptr %1040, align 8
-  %1041 = add nsw i64 %953, 1
-  br label %1042
-1042:
-  %1043 = phi i64 [ %1028, %1027 ], [ %1032, %1029 ]
-  %1044 = phi i64 [ %953, %1027 ], [ %1041, %1029 ]
-  %1045 = phi i64 [ %955, %1027 ], [ %954, %1029 ]
-  %1046 = getelementptr i8, ptr %9, i64 %1043
-  %1047 = getelementptr i8, ptr %1046, i64 8
-  %1048 = load i64, ptr %1047, align 8
-  %1049 = icmp slt i64 %1048, 0
-  %1050 = select i1 %1049, i64 %39, i64 0
-  %1051 = getelementptr i64, ptr %37, i64 %1048
-  %1052 = getelementptr i64, ptr %1051, i64 %1050
-  %1053 = load i64, ptr %1052, align 8
-  %1054 = icmp eq i64 %1053, 0
-  br i1 %1054, label %1055, label %1069
-1055:
-  %1056 = shl i64 %1050, 3
-  %1057 = getelementptr inbounds i8, ptr %1051, i64 %1056
-  store i64 2, ptr %1057, align 8
-  %1058 = load i64, ptr %1047, align 8
-  %1059 = icmp slt i64 %1044, 0
-  %1060 = select i1 %1059, i64 %47, i64 0
-  %1061 = getelementptr i64, ptr %45, i64 %1044
-  %1062 = getelementptr i64, ptr %1061, i64 %1060
-  store i64 %1058, ptr %1062, align 8
-  %1063 = icmp slt i64 %1045, 0
-  %1064 = select i1 %1063, i64 %51, i64 0
-  %1065 = getelementptr i64, ptr %49, i64 %1045
-  %1066 = getelementptr i64, ptr %1065, i64 %1064
-  store i64 %1058, ptr %1066, align 8
-  %1067 = add nsw i64 %1044, 1
-  %1068 = add nsw i64 %1045, 1
-  br label %1069
-1069:
-  %1070 = phi i64 [ %1067, %1055 ], [ %1044, %1042 ]
-  %1071 = phi i64 [ %1068, %1055 ], [ %1045, %1042 ]
-  %1072 = getelementptr i8, ptr %1046, i64 16
-  %1073 = load i64, ptr %1072, align 8
-  %1074 = icmp slt i64 %1073, 0
-  %1075 = select i1 %1074, i64 %39, i64 0
-  %1076 = getelementptr i64, ptr %37, i64 %1073
-  %1077 = getelementptr i64, ptr %1076, i64 %1075
-  %1078 = load i64, ptr %1077, align 8
-  %1079 = icmp eq i64 %1078, 0
-  br i1 %1079, label %1080, label %1094
-1080:
-  %1081 = shl i64 %1075, 3
-  %1082 = getelementptr inbounds i8, ptr %1076, i64 %1081
-  store i64 2, ptr %1082, align 8
-  %1083 = load i64, ptr %1072, align 8
-  %1084 = icmp slt i64 %1070, 0
-  %1085 = select i1 %1084, i64 %47, i64 0
-  %1086 = getelementptr i64, ptr %45, i64 %1070
-  %1087 = getelementptr i64, ptr %1086, i64 %1085
-  store i64 %1083, ptr %1087, align 8
-  %1088 = icmp slt i64 %1071, 0
-  %1089 = select i1 %1088, i64 %51, i64 0
-  %1090 = getelementptr i64, ptr %49, i64 %1071
-  %1091 = getelementptr i64, ptr %1090, i64 %1089
-  store i64 %1083, ptr %1091, align 8
-  %1092 = add nsw i64 %1070, 1
-  %1093 = add nsw i64 %1071, 1
-  br label %1094
-1094:
-  %1095 = phi i64 [ %1092, %1080 ], [ %1070, %1069 ]
-  %1096 = phi i64 [ %1093, %1080 ], [ %1071, %1069 ]
-  %1097 = icmp eq i64 %971, 1
-  br i1 %1097, label %913, label %1098
-1098:
-  %1099 = add nuw i64 %971, 1
-  br label %1100
-1100:
-  %1101 = phi i64 [ %1105, %1230 ], [ %965, %1098 ]
-  %1102 = phi i64 [ %1233, %1230 ], [ %1099, %1098 ]
-  %1103 = phi i64 [ %1232, %1230 ], [ %1096, %1098 ]
-  %1104 = phi i64 [ %1231, %1230 ], [ %1095, %1098 ]
-  %1105 = add i64 %1101, 1
-  %1106 = icmp slt i64 %1105, 0
-  %1107 = select i1 %1106, i64 %120, i64 0
-  %1108 = getelementptr i8, ptr %23, i64 %1107
-  %1109 = shl i64 %1105, 3
-  %1110 = getelementptr i8, ptr %1108, i64 %1109
-  %1111 = load i64, ptr %1110, align 8
-  %1112 = icmp slt i64 %1111, 0
-  %1113 = select i1 %1112, i64 %29, i64 0
-  %1114 = add i64 %1113, %1111
-  %1115 = mul i64 %1114, %31
-  %1116 = getelementptr double, ptr %27, i64 %1115
-  %1117 = load double, ptr %105, align 8
-  %1118 = load double, ptr %1116, align 8
-  %1119 = fdiv double %1118, 3.000000e+00
-  %1120 = fadd double %1117, %1119
-  store double %1120, ptr %105, align 8
-  %1121 = load double, ptr %136, align 8
-  %1122 = getelementptr i8, ptr %1116, i64 8
-  %1123 = load double, ptr %1122, align 8
-  %1124 = fdiv double %1123, 3.000000e+00
-  %1125 = fadd double %1121, %1124
-  store double %1125, ptr %136, align 8
-  %1126 = load double, ptr %137, align 8
-  %1127 = getelementptr i8, ptr %1116, i64 16
-  %1128 = load double, ptr %1127, align 8
-  %1129 = fdiv double %1128, 3.000000e+00
-  %1130 = fadd double %1126, %1129
-  store double %1130, ptr %137, align 8
-  %1131 = load double, ptr %138, align 8
-  %1132 = getelementptr i8, ptr %1116, i64 24
-  %1133 = load double, ptr %1132, align 8
-  %1134 = fdiv double %1133, 3.000000e+00
-  %1135 = fadd double %1131, %1134
-  store double %1135, ptr %138, align 8
-  %1136 = load double, ptr %139, align 8
-  %1137 = getelementptr i8, ptr %1116, i64 32
-  %1138 = load double, ptr %1137, align 8
-  %1139 = fdiv double %1138, 3.000000e+00
-  %1140 = fadd double %1136, %1139
-  store double %1140, ptr %139, align 8
-  %1141 = select i1 %1112, i64 %63, i64 0
-  %1142 = getelementptr i64, ptr %61, i64 %1111
-  %1143 = getelementptr i64, ptr %1142, i64 %1141
-  %1144 = load i64, ptr %1143, align 8
-  %1145 = icmp eq i64 %1144, %487
-  %1146 = fcmp ogt double %1120, %782
-  %1147 = select i1 %1145, i1 true, i1 %1146
-  br i1 %1147, label %1235, label %1148
-1148:
-  %1149 = select i1 %1112, i64 %11, i64 0
-  %1150 = add i64 %1149, %1111
-  %1151 = mul i64 %1150, %13
-  %1152 = getelementptr i64, ptr %9, i64 %1151
-  %1153 = load i64, ptr %1152, align 8
-  %1154 = icmp slt i64 %1153, 0
-  %1155 = select i1 %1154, i64 %39, i64 0
-  %1156 = getelementptr i64, ptr %37, i64 %1153
-  %1157 = getelementptr i64, ptr %1156, i64 %1155
-  %1158 = load i64, ptr %1157, align 8
-  %1159 = icmp eq i64 %1158, 0
-  br i1 %1159, label %1162, label %1160
-1160:
-  %1161 = shl i64 %1151, 3
-  br label %1178
-1162:
-  %1163 = shl i64 %1155, 3
-  %1164 = getelementptr inbounds i8, ptr %1156, i64 %1163
-  store i64 2, ptr %1164, align 8
-  %1165 = shl i64 %1151, 3
-  %1166 = getelementptr i8, ptr %9, i64 %1165
-  %1167 = load i64, ptr %1166, align 8
-  %1168 = icmp slt i64 %1104, 0
-  %1169 = select i1 %1168, i64 %47, i64 0
-  %1170 = getelementptr i64, ptr %45, i64 %1104
-  %1171 = getelementptr i64, ptr %1170, i64 %1169
-  store i64 %1167, ptr %1171, align 8
-  %1172 = icmp slt i64 %1103, 0
-  %1173 = select i1 %1172, i64 %51, i64 0
-  %1174 = getelementptr i64, ptr %49, i64 %1103
-  %1175 = getelementptr i64, ptr %1174, i64 %1173
-  store i64 %1167, ptr %1175, align 8
-  %1176 = add nsw i64 %1104, 1
-  %1177 = add nsw i64 %1103, 1
-  br label %1178
-1178:
-  %1179 = phi i64 [ %1161, %1160 ], [ %1165, %1162 ]
-  %1180 = phi i64 [ %1104, %1160 ], [ %1176, %1162 ]
-  %1181 = phi i64 [ %1103, %1160 ], [ %1177, %1162 ]
-  %1182 = getelementptr i8, ptr %9, i64 %1179
-  %1183 = getelementptr i8, ptr %1182, i64 8
-  %1184 = load i64, ptr %1183, align 8
-  %1185 = icmp slt i64 %1184, 0
-  %1186 = select i1 %1185, i64 %39, i64 0
-  %1187 = getelementptr i64, ptr %37, i64 %1184
-  %1188 = getelementptr i64, ptr %1187, i64 %1186
-  %1189 = load i64, ptr %1188, align 8
-  %1190 = icmp eq i64 %1189, 0
-  br i1 %1190, label %1191, label %1205
-1191:
-  %1192 = shl i64 %1186, 3
-  %1193 = getelementptr inbounds i8, ptr %1187, i64 %1192
-  store i64 2, ptr %1193, align 8
-  %1194 = load i64, ptr %1183, align 8
-  %1195 = icmp slt i64 %1180, 0
-  %1196 = select i1 %1195, i64 %47, i64 0
-  %1197 = getelementptr i64, ptr %45, i64 %1180
-  %1198 = getelementptr i64, ptr %1197, i64 %1196
-  store i64 %1194, ptr %1198, align 8
-  %1199 = icmp slt i64 %1181, 0
-  %1200 = select i1 %1199, i64 %51, i64 0
-  %1201 = getelementptr i64, ptr %49, i64 %1181
-  %1202 = getelementptr i64, ptr %1201, i64 %1200
-  store i64 %1194, ptr %1202, align 8
-  %1203 = add nsw i64 %1180, 1
-  %1204 = add nsw i64 %1181, 1
-  br label %1205
-1205:
-  %1206 = phi i64 [ %1203, %1191 ], [ %1180, %1178 ]
-  %1207 = phi i64 [ %1204, %1191 ], [ %1181, %1178 ]
-  %1208 = getelementptr i8, ptr %1182, i64 16
-  %1209 = load i64, ptr %1208, align 8
-  %1210 = icmp slt i64 %1209, 0
-  %1211 = select i1 %1210, i64 %39, i64 0
-  %1212 = getelementptr i64, ptr %37, i64 %1209
-  %1213 = getelementptr i64, ptr %1212, i64 %1211
-  %1214 = load i64, ptr %1213, align 8
-  %1215 = icmp eq i64 %1214, 0
-  br i1 %1215, label %1216, label %1230
-1216:
-  %1217 = shl i64 %1211, 3
-  %1218 = getelementptr inbounds i8, ptr %1212, i64 %1217
-  store i64 2, ptr %1218, align 8
-  %1219 = load i64, ptr %1208, align 8
-  %1220 = icmp slt i64 %1206, 0
-  %1221 = select i1 %1220, i64 %47, i64 0
-  %1222 = getelementptr i64, ptr %45, i64 %1206
-  %1223 = getelementptr i64, ptr %1222, i64 %1221
-  store i64 %1219, ptr %1223, align 8
-  %1224 = icmp slt i64 %1207, 0
-  %1225 = select i1 %1224, i64 %51, i64 0
-  %1226 = getelementptr i64, ptr %49, i64 %1207
-  %1227 = getelementptr i64, ptr %1226, i64 %1225
-  store i64 %1219, ptr %1227, align 8
-  %1228 = add nsw i64 %1206, 1
-  %1229 = add nsw i64 %1207, 1
-  br label %1230
-1230:
-  %1231 = phi i64 [ %1228, %1216 ], [ %1206, %1205 ]
-  %1232 = phi i64 [ %1229, %1216 ], [ %1207, %1205 ]
-  %1233 = add i64 %1102, -1
-  %1234 = icmp samesign ugt i64 %1233, 2
-  br i1 %1234, label %1100, label %913
-1235:
-  %1236 = phi i64 [ %1104, %1100 ], [ %953, %973 ]
-  %1237 = icmp slt i64 %1236, 1
-  br i1 %1237, label %1631, label %1238
-1238:
-  %1239 = and i64 %1236, 3
-  %1240 = icmp samesign ult i64 %1236, 4
-  br i1 %1240, label %898, label %1241
-1241:
-  %1242 = and i64 %1236, 9223372036854775804
-  br label %867
-1243:
-  %1244 = icmp sgt i64 %784, 0
-  br i1 %1244, label %1596, label %1631
-1245:
-  %1246 = phi i1 [ true, %1613 ], [ %1268, %1267 ]
-  %1247 = phi i64 [ 0, %1613 ], [ %1269, %1267 ]
-  br i1 %1246, label %1248, label %1267
-1248:
-  %1249 = shl i64 %1247, 3
-  %1250 = getelementptr i8, ptr %45, i64 %1249
-  %1251 = load i64, ptr %1250, align 8
-  %1252 = icmp slt i64 %1251, 0
-  %1253 = select i1 %1252, i64 %79, i64 0
-  %1254 = getelementptr i64, ptr %77, i64 %1251
-  %1255 = getelementptr i64, ptr %1254, i64 %1253
-  %1256 = load i64, ptr %1255, align 8
-  %1257 = icmp eq i64 %1256, 0
-  br i1 %1257, label %1258, label %1267
-1258:
-  %1259 = getelementptr i8, ptr %1250, i64 8
-  %1260 = load i64, ptr %1259, align 8
-  %1261 = icmp slt i64 %1260, 0
-  %1262 = select i1 %1261, i64 %79, i64 0
-  %1263 = getelementptr i64, ptr %77, i64 %1260
-  %1264 = getelementptr i64, ptr %1263, i64 %1262
-  %1265 = load i64, ptr %1264, align 8
-  %1266 = icmp eq i64 %1265, 0
-  br label %1267
-1267:
-  %1268 = phi i1 [ %1266, %1258 ], [ false, %1248 ], [ false, %1245 ]
-  %1269 = add nuw i64 %1247, 2
-  %1270 = icmp eq i64 %1614, %1269
-  br i1 %1270, label %1615, label %1245
-1271:
-  %1272 = icmp eq i64 %1636, %145
-  br i1 %1272, label %1300, label %1634
-1273:
-  %1274 = phi i64 [ %1671, %1670 ], [ %1297, %1273 ]
-  %1275 = phi i64 [ %1668, %1670 ], [ %1299, %1273 ]
-  %1276 = icmp slt i64 %1275, 0
-  %1277 = select i1 %1276, i64 %120, i64 0
-  %1278 = getelementptr i8, ptr %23, i64 %1277
-  %1279 = shl i64 %1275, 3
-  %1280 = getelementptr i8, ptr %1278, i64 %1279
-  %1281 = load i64, ptr %1280, align 8
-  %1282 = icmp slt i64 %1281, 0
-  %1283 = select i1 %1282, i64 %63, i64 0
-  %1284 = getelementptr i64, ptr %61, i64 %1281
-  %1285 = getelementptr i64, ptr %1284, i64 %1283
-  store i64 -1, ptr %1285, align 8
-  %1286 = add i64 %1275, 1
-  %1287 = icmp slt i64 %1286, 0
-  %1288 = select i1 %1287, i64 %120, i64 0
-  %1289 = getelementptr i8, ptr %23, i64 %1288
-  %1290 = getelementptr i8, ptr %1289, i64 %1279
-  %1291 = getelementptr i8, ptr %1290, i64 8
-  %1292 = load i64, ptr %1291, align 8
-  %1293 = icmp slt i64 %1292, 0
-  %1294 = select i1 %1293, i64 %63, i64 0
-  %1295 = getelementptr i64, ptr %61, i64 %1292
-  %1296 = getelementptr i64, ptr %1295, i64 %1294
-  store i64 -1, ptr %1296, align 8
-  %1297 = add i64 %1274, -2
-  %1298 = icmp samesign ugt i64 %1297, 2
-  %1299 = add i64 %1275, 2
-  br i1 %1298, label %1273, label %1271
-1300:
-  %1301 = load double, ptr %111, align 8
-  %1302 = fcmp ogt double %1301, %75
-  %1303 = fmul double %167, 1.500000e+00
-  %1304 = fcmp ogt double %164, %1303
-  %1305 = select i1 %1302, i1 true, i1 %1304
-  br i1 %1305, label %1690, label %1306
-1306:
-  br i1 %1632, label %1307, label %1690
-1307:
-  %1308 = icmp sgt i64 %1633, -1
-  br i1 %1308, label %1309, label %1461
-1309:
-  %1310 = load double, ptr %119, align 8
-  %1311 = fcmp ogt double %1310, 0.000000e+00
-  br i1 %1311, label %1312, label %1690
-1312:
-  %1313 = load double, ptr %124, align 8
-  %1314 = icmp slt i64 %165, 0
-  %1315 = select i1 %1314, i64 %83, i64 0
-  %1316 = add i64 %1315, %165
-  %1317 = mul i64 %1316, %85
-  %1318 = getelementptr double, ptr %81, i64 %1317
-  %1319 = load double, ptr %133, align 8
-  %1320 = fdiv double %1319, %1310
-  %1321 = getelementptr i8, ptr %1318, i64 24
-  store double %1320, ptr %1321, align 8
-  %1322 = load double, ptr %121, align 8
-  %1323 = fmul double %1320, %1322
-  %1324 = fdiv double %1323, 3.000000e+00
-  %1325 = fsub double %1313, %1324
-  %1326 = load double, ptr %134, align 8
-  %1327 = load double, ptr %119, align 8
-  %1328 = fdiv double %1326, %1327
-  %1329 = getelementptr i8, ptr %1318, i64 8
-  %1330 = getelementptr i8, ptr %1318, i64 32
-  store double %1328, ptr %1330, align 8
-  %1331 = load double, ptr %122, align 8
-  %1332 = fmul double %1328, %1331
-  %1333 = fdiv double %1332, 3.000000e+00
-  %1334 = fsub double %1325, %1333
-  %1335 = load double, ptr %135, align 8
-  %1336 = load double, ptr %119, align 8
-  %1337 = fdiv double %1335, %1336
-  %1338 = getelementptr i8, ptr %1318, i64 16
-  %1339 = getelementptr i8, ptr %1318, i64 40
-  store double %1337, ptr %1339, align 8
-  %1340 = load double, ptr %123, align 8
-  %1341 = fmul double %1337, %1340
-  %1342 = fdiv double %1341, 3.000000e+00
-  %1343 = fsub double %1334, %1342
-  %1344 = fmul double %1301, 0x401921FB54442D18
-  %1345 = fmul double %1310, %1310
-  %1346 = fdiv double %1344, %1345
-  %1347 = fadd double %1346, -5.000000e-01
-  %1348 = fcmp ogt double %1343, 0.000000e+00
-  %1349 = select i1 %1348, double %1347, double 0.000000e+00
-  %1350 = load double, ptr %111, align 8
-  %1351 = fcmp oge double %1350, %73
-  %1352 = fmul double %1349, 5.000000e-01
-  %1353 = select i1 %1351, double %1349, double %1352
-  store double %1353, ptr %1318, align 8
-  %1354 = load double, ptr %111, align 8
-  store double %164, ptr %1329, align 8
-  store double %1354, ptr %1338, align 8
-  %1355 = getelementptr i8, ptr %1318, i64 48
-  store double %1343, ptr %1355, align 8
-  %1356 = fcmp olt double %1353, %71
-  %1357 = fcmp ogt double %1353, %168
-  br i1 %1357, label %1358, label %1411
-1358:
-  %1359 = phi i64 [ %1376, %1358 ], [ 32, %1312 ]
-  %1360 = phi i64 [ %1371, %1358 ], [ 0, %1312 ]
-  %1361 = shl i64 %1360, 3
-  %1362 = getelementptr i8, ptr %41, i64 %1361
-  %1363 = load i64, ptr %1362, align 8
-  %1364 = getelementptr i8, ptr %88, i64 %1361
-  store i64 %1363, ptr %1364, align 8
-  %1365 = getelementptr i8, ptr %1362, i64 8
-  %1366 = load i64, ptr %1365, align 8
-  %1367 = getelementptr i8, ptr %1364, i64 8
-  store i64 %1366, ptr %1367, align 8
-  %1368 = getelementptr i8, ptr %1362, i64 16
-  %1369 = load i64, ptr %1368, align 8
-  %1370 = getelementptr i8, ptr %1364, i64 16
-  store i64 %1369, ptr %1370, align 8
-  %1371 = add nuw nsw i64 %1360, 4
-  %1372 = getelementptr i8, ptr %1362, i64 24
-  %1373 = load i64, ptr %1372, align 8
-  %1374 = getelementptr i8, ptr %1364, i64 24
-  store i64 %1373, ptr %1374, align 8
-  %1375 = icmp eq i64 %151, %1371
-  %1376 = add i64 %1359, 32
-  br i1 %1375, label %1672, label %1358
-1377:
-  %1378 = phi i64 [ 0, %1688 ], [ %1390, %1377 ]
-  %1379 = shl i64 %1378, 3
-  %1380 = getelementptr i8, ptr %45, i64 %1379
-  %1381 = load i64, ptr %1380, align 8
-  %1382 = getelementptr i8, ptr %153, i64 %1379
-  %1383 = getelementptr i8, ptr %1382, i64 -24
-  store i64 %1381, ptr %1383, align 8
-  %1384 = getelementptr i8, ptr %1380, i64 8
-  %1385 = load i64, ptr %1384, align 8
-  %1386 = getelementptr i8, ptr %1382, i64 -16
-  store i64 %1385, ptr %1386, align 8
-  %1387 = getelementptr i8, ptr %1380, i64 16
-  %1388 = load i64, ptr %1387, align 8
-  %1389 = getelementptr i8, ptr %1382, i64 -8
-  store i64 %1388, ptr %1389, align 8
-  %1390 = add i64 %1378, 4
-  %1391 = shl i64 %1390, 3
-  %1392 = getelementptr i8, ptr %45, i64 %1391
-  %1393 = getelementptr i8, ptr %1392, i64 -8
-  %1394 = load i64, ptr %1393, align 8
-  store i64 %1394, ptr %1382, align 8
-  %1395 = icmp eq i64 %1689, %1390
-  br i1 %1395, label %1396, label %1377
-1396:
-  %1397 = icmp eq i64 %1686, 0
-  br i1 %1397, label %1411, label %1398
-1398:
-  %1399 = phi i64 [ 0, %1685 ], [ %1689, %1396 ]
-  %1400 = shl i64 %1399, 3
-  %1401 = getelementptr i8, ptr %154, i64 %1400
-  %1402 = getelementptr i8, ptr %45, i64 %1400
-  br label %1403
-1403:
-  %1404 = phi i64 [ %1409, %1403 ], [ 0, %1398 ]
-  %1405 = shl nuw nsw i64 %1404, 3
-  %1406 = getelementptr i8, ptr %1402, i64 %1405
-  %1407 = load i64, ptr %1406, align 8
-  %1408 = getelementptr i8, ptr %1401, i64 %1405
-  store i64 %1407, ptr %1408, align 8
-  %1409 = add i64 %1404, 1
-  %1410 = icmp eq i64 %1686, %1409
-  br i1 %1410, label %1411, label %1403
-1411:
-  %1412 = phi i64 [ %166, %1312 ], [ %1683, %1682 ], [ %1683, %1396 ], [ %1683, %1403 ]
-  %1413 = phi double [ %168, %1312 ], [ %1353, %1682 ], [ %1353, %1396 ], [ %1353, %1403 ]
-  %1414 = add nsw i64 %165, 1
-  br label %1690
-1415:
-  %1416 = phi i64 [ 0, %1700 ], [ %1436, %1415 ]
-  %1417 = shl i64 %1416, 3
-  %1418 = getelementptr i8, ptr %45, i64 %1417
-  %1419 = load i64, ptr %1418, align 8
-  %1420 = icmp slt i64 %1419, 0
-  %1421 = select i1 %1420, i64 %39, i64 0
-  %1422 = getelementptr i64, ptr %37, i64 %1419
-  %1423 = getelementptr i64, ptr %1422, i64 %1421
-  store i64 0, ptr %1423, align 8
-  %1424 = getelementptr i8, ptr %1418, i64 8
-  %1425 = load i64, ptr %1424, align 8
-  %1426 = icmp slt i64 %1425, 0
-  %1427 = select i1 %1426, i64 %39, i64 0
-  %1428 = getelementptr i64, ptr %37, i64 %1425
-  %1429 = getelementptr i64, ptr %1428, i64 %1427
-  store i64 0, ptr %1429, align 8
-  %1430 = getelementptr i8, ptr %1418, i64 16
-  %1431 = load i64, ptr %1430, align 8
-  %1432 = icmp slt i64 %1431, 0
-  %1433 = select i1 %1432, i64 %39, i64 0
-  %1434 = getelementptr i64, ptr %37, i64 %1431
-  %1435 = getelementptr i64, ptr %1434, i64 %1433
-  store i64 0, ptr %1435, align 8
-  %1436 = add nuw nsw i64 %1416, 4
-  %1437 = getelementptr i8, ptr %1418, i64 24
-  %1438 = load i64, ptr %1437, align 8
-  %1439 = icmp slt i64 %1438, 0
-  %1440 = select i1 %1439, i64 %39, i64 0
-  %1441 = getelementptr i64, ptr %37, i64 %1438
-  %1442 = getelementptr i64, ptr %1441, i64 %1440
-  store i64 0, ptr %1442, align 8
-  %1443 = icmp eq i64 %1701, %1436
-  br i1 %1443, label %1444, label %1415
-1444:
-  %1445 = icmp eq i64 %1698, 0
-  br i1 %1445, label %1461, label %1446
-1446:
-  %1447 = phi i64 [ 0, %1697 ], [ %1701, %1444 ]
-  %1448 = shl i64 %1447, 3
-  %1449 = getelementptr i8, ptr %45, i64 %1448
-  br label %1450
-1450:
-  %1451 = phi i64 [ %1459, %1450 ], [ 0, %1446 ]
-  %1452 = shl nuw nsw i64 %1451, 3
-  %1453 = getelementptr i8, ptr %1449, i64 %1452
-  %1454 = load i64, ptr %1453, align 8
-  %1455 = icmp slt i64 %1454, 0
-  %1456 = select i1 %1455, i64 %39, i64 0
-  %1457 = getelementptr i64, ptr %37, i64 %1454
-  %1458 = getelementptr i64, ptr %1457, i64 %1456
-  store i64 0, ptr %1458, align 8
-  %1459 = add i64 %1451, 1
-  %1460 = icmp eq i64 %1698, %1459
-  br i1 %1460, label %1461, label %1450
-1461:
-  %1462 = phi i64 [ %165, %483 ], [ %1691, %1690 ], [ %165, %1307 ], [ %1691, %1444 ], [ %1691, %1450 ]
-  %1463 = phi i64 [ %166, %483 ], [ %1692, %1690 ], [ %166, %1307 ], [ %1692, %1444 ], [ %1692, %1450 ]
-  %1464 = phi double [ %167, %483 ], [ %1693, %1690 ], [ %167, %1307 ], [ %1693, %1444 ], [ %1693, %1450 ]
-  %1465 = phi double [ %168, %483 ], [ %1694, %1690 ], [ %168, %1307 ], [ %1694, %1444 ], [ %1694, %1450 ]
-  %1466 = phi i1 [ true, %483 ], [ %1695, %1690 ], [ true, %1307 ], [ %1695, %1444 ], [ %1695, %1450 ]
-  %1467 = fmul double %69, %164
-  br i1 %1466, label %163, label %1468
-1468:
-  %1469 = phi i64 [ %1462, %1461 ], [ %173, %477 ]
-  %1470 = phi i64 [ %1463, %1461 ], [ %174, %477 ]
-  %1471 = icmp slt i64 %1470, %90
-  br i1 %1471, label %1472, label %1702
-1472:
-  %1473 = getelementptr i64, ptr %88, i64 %1470
-  store i64 -1, ptr %1473, align 8
-  br label %1702
-1474:
-  %1475 = phi i64 [ 0, %1707 ], [ %1483, %1474 ]
-  %1476 = shl i64 %1475, 3
-  %1477 = getelementptr i8, ptr %33, i64 %1476
-  store double 0x7FF0000000000000, ptr %1477, align 8
-  %1478 = getelementptr i8, ptr %37, i64 %1476
-  store i64 0, ptr %1478, align 8
-  %1479 = getelementptr i8, ptr %1477, i64 8
-  store double 0x7FF0000000000000, ptr %1479, align 8
-  %1480 = getelementptr i8, ptr %1478, i64 8
-  store i64 0, ptr %1480, align 8
-  %1481 = getelementptr i8, ptr %1477, i64 16
-  store double 0x7FF0000000000000, ptr %1481, align 8
-  %1482 = getelementptr i8, ptr %1478, i64 16
-  store i64 0, ptr %1482, align 8
-  %1483 = add nuw nsw i64 %1475, 4
-  %1484 = getelementptr i8, ptr %1477, i64 24
-  store double 0x7FF0000000000000, ptr %1484, align 8
-  %1485 = getelementptr i8, ptr %1478, i64 24
-  store i64 0, ptr %1485, align 8
-  %1486 = icmp eq i64 %1708, %1483
-  br i1 %1486, label %1487, label %1474
-1487:
-  %1488 = icmp eq i64 %1705, 0
-  br i1 %1488, label %1709, label %1489
-1489:
-  %1490 = phi i64 [ 0, %1704 ], [ %1708, %1487 ]
-  %1491 = shl i64 %1490, 3
-  %1492 = getelementptr i8, ptr %37, i64 %1491
-  %1493 = getelementptr i8, ptr %33, i64 %1491
-  br label %1494
-1494:
-  %1495 = phi i64 [ %1499, %1494 ], [ 0, %1489 ]
-  %1496 = shl nuw nsw i64 %1495, 3
-  %1497 = getelementptr i8, ptr %1493, i64 %1496
-  store double 0x7FF0000000000000, ptr %1497, align 8
-  %1498 = getelementptr i8, ptr %1492, i64 %1496
-  store i64 0, ptr %1498, align 8
-  %1499 = add i64 %1495, 1
-  %1500 = icmp eq i64 %1705, %1499
-  br i1 %1500, label %1709, label %1494
-1501:
-  %1502 = phi i64 [ %492, %535 ], [ %1595, %1578 ], [ %492, %1544 ]
-  %1503 = phi i64 [ %491, %535 ], [ %1580, %1578 ], [ %491, %1544 ]
-  %1504 = add i64 %490, -1
-  %1505 = add i64 %493, 1
-  %1506 = icmp samesign ugt i64 %1504, 1
-  br i1 %1506, label %489, label %485
-1507:
-  %1508 = phi i64 [ 0, %171 ], [ %209, %216 ], [ %190, %208 ]
-  %1509 = icmp slt i64 %1508, 0
-  %1510 = select i1 %1509, i64 %55, i64 0
-  %1511 = getelementptr double, ptr %53, i64 %1508
-  %1512 = getelementptr double, ptr %1511, i64 %1510
-  store double %183, ptr %1512, align 8
-  %1513 = select i1 %1509, i64 %59, i64 0
-  %1514 = getelementptr i64, ptr %57, i64 %1508
-  %1515 = getelementptr i64, ptr %1514, i64 %1513
-  store i64 %187, ptr %1515, align 8
-  %1516 = icmp slt i64 %177, 0
-  %1517 = select i1 %1516, i64 %39, i64 0
-  %1518 = getelementptr i64, ptr %37, i64 %177
-  %1519 = getelementptr i64, ptr %1518, i64 %1517
-  %1520 = load i64, ptr %1519, align 8
-  %1521 = icmp eq i64 %1520, 1
-  br i1 %1521, label %477, label %231
-1522:
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %111, i8 0, i64 40, i1 false)
-  store double 0.000000e+00, ptr %119, align 8
-  br label %1523
-1523:
-  %1524 = phi i64 [ %487, %485 ], [ 0, %1522 ]
-  %1525 = phi i64 [ %486, %485 ], [ 0, %1522 ]
-  %1526 = phi i64 [ %1527, %485 ], [ 0, %1522 ]
-  %1527 = add nuw nsw i64 %1526, 1
-  %1528 = getelementptr i64, ptr %41, i64 %1526
-  %1529 = load i64, ptr %1528, align 8
-  %1530 = icmp slt i64 %1529, 0
-  %1531 = select i1 %1530, i64 %21, i64 0
-  %1532 = getelementptr i64, ptr %19, i64 %1529
-  %1533 = getelementptr i64, ptr %1532, i64 %1531
-  %1534 = load i64, ptr %1533, align 8
-  %1535 = icmp slt i64 %1529, -1
-  %1536 = select i1 %1535, i64 %21, i64 0
-  %1537 = getelementptr i8, ptr %1532, i64 8
-  %1538 = getelementptr i64, ptr %1537, i64 %1536
-  %1539 = load i64, ptr %1538, align 8
-  %1540 = sub i64 %1539, %1534
-  %1541 = icmp slt i64 %1540, 1
-  br i1 %1541, label %485, label %1542
-1542:
-  %1543 = add nuw i64 %1540, 1
-  br label %489
-1544:
-  %1545 = select i1 %500, i64 %29, i64 0
-  %1546 = add i64 %1545, %499
-  %1547 = mul i64 %1546, %31
-  %1548 = getelementptr double, ptr %27, i64 %1547
-  %1549 = load double, ptr %111, align 8
-  %1550 = load double, ptr %1548, align 8
-  %1551 = fdiv double %1550, 3.000000e+00
-  %1552 = fadd double %1549, %1551
-  store double %1552, ptr %111, align 8
-  %1553 = load double, ptr %121, align 8
-  %1554 = getelementptr i8, ptr %1548, i64 8
-  %1555 = load double, ptr %1554, align 8
-  %1556 = fdiv double %1555, 3.000000e+00
-  %1557 = fadd double %1553, %1556
-  store double %1557, ptr %121, align 8
-  %1558 = load double, ptr %122, align 8
-  %1559 = getelementptr i8, ptr %1548, i64 16
-  %1560 = load double, ptr %1559, align 8
-  %1561 = fdiv double %1560, 3.000000e+00
-  %1562 = fadd double %1558, %1561
-  store double %1562, ptr %122, align 8
-  %1563 = load double, ptr %123, align 8
-  %1564 = getelementptr i8, ptr %1548, i64 24
-  %1565 = load double, ptr %1564, align 8
-  %1566 = fdiv double %1565, 3.000000e+00
-  %1567 = fadd double %1563, %1566
-  store double %1567, ptr %123, align 8
-  %1568 = load double, ptr %124, align 8
-  %1569 = getelementptr i8, ptr %1548, i64 32
-  %1570 = load double, ptr %1569, align 8
-  %1571 = fdiv double %1570, 3.000000e+00
-  %1572 = fadd double %1568, %1571
-  store double %1572, ptr %124, align 8
-  br label %1501
-1573:
-  store double %776, ptr %119, align 8
-  %1574 = load double, ptr %125, align 8
-  store double %1574, ptr %133, align 8
-  %1575 = load double, ptr %126, align 8
-  store double %1575, ptr %134, align 8
-  %1576 = load double, ptr %127, align 8
-  store double %1576, ptr %135, align 8
-  %1577 = load double, ptr %128, align 8
-  br label %1578
-1578:
-  %1579 = phi double [ %775, %774 ], [ %1577, %1573 ]
-  %1580 = phi i64 [ %491, %774 ], [ %492, %1573 ]
-  %1581 = load double, ptr %111, align 8
-  %1582 = fadd double %1579, %1581
-  store double %1582, ptr %111, align 8
-  %1583 = load double, ptr %121, align 8
-  %1584 = load double, ptr %129, align 8
-  %1585 = fadd double %1583, %1584
-  store double %1585, ptr %121, align 8
-  %1586 = load double, ptr %122, align 8
-  %1587 = load double, ptr %130, align 8
-  %1588 = fadd double %1586, %1587
-  store double %1588, ptr %122, align 8
-  %1589 = load double, ptr %123, align 8
-  %1590 = load double, ptr %131, align 8
-  %1591 = fadd double %1589, %1590
-  store double %1591, ptr %123, align 8
-  %1592 = load double, ptr %124, align 8
-  %1593 = load double, ptr %132, align 8
-  %1594 = fadd double %1592, %1593
-  store double %1594, ptr %124, align 8
-  %1595 = add nsw i64 %492, 1
-  br label %1501
-1596:
-  %1597 = load double, ptr %111, align 8
-  %1598 = load double, ptr %105, align 8
-  %1599 = fadd double %1597, %1598
-  store double %1599, ptr %111, align 8
-  %1600 = load double, ptr %121, align 8
-  %1601 = load double, ptr %136, align 8
-  %1602 = fadd double %1600, %1601
-  store double %1602, ptr %121, align 8
-  %1603 = load double, ptr %122, align 8
-  %1604 = load double, ptr %137, align 8
-  %1605 = fadd double %1603, %1604
-  store double %1605, ptr %122, align 8
-  %1606 = load double, ptr %123, align 8
-  %1607 = load double, ptr %138, align 8
-  %1608 = fadd double %1606, %1607
-  store double %1608, ptr %123, align 8
-  %1609 = load double, ptr %124, align 8
-  %1610 = load double, ptr %139, align 8
-  %1611 = fadd double %1609, %1610
-  store double %1611, ptr %124, align 8
-  %1612 = icmp eq i64 %784, 1
-  br i1 %1612, label %1621, label %1613
-1613:
-  %1614 = and i64 %784, 9223372036854775806
-  br label %1245
-1615:
-  %1616 = and i64 %784, 1
-  %1617 = icmp eq i64 %1616, 0
-  %1618 = xor i1 %1268, true
-  %1619 = select i1 %1617, i1 true, i1 %1618
-  %1620 = select i1 %1617, i1 %1268, i1 false
-  br i1 %1619, label %1631, label %1621
-1621:
-  %1622 = phi i64 [ %1614, %1615 ], [ 0, %1596 ]
-  %1623 = getelementptr i64, ptr %45, i64 %1622
-  %1624 = load i64, ptr %1623, align 8
-  %1625 = icmp slt i64 %1624, 0
-  %1626 = select i1 %1625, i64 %79, i64 0
-  %1627 = getelementptr i64, ptr %77, i64 %1624
-  %1628 = getelementptr i64, ptr %1627, i64 %1626
-  %1629 = load i64, ptr %1628, align 8
-  %1630 = icmp eq i64 %1629, 0
-  br label %1631
-1631:
-  %1632 = phi i1 [ true, %779 ], [ %1620, %1615 ], [ true, %1243 ], [ %1630, %1621 ], [ true, %896 ], [ true, %1235 ], [ true, %902 ]
-  %1633 = phi i64 [ 0, %779 ], [ %784, %1615 ], [ %784, %1243 ], [ %784, %1621 ], [ -1, %896 ], [ -1, %1235 ], [ -1, %902 ]
-  br label %1634
-1634:
-  %1635 = phi i64 [ %1636, %1271 ], [ 0, %1631 ]
-  %1636 = add nuw nsw i64 %1635, 1
-  %1637 = getelementptr i64, ptr %41, i64 %1635
-  %1638 = load i64, ptr %1637, align 8
-  %1639 = icmp slt i64 %1638, 0
-  %1640 = select i1 %1639, i64 %21, i64 0
-  %1641 = getelementptr i64, ptr %19, i64 %1638
-  %1642 = getelementptr i64, ptr %1641, i64 %1640
-  %1643 = load i64, ptr %1642, align 8
-  %1644 = icmp slt i64 %1638, -1
-  %1645 = select i1 %1644, i64 %21, i64 0
-  %1646 = getelementptr i8, ptr %1641, i64 8
-  %1647 = getelementptr i64, ptr %1646, i64 %1645
-  %1648 = load i64, ptr %1647, align 8
-  %1649 = sub i64 %1648, %1643
-  %1650 = icmp slt i64 %1649, 1
-  br i1 %1650, label %1271, label %1651
-1651:
-  %1652 = add i64 %1643, 1
-  %1653 = and i64 %1649, 1
-  %1654 = icmp eq i64 %1653, 0
-  br i1 %1654, label %1666, label %1655
-1655:
-  %1656 = add nsw i64 %1649, -1
-  %1657 = icmp slt i64 %1643, 0
-  %1658 = select i1 %1657, i64 %25, i64 0
-  %1659 = getelementptr i64, ptr %23, i64 %1643
-  %1660 = getelementptr i64, ptr %1659, i64 %1658
-  %1661 = load i64, ptr %1660, align 8
-  %1662 = icmp slt i64 %1661, 0
-  %1663 = select i1 %1662, i64 %63, i64 0
-  %1664 = getelementptr i64, ptr %61, i64 %1661
-  %1665 = getelementptr i64, ptr %1664, i64 %1663
-  store i64 -1, ptr %1665, align 8
-  br label %1666
-1666:
-  %1667 = phi i64 [ %1649, %1651 ], [ %1656, %1655 ]
-  %1668 = phi i64 [ %1643, %1651 ], [ %1652, %1655 ]
-  %1669 = icmp eq i64 %1648, %1652
-  br i1 %1669, label %1271, label %1670
-1670:
-  %1671 = add nuw i64 %1667, 2
-  br label %1273
-1672:
-  br i1 %155, label %1682, label %1673
-1673:
-  %1674 = phi i64 [ %1680, %1673 ], [ %150, %1672 ]
-  %1675 = phi i64 [ %1679, %1673 ], [ %1359, %1672 ]
-  %1676 = getelementptr i8, ptr %41, i64 %1675
-  %1677 = load i64, ptr %1676, align 8
-  %1678 = getelementptr i8, ptr %88, i64 %1675
-  store i64 %1677, ptr %1678, align 8
-  %1679 = add nuw nsw i64 %1675, 8
-  %1680 = add nsw i64 %1674, -1
-  %1681 = icmp eq i64 %1680, 0
-  br i1 %1681, label %1682, label %1673
-1682:
-  %1683 = add nuw nsw i64 %1633, %145
-  %1684 = icmp eq i64 %1633, 0
-  br i1 %1684, label %1411, label %1685
-1685:
-  %1686 = and i64 %1633, 3
-  %1687 = icmp samesign ult i64 %1633, 4
-  br i1 %1687, label %1398, label %1688
-1688:
-  %1689 = and i64 %1633, 9223372036854775804
-  br label %1377
-1690:
-  %1691 = phi i64 [ %165, %1306 ], [ %1414, %1411 ], [ %165, %1309 ], [ %165, %1300 ]
-  %1692 = phi i64 [ %166, %1306 ], [ %1412, %1411 ], [ %166, %1309 ], [ %166, %1300 ]
-  %1693 = phi double [ %167, %1306 ], [ %164, %1411 ], [ %167, %1309 ], [ %167, %1300 ]
-  %1694 = phi double [ %168, %1306 ], [ %1413, %1411 ], [ %168, %1309 ], [ %168, %1300 ]
-  %1695 = phi i1 [ false, %1306 ], [ %1356, %1411 ], [ true, %1309 ], [ false, %1300 ]
-  %1696 = icmp slt i64 %1633, 1
-  br i1 %1696, label %1461, label %1697
-1697:
-  %1698 = and i64 %1633, 3
-  %1699 = icmp samesign ult i64 %1633, 4
-  br i1 %1699, label %1446, label %1700
-1700:
-  %1701 = and i64 %1633, 9223372036854775804
-  br label %1415
-1702:
-  %1703 = icmp slt i64 %35, 1
-  br i1 %1703, label %1709, label %1704
-1704:
-  %1705 = and i64 %35, 3
-  %1706 = icmp samesign ult i64 %35, 4
-  br i1 %1706, label %1489, label %1707
-1707:
-  %1708 = and i64 %35, 9223372036854775804
-  br label %1474
-1709:
-  ret i64 %1469
-}
 define i64 @msf_jax.meso.kernels.short_edges(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 16

@@ -21,8 +21,8 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.curve import branches, finishing, resampling
 from msf_jax.inside import containment
 from msf_jax.limbs import one_branch
-from msf_jax.limbs.caps import Caps
 from msf_jax.limbs.one_branch import Branch
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording.following import BoundSurface
@@ -165,12 +165,12 @@ class Skeleton:
     @cached_property
     def _slenderness(self) -> np.ndarray | None:
         """The slenderness of each leaf on the solid's surface; None if branches are measured by their balls."""
-        if self.source is None or self.report.wavefronts:
+        if self.source is None:
             return None
         solid = self.source.solid
-        return one_branch.slenderness(Caps(solid.outside), solid.enter(self.vertices), self.edges)
+        return one_branch.slenderness(LimbTree(solid.outside), solid.enter(self.vertices), self.edges)
 
-    def prune(self, slenderness: float = 1.0, detail: float | None = None) -> "Skeleton":
+    def prune(self, slenderness: float = 0.5, detail: float | None = None) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
 
         Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
@@ -181,7 +181,7 @@ class Skeleton:
         A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way. Components,
         cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
 
-        Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
+        Without its mesh, branches are pruned by their balls, the least slender first.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
@@ -193,10 +193,10 @@ class Skeleton:
             raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
         x, edges, least, is_pinned = self.vertices, self.edges, float(slenderness), _pinned(self)
         report, num, grown = self.report, len(self.vertices), 0
-        if self.source is not None and not report.wavefronts and least:
+        if self.source is not None and least:
             solid = self.source.solid
-            caps = Caps(solid.outside) if detail is None else Caps(solid.outside, float(detail))
-            choice = one_branch.choose(caps, solid.shape, solid.enter(x), edges, is_pinned, least)
+            tree, finest = LimbTree(solid.outside), 0.5 if detail is None else float(detail)
+            choice = one_branch.choose(tree, solid.shape, solid.enter(x), edges, is_pinned, least, finest)
             if detail is not None and (grown := choice.leaf.count(-1)):
                 new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
                 new, edges = containment.contain(solid.shape, new, edges, np.pad(is_pinned, (0, len(new) - num)))
@@ -204,19 +204,17 @@ class Skeleton:
             added = 0, len(x) - num
             worth = np.pad(choice.worth, added, constant_values=np.inf)
             stays, target = one_branch.kept(x, edges, worth, np.pad(is_pinned, added))
-            note = "the search for limbs ended early; branches that it did not try are kept"
-            report = replace(report, notes=report.notes + (note,) * choice.was_hit)
         elif detail is None:
             stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, self.radii), least, is_pinned)
         else:
             raise ConfigError(
-                f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "
-                "wavefronts, and a slenderness above 0; leave detail out"
+                f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, and a slenderness "
+                "above 0; leave detail out"
             )
         rank = np.cumsum(stays) - 1
         result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target][:num])
         gone = self.num_leaves + grown - result.num_leaves
-        counts = {"pruned": report.pruned + gone, "grown": report.grown + grown, "notes": report.notes}
+        counts = {"pruned": report.pruned + gone, "grown": report.grown + grown}
         return replace(result, report=replace(result.report, **counts))
 
     def resample(self, spacing: float) -> "Skeleton":
@@ -615,7 +613,7 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
         solid, vertex = source.solid, source.input_of_vertex
         radii = solid.radii(vertices)
         followed = None if vertex is None else mesh_map[vertex]
-        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed, report.wavefronts > 0))
+        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
         report = replace(report, inside=_share_inside(skeleton, vertices, edges, radii))
     else:  # radius of the largest ball inside one of the old balls
         nearest = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))

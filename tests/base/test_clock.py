@@ -3,7 +3,6 @@
 import signal
 import time
 
-import numpy as np
 import pytest
 from conftest import torus
 
@@ -14,7 +13,6 @@ from msf_jax.base import clock
 from msf_jax.base.clock import Clock, Stopped
 from msf_jax.curve import finishing
 from msf_jax.flow import loop, starting
-from msf_jax.limbs import caps
 
 SLOW = Config(flow=FlowOptions(threshold_min=0.003))
 
@@ -84,14 +82,6 @@ def test_finishing_ends_between_two_passes(mesh, monkeypatch):
     report = msf_jax.skeletonize(mesh, config=SLOW).report
     assert any("the run had to end before 1 of 1 curves had been finished" in note for note in report.notes)
     assert report.reason == "it is late" and not report.is_sound and "not proved" in report.doubts[0]
-
-
-def test_the_search_for_limbs_ends_between_two_tips(mesh, monkeypatch):
-    shape = starting.Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
-    over = Clock(max_seconds=0)
-    with pytest.raises(Stopped):
-        caps.Caps(shape, ask=over.ask).limbs(1.0)
-    assert over.reason == ""  # the run itself has not asked yet
 
 
 def test_what_follows_the_end_has_a_grace():

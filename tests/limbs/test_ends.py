@@ -2,27 +2,26 @@
 
 import itertools
 
-import manifold3d
 import numpy as np
 import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from limb_cases import Solid, as_shape, box, i_beam, round_bar
+from limb_cases import as_shape, box, i_beam, round_bar
 from scipy.spatial.transform import Rotation
 
 import msf_jax
 from msf_jax.limbs import ends, one_branch
-from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import triangle_areas
 
 
 def ends_of(shape: Enclosure) -> np.ndarray:
     """(n, 3) the ends of its limbs, the one with the least x first."""
-    caps = Caps(shape)
-    limbs = caps.limbs(0.9)
-    found = [caps.axis(shape, limbs, number).places[0] for number in range(len(limbs.caps))]
+    tree = LimbTree(shape)
+    limbs = tree.limbs(0.5, 0.5)
+    found = [tree.axis(shape, limbs, number).places[0] for number in range(len(limbs.limbs))]
     return np.array(sorted(found, key=tuple)).reshape(-1, 3)
 
 
@@ -150,36 +149,6 @@ def test_a_cube_and_a_square_plate_have_a_straight_curve_from_face_to_face(size,
     ends_at = TURN.inv().apply(skeleton.vertices[one_branch.leaves_of(skeleton.edges)])
     assert len(ends_at) == 2
     np.testing.assert_allclose(np.sort(np.abs(ends_at), axis=1), [[0, 0, size[0] / 2 - gap]] * 2, atol=0.04)
-
-
-def cone_in_a_block(height: float) -> Enclosure:
-    """A round block whose top is at 0, with a cone of radius 0.5 that sticks out, or goes in if it is negative."""
-    return lathed([(0, -2), (2, -2), (2, 0), (0.5, 0), (0, height)])
-
-
-@pytest.mark.parametrize("height", [1.0, -1.0])
-def test_the_volume_of_a_cap_is_that_of_its_solid(height):
-    """Closed by a fan, against a cone that is cut by a plane; negative for one that goes in, which is no limb."""
-    shape = cone_in_a_block(height)
-    tip = int(np.linalg.norm(shape.vertices - [0, 0, height], axis=1).argmin())
-    rows, _ = Caps(shape).grown(tip, np.zeros(len(shape.vertices), dtype=np.int64))
-    slant = np.hypot(0.5, 1.0)
-    on_cone = rows[(rows[:, 1] > 0.3 * slant) & (rows[:, 1] < slant)]
-    assert len(on_cone) > 10
-    for slenderness, radius, *_, volume in on_cone:
-        level = height * (1 - radius / slant)
-        cone = trimesh.creation.revolve([(0, level), (0.5 * radius / slant, level), (0, height)], sections=48)
-        assert volume == pytest.approx(np.sign(height) * abs(cone.volume), rel=1e-6)
-        assert slenderness > 0.3 if height > 0 else slenderness == 0
-
-
-HOLE = {
-    "bar": (box(10, 3, 3), (0.7, 0.14), 0.77, 2.27),
-    "bar, beside its end": (box(10, 3, 3), (3.4, 0.4), 0.64, 1.48),
-    "cylinder": (round_bar(6), (1.94, 0.04), 0.3, 1.03),
-    "plate": (box(4, 4, 1), (0.5, -0.7), 0.4, 0.6),
-    "ring": (Solid.revolve(manifold3d.CrossSection.circle(0.6, 24).translate((2.0, 0)), 48), (2.0, 0.0), 0.25, 0.8),
-}
 
 
 @settings(max_examples=2, deadline=None)

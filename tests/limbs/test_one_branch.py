@@ -10,7 +10,7 @@ from scipy import spatial
 import msf_jax
 from msf_jax.curve import finishing
 from msf_jax.limbs import one_branch
-from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.topology.graphs import cycle_count
 from tests.benchmarks import ground_truth
 
@@ -33,19 +33,19 @@ def leaves_at(x, edges):
 def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
     """Two leaves in the first of four fingers, four radii long, and one in the block below them."""
     shape = solid(fingers(), 0.15)
-    caps = Caps(shape)
-    limbs = caps.limbs(1.2)
+    tree = LimbTree(shape)
+    limbs = tree.limbs(1.2, 0.0)
     at = [[-1.2, 0, 0.7], [-1.15, 0, 0.5], [1.2, 1, -1.0]]
     x, edges = np.array([[0, 0, -1.0], *at]), as_edges([(0, 1), (0, 2), (0, 3)])
-    number = [int(np.argmin([abs(caps.shape.vertices[cap.tip, 0] - x) for cap in limbs.caps])) for x in (-1.2, 1.2)]
-    found = one_branch.choose(caps, caps.shape, x, edges, none_held(x), 1.2)
+    number = [int(np.argmin([abs(tree.shape.vertices[limb.tip, 0] - x) for limb in limbs.limbs])) for x in (-1.2, 1.2)]
+    found = one_branch.choose(tree, tree.shape, x, edges, none_held(x), 1.2, 0.0)
     assert found.leaf[number[0]] == 1 and found.leaf[number[1]] == -1 and sorted(found.leaf) == [-1, -1, -1, 1]
     assert found.worth[1] == np.inf and found.worth[2] == 0 and found.worth[3] < np.inf
     # The limb's width is its radius, and the finger ends at 1.0.
     for height, stays in ((0.9, 2), (0.5, 1)):
         x[2, 2] = height
         x[1, 2] = 0.95
-        assert one_branch.choose(caps, caps.shape, x, edges, np.arange(4) == 2, 1.2).leaf[number[0]] == stays
+        assert one_branch.choose(tree, tree.shape, x, edges, np.arange(4) == 2, 1.2, 0.0).leaf[number[0]] == stays
 
 
 @pytest.mark.parametrize("turn", [0.02, 0.3])
@@ -136,9 +136,9 @@ def test_components_keep_their_longest_path_unless_they_have_a_loop_or_two_limbs
 def test_a_lost_limb_gets_a_branch_through_its_middle():
     shape = solid(block() + LIMB["long cylinder"][0], 0.15)
     x, edges = trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
-    caps, held = Caps(shape), none_held(trunk[0])
-    choice = one_branch.choose(caps, caps.shape, x, edges, held, 1.2)
-    tops = [shape.vertices[cap.tip, 2] > 1 for cap in caps.limbs(1.2).caps]
+    tree, held = LimbTree(shape), none_held(trunk[0])
+    choice = one_branch.choose(tree, tree.shape, x, edges, held, 1.2, 0.5)
+    tops = [limb.place[2] > 1 for limb in tree.limbs(1.2, 0.5).limbs]
     (number,) = np.flatnonzero(tops)
     assert choice.leaf[number] == -1
     x, edges = one_branch.grown(shape, *trunk, choice)

@@ -87,9 +87,9 @@ def plant(num: int, first: float = 15.0) -> tuple[np.ndarray, np.ndarray, list[n
 def test_the_limbs_of_a_plant_of_long_triangles_end_on_their_axes():
     """Also the thick stem, at whose base the wavefronts begin."""
     vertices, faces, axes = plant(17)
-    found = laid(vertices, faces)
-    assert found is not None
-    leaves = found[0][np.bincount(found[1].ravel()) == 1]
+    assert laid(vertices, faces) is not None
+    found = msf_jax.skeletonize((vertices, faces))
+    leaves = found.vertices[np.bincount(found.edges.ravel()) == 1]
     ends = [
         (axes[0][0], axes[0][1], 3.9),
         (axes[0][1], axes[0][0], 2.1),
@@ -159,7 +159,6 @@ def test_joined_wires_are_one_tree():
         assert np.linalg.norm(leaves - end, axis=1).min() < 0.02
     curve = msf_jax.skeletonize(mesh, repair="join")
     assert curve.report.is_sound
-    # Its branches are measured by their balls: caps have too few triangles, and too little of the surface.
     assert curve.report.wavefronts == 1 and curve.num_leaves == 4
     slender = sorted(branch.slenderness for branch in curve.branches)
     assert all(value > 30 for value in slender) and curve.prune().num_leaves == 4
