@@ -18,7 +18,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import distinct
+from msf_jax.solid.geometry import arc_length, at, distinct
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import along_forest, down_forest, shortest_forest
 
@@ -30,6 +30,7 @@ MOST_TESTS = 15_000  # tests of edges in joining, for one curve
 MOST_TESTS_FOR_LOOPS = 60_000  # tests of edges in the search for missing loops
 REACHES = (2.0, 6.0)  # lengths of the edge to replace: longest detour over a ball, in the first and the second search
 TRIES = 8  # searches that may use untested edges; afterwards only tested edges are used
+PIECES = 8  # of each leg of a path, between which a straight line may lead past the ball
 VISITS = 5_000_000  # visits of balls by all searches for one curve
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
@@ -92,7 +93,7 @@ class Roadmap:
         for (start, end), has_ends in zip(number[place].tolist(), is_asked.tolist(), strict=True):
             path = np.empty((0, 3))
             if has_ends and graph.part[start] == graph.part[end] and self.num_visits <= VISITS:
-                path = graph.path(start, end)
+                path = self._shortened(graph.centre[start], graph.path(start, end), graph.centre[end])
                 self.num_visits += graph.num_visits
             elif has_ends and graph.part[start] != graph.part[end] and is_joined:
                 self.num_closed += 1
@@ -102,6 +103,21 @@ class Roadmap:
         if not is_local:
             self._links = graph.links_of_balls()
         return found
+
+    def _shortened(self, start: np.ndarray, path: np.ndarray, end: np.ndarray) -> np.ndarray:
+        """Points (k, 3) of a path inside along the ``path`` (k, 3), without detours to the centres of its balls."""
+        if not len(path):
+            return path
+        stops = np.concatenate([start[None], path, end[None]])
+        along = arc_length(stops)
+        whole = np.linspace(0, 1, PIECES, endpoint=False)
+        places = at(stops, along, np.append((along[:-1, None] + np.diff(along)[:, None] * whole).ravel(), along[-1]))
+        chosen, last = [0], len(places) - 1
+        while chosen[-1] < last:
+            ahead = np.arange(chosen[-1] + 2, last + 1)
+            is_open = self.test(self.shape, np.repeat(places[chosen[-1:]], len(ahead), axis=0), places[ahead])
+            chosen.append(int(ahead[is_open].max(initial=chosen[-1] + 1)))
+        return places[chosen[1:-1]]
 
     def loops_from(self, x: np.ndarray, edges: np.ndarray, is_complete: bool) -> Iterator[tuple[int, int, np.ndarray]]:
         """Paths inside that make loops around handles with the curve ``(x (N, 3), edges (E, 2))``, the shortest first.

@@ -124,11 +124,11 @@ class LimbTree:
     def __init__(self, shape: Enclosure):
         if ((faces := reconnected(shape.vertices, shape.faces)) != shape.faces).any():
             shape = Enclosure(shape.vertices, faces)
-        if len(shape.vertices) < SPLIT_BELOW:
+        finest = float(np.sqrt(triangle_areas(shape.triangles).sum() / SPLIT_BELOW))
+        if (np.linalg.norm(shape.triangles - np.roll(shape.triangles, 1, axis=1), axis=2) > finest).any():
             from manifold3d import Manifold, Mesh64  # imported here, because most runs do not need it
 
-            solid = Manifold(Mesh64(shape.vertices, shape.faces.astype(np.uint64)))
-            mesh = solid.refine_to_length(float(np.sqrt(solid.surface_area() / SPLIT_BELOW))).to_mesh64()
+            mesh = Manifold(Mesh64(shape.vertices, shape.faces.astype(np.uint64))).refine_to_length(finest).to_mesh64()
             shape = Enclosure(np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64))
         self.shape, self._found = shape, dict[tuple[float, float], Limbs]()
         self._component = graphs.labels_of_faces(shape.faces, len(shape.vertices)).astype(np.int64)
