@@ -33,7 +33,7 @@ from msf_jax.topology import graphs
 SOURCES = 32  # points, far from each other, whose distances are averaged; with 16, mirrored limbs differ by a sixth
 DIGITS = 6  # of distances that are compared: those of a symmetric solid differ by rounding
 SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that rings follow its limbs
-LEVELS = 400  # of a function on a component
+LEVELS = 800  # of a function on a component
 OFFSET = 0.37  # steps: from the lowest vertex to one of them, so that no level goes through many vertices
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
