@@ -168,10 +168,11 @@ def choose(
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
     left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A leaf behind a
-    hole across the limb is not at its end.
+    hole across the limb is not at its end. Where no leaf is, and a ball of the curve touches the tip of a limb that
+    only stands out, there is no limb: the outer side of an elbow.
     """
     leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
-    axes = [tree.axis(shape, limbs, number) for number in range(len(limbs.limbs))]
+    ball, axes = shape.approximate_clearance(vertices)[0], list[LimbAxis]()
     foot = feet(tree.shape, vertices[leaves])
     own = limbs.owner[foot]
     worth, leaf = np.zeros(len(vertices)), []
@@ -182,8 +183,13 @@ def choose(
         away = np.sqrt(2 * (time[limb.region].max() - time[foot[mine]]))
         is_end = is_held[leaves[mine]] & is_near_end(time, limb.area, limb.region, foot[mine])
         order = np.lexsort((away, ~is_end))
-        first = mine[order[away[order] < axes[number - 1].reach][:1]]
+        axis = tree.axis(shape, limbs, number - 1)
+        first = mine[order[away[order] < axis.reach][:1]]
+        far = np.linalg.norm(vertices - limb.place, axis=1)
+        if not len(first) and limb.detail > 0 and (ball >= TOUCHES * far).any():
+            continue
         worth[leaves[first]] = np.inf
+        axes.append(axis)
         leaf.append(int(leaves[first[0]]) if len(first) else -1)
     return Choice(worth, leaf, axes)
 
