@@ -27,6 +27,7 @@ from msf_jax.limbs import ends, fronts
 from msf_jax.limbs.levels import Levels, levels
 from msf_jax.meshes.reconnecting import reconnected
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.frame import RESOLUTION
 from msf_jax.solid.geometry import largest_of_each, triangle_areas
 from msf_jax.topology import graphs
 
@@ -441,8 +442,9 @@ def merge_tree(
     arc, ring, peaks, is_disc = (np.array(column) for column in zip(*rows, strict=True))
     area, vector, moment, count = np.split(np.array(sums), [1, 4, 5], axis=1)
     area, length, at = area[:, 0], np.maximum(found.perimeter[ring], 1e-300), (found.level[ring] - OFFSET) * step + low
-    # Closed by a fan over its ring, a pit has no volume.
-    is_solid = is_disc & (moment[:, 0] > np.einsum("ri,ri->r", found.centre[ring], vector))
+    # Closed by a fan over its ring, a pit has a negative volume, and a part of a flat face none but for rounding.
+    volume = moment[:, 0] - np.einsum("ri,ri->r", found.centre[ring], vector)
+    is_solid = is_disc & (volume > -4 * RESOLUTION * area)
     counts = is_solid & (count[:, 0] >= FEWEST) & (area < most * found.contents[:, 0].sum())
     far = peaks - at
     if last is not None:
