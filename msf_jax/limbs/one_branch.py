@@ -168,8 +168,8 @@ def choose(
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
     left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A leaf behind a
-    hole across the limb is not at its end. Where no leaf is, and a ball of the curve touches the tip of a limb that
-    only stands out, there is no limb: the outer side of an elbow.
+    hole across the limb is not at its end. A limb that only stands out, has no leaf, and is filled by a
+    ball of the curve gets none: it is the outer side of an elbow.
     """
     leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
     ball, axes = shape.approximate_clearance(vertices)[0], list[LimbAxis]()
@@ -185,8 +185,9 @@ def choose(
         order = np.lexsort((away, ~is_end))
         axis = tree.axis(shape, limbs, number - 1)
         first = mine[order[away[order] < axis.reach][:1]]
-        far = np.linalg.norm(vertices - limb.place, axis=1)
-        if not len(first) and limb.detail > 0 and (ball >= TOUCHES * far).any():
+        near = int((np.linalg.norm(vertices - limb.place, axis=1) - ball).argmin())
+        far = np.linalg.norm(tree.shape.vertices[limb.region] - vertices[near], axis=1)
+        if not len(first) and limb.detail > 0 and ball[near] >= TOUCHES * far.max():
             continue
         worth[leaves[first]] = np.inf
         axes.append(axis)

@@ -33,14 +33,14 @@ from msf_jax.topology import graphs
 
 SOURCES = 32  # points, far from each other, whose distances are averaged; with 16, mirrored limbs differ by a sixth
 DIGITS = 6  # of distances that are compared: those of a symmetric solid differ by rounding
-SPLIT_BELOW = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that rings follow its limbs
+SPLIT = 1_000  # squares of the longest edge that a component's area may have at least: rings follow its limbs then
 LEVELS = 800  # of a function on a component
 OFFSET = 0.37  # steps: from the lowest vertex to one of them, so that no level goes through many vertices
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
 # Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Ears, noses and snouts have
 # 0.46 and more, corners of a block 0.28, those of a thin plate up to 0.4.
-PERSISTENCE = 0.85
+PERSISTENCE = 0.8
 FLAT = -0.08  # slenderness of an elliptic disc of 2 : 1, the least of a limb: less, and a ring is no section
 FINEST = 0.95  # detail: any limb that could stand out
 
@@ -111,7 +111,8 @@ class Limbs(NamedTuple):
 
 
 class Patch(NamedTuple):
-    """A component of a surface. member: (v,) its vertices. points: (v, 3). faces: (f, 3). is_ball: without handles."""
+    """A component of a surface. member: (v,) the numbers of its vertices, which follow each other. points: (v, 3).
+    faces: (f, 3). is_ball: without handles."""
 
     member: np.ndarray
     points: np.ndarray
@@ -120,35 +121,23 @@ class Patch(NamedTuple):
 
 
 class LimbTree:
-    """The merge trees of the closed surface ``shape``, whose triangles are split if they are few."""
+    """The merge trees of the closed surface ``shape``, whose long triangles are split."""
+
+    parts: list[Patch]  # its components
 
     def __init__(self, shape: Enclosure):
         if ((faces := reconnected(shape.vertices, shape.faces)) != shape.faces).any():
             shape = Enclosure(shape.vertices, faces)
-        finest = float(np.sqrt(triangle_areas(shape.triangles).sum() / SPLIT_BELOW))
-        if (np.linalg.norm(shape.triangles - np.roll(shape.triangles, 1, axis=1), axis=2) > finest).any():
-            from manifold3d import Manifold, Mesh64  # imported here, because most runs do not need it
-
-            mesh = Manifold(Mesh64(shape.vertices, shape.faces.astype(np.uint64))).refine_to_length(finest).to_mesh64()
-            shape = Enclosure(np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64))
-        self.shape, self._found = shape, dict[tuple[float, float], Limbs]()
-        self._component = graphs.labels_of_faces(shape.faces, len(shape.vertices)).astype(np.int64)
+        self.parts, self._found = _patches(shape), dict[tuple[float, float], Limbs]()
+        points = np.concatenate([part.points for part in self.parts])
+        faces = np.concatenate([part.member[part.faces] for part in self.parts])
+        self.shape = Enclosure(points, faces) if len(self.parts) > 1 or len(points) > len(shape.vertices) else shape
+        self._component = np.repeat(np.arange(len(self.parts)), [len(part.points) for part in self.parts])
 
     @cached_property
     def _away(self) -> Callable[[np.ndarray], np.ndarray]:
         """See `fronts.distances`."""
         return fronts.distances(self.shape)
-
-    @cached_property
-    def parts(self) -> list[Patch]:
-        """The components of the surface."""
-        of_face, found = self._component[self.shape.faces[:, 0]], []
-        for number in range(self._component.max() + 1):
-            member, faces = np.flatnonzero(self._component == number), self.shape.faces[of_face == number]
-            faces = np.searchsorted(member, faces)
-            is_ball = 2 * len(member) - len(faces) == 4  # Euler's formula
-            found.append(Patch(member, self.shape.vertices[member], faces, is_ball))
-        return found
 
     @cached_property
     def trees(self) -> list[Arcs]:
@@ -232,6 +221,26 @@ class LimbTree:
             mine = np.flatnonzero(np.isin(feet, part.member))
             found[mine] = _slenderness_around(arcs, np.searchsorted(part.member, feet[mine]))
         return found
+
+
+def _patches(shape: Enclosure) -> list[Patch]:
+    """The components of a surface, each with its long triangles split as if it were alone."""
+    from manifold3d import Manifold, Mesh64
+
+    found, num = list[Patch](), 0
+    of_face = graphs.labels_of_faces(shape.faces, len(shape.vertices))[shape.faces[:, 0]]
+    ends = np.cumsum(np.bincount(of_face))[:-1]
+    for faces in np.split(shape.faces[np.argsort(of_face, kind="stable")], ends):
+        member, faces = np.unique(faces, return_inverse=True)
+        x, faces = shape.vertices[member], faces.reshape(-1, 3)
+        corners = x[faces]
+        finest = float(np.sqrt(triangle_areas(corners).sum() / SPLIT))
+        if (np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2) > finest).any():
+            mesh = Manifold(Mesh64(x, faces.astype(np.uint64))).refine_to_length(finest).to_mesh64()
+            x, faces = np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64)
+        found.append(Patch(np.arange(num, num + len(x)), x, faces, 2 * len(x) - len(faces) == 4))  # Euler's formula
+        num += len(x)
+    return found
 
 
 def _slenderness_around(arcs: Arcs, feet: np.ndarray) -> np.ndarray:
