@@ -75,6 +75,7 @@ class Job(NamedTuple):
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
     prune: least slenderness of a limb, 0 for no pruning (see `limbs.tree`). roadmap: paths through the solid.
     detail: of limbs (see `Config`). budget: of all centring together. limbs: returns the merge trees of the surface.
+    is_coarse: whether its triangles are too few for the rings of all limbs.
     """
 
     shape: Enclosure
@@ -84,6 +85,7 @@ class Job(NamedTuple):
     budget: centring.Budget
     limbs: Callable[[], LimbTree]
     detail: float
+    is_coarse: bool = False
 
 
 def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
@@ -184,6 +186,7 @@ def finish(
             laid = _by_wavefronts(outside or shape, nodes, edges, job, is_thin, is_tangle)
         if laid is not None:
             none = np.zeros(len(laid.vertices), dtype=bool)
+            job = job._replace(is_coarse=True)
             draft = Draft(laid.vertices, laid.edges, none, np.arange(len(none)), laid.node_of_vertex)
         is_tangle &= laid is None
         before = [] if first is None or laid is not None else [first]
@@ -380,6 +383,9 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
             missing = choice.leaf.count(-1)
             draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
             worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
+        if job.is_coarse:  # twice the least: any branch beyond the ball of its junction has half a ball's
+            x = draft.vertices
+            worth = one_branch.hold_tubes(x, draft.edges, job.shape.approximate_clearance(x)[0], worth, 2 * job.prune)
         stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())

@@ -163,7 +163,7 @@ def _skeleton(
     components, cycles = graphs.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    measure = assessed if is_finished else loops_of
+    measure = partial(assessed, is_tubular=report.wavefronts > 0) if is_finished else loops_of
     found: dict[str, Any] = {"doubts": (UNCHECKED,)}
     if not clock.reason:
         found = measure(solid.shape, solid.enter(vertices), edges, node_of_vertex)

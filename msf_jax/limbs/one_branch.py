@@ -202,6 +202,18 @@ def slenderness(tree: LimbTree, vertices: np.ndarray, edges: np.ndarray) -> np.n
     return found
 
 
+def hold_tubes(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, worth: np.ndarray, least: float
+) -> np.ndarray:
+    """The ``worth`` (N,), infinite also for the leaves of branches that are limbs by their balls (see `by_balls`)."""
+    slenderness, worth, degree = by_balls(vertices, radii), worth.copy(), np.bincount(edges.ravel())
+    for nodes in trace(len(vertices), edges):
+        for walk in (nodes, nodes[::-1]):
+            if degree[walk[0]] == 1 and degree[walk[-1]] > 2 and slenderness(iter(walk)) >= least:
+                worth[walk[0]] = np.inf
+    return worth
+
+
 def leaves_of(edges: np.ndarray) -> np.ndarray:
     """The nodes (l,) with one edge; a duplicate edge counts once."""
     return np.flatnonzero(np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel()) == 1)

@@ -229,8 +229,8 @@ def _patches(shape: Enclosure) -> list[Patch]:
 
     found, num = list[Patch](), 0
     of_face = graphs.labels_of_faces(shape.faces, len(shape.vertices))[shape.faces[:, 0]]
-    ends = np.cumsum(np.bincount(of_face))[:-1]
-    for faces in np.split(shape.faces[np.argsort(of_face, kind="stable")], ends):
+    first = np.cumsum(np.unique(of_face, return_counts=True)[1])[:-1]  # a vertex without a face has a label, too
+    for faces in np.split(shape.faces[np.argsort(of_face, kind="stable")], first):
         member, faces = np.unique(faces, return_inverse=True)
         x, faces = shape.vertices[member], faces.reshape(-1, 3)
         corners = x[faces]

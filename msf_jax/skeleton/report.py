@@ -246,11 +246,15 @@ def assessed(
     vertices: np.ndarray,
     edges: np.ndarray,
     node_of_vertex: np.ndarray | None = None,
+    is_tubular: bool = False,
 ) -> dict[str, Any]:
-    """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`."""
+    """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`.
+
+    ``is_tubular``: whether its branches are measured by their balls.
+    """
     about = loops_of(shape, vertices, edges, node_of_vertex)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
-    doubts = _stubs(shape, vertices, edges)
+    doubts = _stubs(shape, vertices, edges, is_tubular)
     if shares["in_sheets"] > MOSTLY:
         doubts.append(IN_SHEETS.format(shares["in_sheets"]))
     doubts += _folds(shape, vertices, edges)
@@ -258,11 +262,15 @@ def assessed(
     return about | shares | {"doubts": (*about["doubts"], *doubts)}
 
 
-def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[str]:
+def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_tubular: bool) -> list[str]:
     """The doubt about a curve with many stubs. Limbs are only measured where so many branches end."""
     if len(one_branch.leaves_of(edges)) < MANY:
         return []
-    slenderness = one_branch.slenderness(LimbTree(without_cavities(shape)), vertices, edges)
+    slenderness = (
+        one_branch.by_balls(vertices, shape.approximate_clearance(vertices)[0])
+        if is_tubular
+        else one_branch.slenderness(LimbTree(without_cavities(shape)), vertices, edges)
+    )
     slender = [branch.slenderness for branch in one_branch.measure(vertices, edges, slenderness)]
     ending, stubs = sum(np.isfinite(slender)), sum(each < STUB for each in slender)
     if stubs < MANY or stubs <= MOST_STUBS * ending:

@@ -165,7 +165,7 @@ class Skeleton:
     @cached_property
     def _slenderness(self) -> np.ndarray | None:
         """The slenderness of each leaf on the solid's surface; None if branches are measured by their balls."""
-        if self.source is None:
+        if self.source is None or self.report.wavefronts:
             return None
         solid = self.source.solid
         return one_branch.slenderness(LimbTree(solid.outside), solid.enter(self.vertices), self.edges)
@@ -181,7 +181,7 @@ class Skeleton:
         A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way. Components,
         cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
 
-        Without its mesh, branches are pruned by their balls, the least slender first.
+        Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
@@ -193,7 +193,7 @@ class Skeleton:
             raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
         x, edges, least, is_pinned = self.vertices, self.edges, float(slenderness), _pinned(self)
         report, num, grown = self.report, len(self.vertices), 0
-        if self.source is not None and least:
+        if self.source is not None and not report.wavefronts and least:
             solid = self.source.solid
             tree, finest = LimbTree(solid.outside), 0.5 if detail is None else float(detail)
             choice = one_branch.choose(tree, solid.shape, solid.enter(x), edges, is_pinned, least, finest)
@@ -208,8 +208,8 @@ class Skeleton:
             stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, self.radii), least, is_pinned)
         else:
             raise ConfigError(
-                f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, and a slenderness "
-                "above 0; leave detail out"
+                f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "
+                "wavefronts, and a slenderness above 0; leave detail out"
             )
         rank = np.cumsum(stays) - 1
         result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target][:num])
