@@ -46,6 +46,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         elif arguments.command == "completion":
             print(shtab.complete(parser, arguments.shell))
         else:
+            with held_interrupts():
+                import trimesh  # noqa: F401
             return COMMANDS[arguments.command](arguments)
         return 0
     except (MeshError, ConfigError, FlowError) as error:

@@ -87,13 +87,18 @@ class Clock:
 
 @contextmanager
 def held_interrupts() -> Iterator[None]:
-    """Hear Ctrl-C only at the end of this context. JAX crashes if its import is interrupted, and processes that are
-    started here never hear Ctrl-C, which a terminal sends to them, too."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    """Hear Ctrl-C only at the end of this context. JAX crashes if its import is interrupted, trimesh hides an interrupt
+    of its own, and processes that are started here never hear Ctrl-C, which a terminal sends to them, too."""
+    is_main, pressed = threading.current_thread() is threading.main_thread(), list[int]()
+    # Other threads may hear what is blocked in this one, and wake its handler.
+    handler = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number)) if is_main else None
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if hasattr(signal, "pthread_sigmask") else None
     try:
         yield
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if before is not None:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if is_main:
+            signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
+    if pressed and callable(handler):
+        handler(signal.SIGINT, None)
