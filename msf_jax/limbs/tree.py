@@ -131,7 +131,7 @@ class LimbTree:
         self.parts, self._found = _patches(shape), dict[tuple[float, float], Limbs]()
         points = np.concatenate([part.points for part in self.parts])
         faces = np.concatenate([part.member[part.faces] for part in self.parts])
-        self.shape = Enclosure(points, faces) if len(self.parts) > 1 or len(points) > len(shape.vertices) else shape
+        self.shape = shape if np.array_equal(points, shape.vertices) else Enclosure(points, faces)
         self._component = np.repeat(np.arange(len(self.parts)), [len(part.points) for part in self.parts])
 
     @cached_property
