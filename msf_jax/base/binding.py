@@ -20,7 +20,7 @@ FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near 
 # The smallest capacity of each field of `Sizes`. Capacities of the mesh grow by factors of two, those of the curve by
 # factors of four, independently, because a finer mesh has no more nodes. Each pair of capacities is a compiled program.
 SMALLEST_SIZES = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
-SMALLEST_SIZES |= {"corners": 6144, "turning": 71680}
+SMALLEST_SIZES |= {"corners": 6144, "turning": 28672}
 ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
     "nodes": ("rest", "side"),
     "faces": ("faces", "twin"),

@@ -177,39 +177,25 @@ def centre(
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
-    is_aside = np.zeros(num, dtype=bool) if is_aside is None else is_aside
-    degree = np.bincount(edges.ravel(), minlength=num)
     paths = measures.paths_of(x, edges, is_held)
     if not paths:
         return x
-    in_loop = graphs.core(num, edges)
-    is_arc = in_loop.copy()
+    is_arc = graphs.core(num, edges)
     for path in paths:
         is_arc[path.nodes] &= not path.is_loop
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
     at = places_of(shape, x)
     size = at.clearance.copy()
-    known, before = _Known(x, budget), np.zeros_like(x)
+    limbs = LimbSections(shape, x, edges, paths, is_held if is_aside is None else is_held | is_aside, budget)
+    before = np.zeros_like(x)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
             break
         x, clearance, near, _ = at
-        chord = measures.chords(x, paths, size)
+        chord, limb, found, weight, size = limbs.at(x, size, clearance, near)
         ahead = chord @ x
         tangent = unit(ahead)
-        clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
-        clear[is_aside] = 0.0
-        is_across = np.linalg.norm(ahead, axis=1) > FOLDED * size
-        limb = np.flatnonzero((degree > 0) & (clear > 0) & is_across & ~is_held & (clearance > 0))
-        found = known.at(shape, x, tangent, size, near, limb)
-        middle, reach = np.zeros_like(x), np.zeros(num)
-        middle[limb], reach[limb] = found.centroid, found.radius
-        is_own = found.is_around & ~measures.crossed_again(x, paths, tangent, middle, reach)[limb]
-        limb = limb[is_own]
-        found = sections.Sections(*(field[is_own] for field in found))
-        weight, everywhere = weighed(paths, clear, limb, found, 1e-6, in_loop)
-        size = measures.sizes(x, paths, *everywhere, clearance=clearance)
         wide = np.full(num, np.nan)
         wide[limb] = found.radius
         wide = measures.usual(paths, wide)
@@ -240,57 +226,68 @@ def centre(
     return at.x
 
 
-def weighed(
-    paths: list[BranchPath],
-    clear: np.ndarray,
-    limb: np.ndarray,
-    found: sections.Sections,
-    slight: float,
-    is_strict: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """The weights (L,) of the sections ``found`` of the nodes ``limb`` (L,), before their distances from nodes count;
-    and the size and the weight (2, N) of every node's section, 0 without one.
+class LimbSections:
+    """The sections of the limbs that a curve runs in: which nodes they are around, and what they say of the middle.
 
-    The usual radius of a branch is that of its sections of more than ``slight`` weight. ``clear`` (N,): see
-    `branches.clear_of_junctions`. ``is_strict`` (N,) are the nodes at which wide sections count less: in a loop,
-    those across a whole plate less than those beside a hole. In a branch they may be all that there are.
+    The last section of a node is used until the node has moved or turned by `AFRESH`. Nodes ``is_off`` (N,) have none.
     """
-    wide = np.where(is_strict[limb], found.radius / (LOPSIDED * found.size), 0.0)
-    weight = clear[limb] / (1 + wide**STEEP)
-    width = np.full(len(clear), np.nan)
-    width[limb[weight > slight]] = found.radius[weight > slight]
-    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
-    everywhere = np.zeros((2, len(clear)))
-    everywhere[:, limb] = found.size, weight
-    return weight, everywhere
 
-
-class _Known:
-    """The last section of each node, used until the node has moved or turned by `AFRESH`."""
-
-    def __init__(self, x: np.ndarray, budget: Budget):
-        self.budget = budget
+    def __init__(
+        self,
+        shape: Enclosure,
+        x: np.ndarray,
+        edges: np.ndarray,
+        paths: list[BranchPath],
+        is_off: np.ndarray,
+        budget: Budget,
+    ):
+        self.shape, self.paths, self.is_off, self.budget = shape, paths, is_off, budget
+        self.degree, self.in_loop = np.bincount(edges.ravel(), minlength=len(x)), graphs.core(len(x), edges)
         self.place, self.normal = np.full_like(x, np.inf), np.zeros_like(x)
         self.found = sections.nowhere(x)
 
     def at(
-        self,
-        shape: Enclosure,
-        x: np.ndarray,
-        tangent: np.ndarray,
-        size: np.ndarray,
-        near: np.ndarray,
-        limb: np.ndarray,
+        self, x: np.ndarray, size: np.ndarray, clearance: np.ndarray, near: np.ndarray
+    ) -> tuple[sparse.csr_matrix, np.ndarray, sections.Sections, np.ndarray, np.ndarray]:
+        """For nodes at ``x`` (N, 3): the matrix (N, N) to their chords, which sections are across; the nodes (L,) that
+        a section of their limb is around; these sections; their weights (L,), before distances from nodes count; and
+        the size (N,) of the limb at every node.
+
+        ``size`` (N,): an estimate. ``clearance``, ``near`` (N,): of a ball at each node, and a triangle near it.
+        """
+        chord = measures.chords(x, self.paths, size)
+        ahead = chord @ x
+        tangent = unit(ahead)
+        clear = measures.clear_of_junctions(x, self.paths, self.degree, size, ZONE, MARGIN)
+        is_across = np.linalg.norm(ahead, axis=1) > FOLDED * size
+        limb = np.flatnonzero((self.degree > 0) & (clear > 0) & is_across & ~self.is_off & (clearance > 0))
+        found = self._cut(x, tangent, size, near, limb)
+        middle, reach = np.zeros_like(x), np.zeros(len(x))
+        middle[limb], reach[limb] = found.centroid, found.radius
+        is_own = found.is_around & ~measures.crossed_again(x, self.paths, tangent, middle, reach)[limb]
+        limb, found = limb[is_own], sections.Sections(*(field[is_own] for field in found))
+        # In a loop, sections across a whole plate count less than those beside a hole. In a branch they may be all.
+        wide = np.where(self.in_loop[limb], found.radius / (LOPSIDED * found.size), 0.0)
+        weight = clear[limb] / (1 + wide**STEEP)
+        width = np.full(len(x), np.nan)
+        width[limb[weight > 1e-6]] = found.radius[weight > 1e-6]
+        weight *= np.minimum(1.0, np.nan_to_num(measures.usual(self.paths, width)[limb] / found.radius)) ** ROUNDNESS
+        everywhere = np.zeros((2, len(x)))
+        everywhere[:, limb] = found.size, weight
+        return chord, limb, found, weight, measures.sizes(x, self.paths, *everywhere, clearance=clearance)
+
+    def _cut(
+        self, x: np.ndarray, tangent: np.ndarray, size: np.ndarray, near: np.ndarray, limb: np.ndarray
     ) -> sections.Sections:
         """The sections of the nodes ``limb``; for a node that moved a little, the centroid is extrapolated."""
         moved = np.linalg.norm(x[limb] - self.place[limb], axis=1) / size[limb]
         turned = np.linalg.norm(tangent[limb] - self.normal[limb], axis=1)
         old = limb[(moved > AFRESH) | (turned > AFRESH)]
         if len(old):
-            corners = sections.corners(shape, x[old], tangent[old], size[old], near[old])
+            corners = sections.corners(self.shape, x[old], tangent[old], size[old], near[old])
             self.budget.left -= len(corners.loop)
-            found = sections.measured(shape, x[old], tangent[old], corners)
-            found = sections.held_in(shape, tangent[old], corners, found)
+            found = sections.measured(self.shape, x[old], tangent[old], corners)
+            found = sections.held_in(self.shape, tangent[old], corners, found)
             for field, value in zip(self.found, found, strict=True):
                 field[old] = value
             self.place[old], self.normal[old] = x[old], tangent[old]
