@@ -38,14 +38,12 @@ class Basis(NamedTuple):
 class Stretch(NamedTuple):
     """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
 
-    handover: (n,) for each row, the row of the stretch before, from which it starts. enter: (T, n) the same for each
-    iteration. rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the row of the first stretch whose pole each
-    row has. left: (T, 2, n, 3) residuals r of the solves. factor: (T,) the factor on w_L. group: (T, n) the row that
-    each row is merged into. share, blend: (T, n) its share of that row's position and weights. cut: (T, R, M, 3) the
-    ends of the split edge, and the apex.
+    enter: (T, n) the row of the workspace before, from which each row starts. rings: (T, S) each. degree, free, pull:
+    (T, n). site: (T, n) the row of the first stretch whose pole each row has. left: (T, 2, n, 3) residuals r of the
+    solves. factor: (T,) the factor on w_L. group: (T, n) the row that each row is merged into. share, blend: (T, n) its
+    share of that row's position and weights. cut: (T, R, M, 3) the ends of the split edge, and the apex.
     """
 
-    handover: Any
     enter: Any
     rings: Any
     degree: Any

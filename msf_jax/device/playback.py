@@ -43,10 +43,10 @@ def replay_part(
         if settings.w_H_follows_area:  # then no edge is edited, and rows are the same in all stretches
             rings = Rings(*(table[-1] for table in stretch.rings))
             first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
-            area = first[stretch.handover]
+            area = first[stretch.enter[0]]
         else:
             area = jnp.ones(layout.capacity, place.dtype)
-        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.handover], layout, settings)
+        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.enter[0]], layout, settings)
     meso = workspace[part.meso_row, :3]
     nodes = _mixed(part.nodes, meso, len(part.is_held), part.nodes.share)
     meso, nodes = (part.centre[None] + part.diagonal * (points @ part.axes) for points in (meso, nodes))
@@ -138,7 +138,8 @@ def _replay_stretch(
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 
-    lines = stretch._replace(handover=None)
+    own = jnp.arange(layout.capacity, dtype=stretch.enter.dtype)  # the first iteration has its rows already
+    lines = stretch._replace(enter=jnp.asarray(stretch.enter).at[0].set(own))
     # Reverse mode stores the workspace and the two solutions of every iteration, and recomputes the rest.
     return lax.scan(jax.checkpoint(iteration, policy=keeps_solutions), jnp.concatenate([rows, fresh]), lines)[0]
 

@@ -120,7 +120,7 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
         for part, shape in zip(tape.parts, tape.shapes, strict=True)
     ]
     meso, nodes = (jnp.concatenate(column) for column in zip(*results, strict=True))
-    return meso[tape.meso_row], nodes[tape.node_row]
+    return meso, nodes
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0, 1))

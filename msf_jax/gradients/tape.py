@@ -1,8 +1,8 @@
 """The tape of a run: its decisions, with which `replay` computes the same curve as a differentiable program.
 
 It has the one-rings, collapses and splits, the pole of each vertex, the fixed vertices, the map from vertices to nodes,
-and the residuals of the linear solves. It is a pytree of padded arrays, can be saved and loaded, and identifies its
-mesh. Only layouts and options are static, so that tapes of the same capacities share a program.
+and the residuals of the linear solves. It is a pytree of arrays, can be saved and loaded, and identifies its mesh.
+Only layouts and options are static.
 """
 
 import hashlib
@@ -28,7 +28,7 @@ from msf_jax.recording.records import Recording
 from msf_jax.skeleton.skeleton import Skeleton, Source
 
 KIND = "tape"  # of the file, see `archive`
-FORMAT_VERSION = 5  # of the format: files of other versions are refused
+FORMAT_VERSION = 6  # of the format: files of other versions are refused
 RECORDS = {  # the types that a file may contain, by name
     kind.__name__: kind
     for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, *GROUPS.values())
@@ -49,8 +49,6 @@ class Tape:
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
         offsets: (N, 3, 3) from those vertices to the triangle's corners; 0, but for corners that repair made.
         is_inside: (N,) whether the node is inside.
-        node_row: (N,) the row of each node in the concatenated padded nodes of all parts.
-        meso_row: (M,) the row of each vertex of the contracted surface in the concatenated padded ones of all parts.
         mesh_hash: (32,) uint8, of the mesh's vertices and faces.
         weights: of the run.
         shapes: layouts of the parts' buffers.
@@ -66,8 +64,6 @@ class Tape:
     triangles: Any
     offsets: Any
     is_inside: Any
-    node_row: Any
-    meso_row: Any
     mesh_hash: Any
     weights: Weights
     shapes: tuple[Shape, ...] = field(metadata={"static": True})
@@ -81,7 +77,7 @@ class Tape:
     @property
     def num_nodes(self) -> int:
         """The number of nodes of the recorded curve."""
-        return len(self.node_row)
+        return len(self.is_inside)
 
     @property
     def mesh_id(self) -> str:
@@ -158,20 +154,12 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         triangles=triangles,
         offsets=np.where(run.is_made[near][:, :, None], offsets, 0.0),
         is_inside=shape.contains(nodes),
-        node_row=_live([part.is_held for part in parts], [component.num_nodes for component in run.components]),
-        meso_row=_live([part.meso_row for part in parts], [component.num_meso for component in run.components]),
         mesh_hash=_hash(run.vertices, run.faces),
         weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
         shapes=shapes,
         config=config,
         is_joined=bool(run.is_made.any()),
     )
-
-
-def _live(arrays: list[np.ndarray], counts: list[int]) -> np.ndarray:
-    """The live rows of concatenated padded arrays: the first ``counts[k]`` rows of array k."""
-    first = np.cumsum([0, *map(len, arrays)])
-    return np.concatenate([start + np.arange(count) for start, count in zip(first, counts, strict=False)])
 
 
 def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
@@ -185,8 +173,8 @@ def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
     kinds = [(tape.parts, Part), (tape.shapes, Shape)]
     if len(tape.parts) != len(tape.shapes) or not all(isinstance(each, kind) for some, kind in kinds for each in some):
         raise ValueError("it has other parts than shapes")
-    num, nodes, rows = len(tape.vertices), tape.num_nodes, sum(len(part.is_held) for part in tape.parts)
-    most = {"node_of_vertex": nodes, "edges": nodes, "triangles": num, "node_row": rows}  # of indices
+    num, nodes = len(tape.vertices), sum(len(part.is_held) for part in tape.parts)
+    most = {"node_of_vertex": nodes, "edges": nodes, "triangles": num}  # of indices
     sizes = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "edges": (len(tape.edges), 2)}
     sizes |= {"triangles": (nodes, 3), "offsets": (nodes, 3, 3), "is_inside": (nodes,), "mesh_hash": (32,)}
     for name, shape in sizes.items():

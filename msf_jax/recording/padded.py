@@ -7,7 +7,8 @@ row, however many rounds there were. A split is not linear: its place, the proje
 three rows are recorded.
 """
 
-from typing import Any, NamedTuple
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from scipy import sparse
@@ -21,144 +22,126 @@ from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import ComponentRecord, FoundPoles, Step
 
 LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
-FEWEST_LINES = 8  # smallest capacity of a stretch, in iterations; idle ones cost almost nothing
-FEWEST_ROUNDS, FEWEST_CUTS = 16, 64  # smallest capacities of rounds of splits in an iteration, and of splits in a round
 WORTH_A_LAYOUT = 0.7  # ratio of the cost of two layouts to that of one, below which two are compiled
 
 
-class Planned(NamedTuple):
-    """Iterations from ``first`` up to, but not including, ``last`` share ``layout``."""
+def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
+    """The tape of a component, and the layouts of its stretches and of its mesh filter."""
+    start, steps, num = record.start, record.steps, len(record.vertices)
+    place, blend = edit_matrices(start.edits, num)
+    plan = layouts_of(steps)
+    order, capacity = (steps[0].order, plan[0][1].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
+    row = site = np.argsort(order)  # of each vertex: its row, and the row of the first stretch whose pole it has
+    stretches, first = [], 0
+    for last, layout in plan:
+        stretch, row, site = record_stretch(steps[first:last], layout, row, site)
+        stretches.append(stretch)
+        first = last
+    mesh_filter, mesh_layout = record_mesh_filter(start.mesh_filter, record.vertices, record.faces)
+    is_node = record.node_of_meso >= 0
+    node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
+    share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
+    means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
+    num_pins = np.bincount(record.node_of_pin, minlength=record.num_nodes)
+    part = Part(
+        vertices=record.vertices,
+        vertex_of_input=record.vertex_of_input.astype(np.int32),
+        is_pin=np.isin(np.arange(num), record.pins),
+        mesh_filter=mesh_filter,
+        gather=entries(place[order], blend[order]),
+        site_filter=record_site_filter(start.found.kept if start.found else None, steps, plan),
+        **record_poles(start.found, order, capacity),
+        stretches=tuple(stretches),
+        meso_row=row.astype(np.int32),
+        nodes=entries(*2 * [means @ edit_matrices(record.thinning, record.num_meso)[0]]),
+        pin_node=record.node_of_pin.astype(np.int32),
+        pin_input=record.vertex_of_input[record.pins].astype(np.int32),
+        pin_share=1.0 / num_pins[record.node_of_pin],
+        is_held=num_pins > 0,
+        centre=record.frame.centre,
+        diagonal=np.asarray(record.frame.diagonal),
+        axes=record.frame.axes,
+    )
+    return part, Shape(tuple(layout for _, layout in plan), mesh_layout)
 
-    first: int
-    last: int
-    layout: Layout
 
-
-class Row(NamedTuple):
-    """For every vertex (num_rows,): its row of the workspace, and the row of the first stretch whose pole it has."""
-
-    workspace: np.ndarray
-    site: np.ndarray
-
-
-def rung(count: int, smallest: int = 1) -> int:
-    """The smallest of ``smallest``, twice that, four times, ... that is at least ``count``; so there are few sizes."""
-    size = smallest
-    while size < count:
-        size *= 2
-    return size
-
-
-def size_for(count: int, smallest: int) -> int:
-    """A capacity for ``count``: a `rung` for a quarter more, so that a slightly longer run has the same."""
-    return rung(count + count // 4, smallest)
-
-
-def stretches_of(steps: list[Step]) -> list[Planned]:
-    """Divide the iterations into one or two layouts, whichever is cheaper.
+def layouts_of(steps: list[Step]) -> list[tuple[int, Layout]]:
+    """One or two layouts for the iterations, whichever are cheaper, each with the number of the first beyond it.
 
     Each layout takes seconds to compile. But a surface shrinks fast, and with one layout for all iterations, the late
     ones would consist mostly of padding.
     """
-    if not steps:
-        return []
+    beyond = [packing.rows_beyond(step.degree) for step in steps]
+    table = np.zeros((len(steps), max(map(len, beyond), default=0)), dtype=np.int64)
+    for line, counts in zip(table, beyond, strict=True):
+        line[: len(counts)] = counts
 
-    def needed(first: int, last: int) -> tuple[int, list[int]]:
-        beyond = [packing.rows_beyond(step.degree) for step in steps[first:last]]
-        most = np.zeros((len(beyond), max(map(len, beyond))), dtype=np.int64)
-        for row, counts in zip(most, beyond, strict=True):
-            row[: len(counts)] = counts
-        return max(len(step.order) for step in steps[first:last]), most.max(axis=0).tolist()
+    def planned(*bounds: int) -> list[tuple[int, Layout]]:
+        plan = []
+        for first, last in pairwise(bounds):
+            most, count = table[first:last].max(axis=0), max(len(step.order) for step in steps[first:last])
+            plan.append((last, layout_for(count, most[most > 0].tolist())))
+        return plan
 
-    def planned(first: int, last: int) -> Planned:
-        return Planned(first, last, layout_for(*needed(first, last)))
+    def cost(plan: list[tuple[int, Layout]]) -> int:
+        firsts = [0, *(last for last, _ in plan)]
+        return sum((last - first) * layout.num_slots for first, (last, layout) in zip(firsts, plan, strict=False))
 
-    def cost(plan: list[Planned]) -> float:
-        return sum(size_for(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
-
-    whole = [planned(0, len(steps))]
-    plans = [[planned(0, k), planned(k, len(steps))] for k in range(1, len(steps))]
-    best = min(plans, key=cost, default=whole)
+    whole = planned(0, len(steps)) if steps else []
+    best = min((planned(0, k, len(steps)) for k in range(1, len(steps))), key=cost, default=whole)
     return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
 
 
-def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple[tuple[Stretch, ...], np.ndarray]:
-    """A `Stretch` for each of ``plan``, and the row (m,) of each vertex of the meso-skeleton in the last workspace."""
-    if not steps:
-        return (), np.arange(num_meso)
-    first = np.argsort(steps[0].order)
-    at = Row(first, first)
-    stretches = []
-    for start, end, layout in plan:
-        stretch, at = _stretch(steps[start:end], layout, at)
-        stretches.append(stretch)
-    return tuple(stretches), at.workspace
-
-
-def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[Stretch, Row]:
+def record_stretch(
+    steps: list[Step], layout: Layout, row: np.ndarray, site: np.ndarray
+) -> tuple[Stretch, np.ndarray, np.ndarray]:
+    """The `Stretch` of ``steps`` in one layout. ``row`` (m,): of the workspace before, for every vertex. ``site`` (m,):
+    the row of the first stretch whose pole each vertex has. Returns what these are afterwards, too."""
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS)
-    num_cuts = size_for(max((len(done.a) for rounds in cuts for done in rounds), default=1), FEWEST_CUTS)
-    own = np.arange(capacity, dtype=np.int32)
-    lines, handovers = [], []
-    for number, (step, rounds) in enumerate(zip(steps, cuts, strict=True)):
-        num_rows = len(step.order)
-        rank = np.empty(num_rows, dtype=np.int64)
-        rank[step.order] = np.arange(num_rows)
-        enter, site = packing.pad(at.workspace[step.order], capacity, 0, np.dtype(np.int32)), at.site[step.order]
-        handovers.append(enter)
-        # Edits have ids of vertices. Here they become rows: of the buffers, and, for new vertices, of the workspace.
+    num_rounds, num_cuts = max(map(len, cuts)), max((len(done.a) for rounds in cuts for done in rounds), default=1)
+    own, lines = np.arange(capacity), []
+
+    def in_rows(values: np.ndarray, fill: float = 0.0, dtype: type = np.float64) -> np.ndarray:
+        return packing.pad(values, capacity, fill, np.dtype(dtype))
+
+    for step, rounds in zip(steps, cuts, strict=True):
+        rank, num_rows = np.argsort(step.order), len(step.order)
+        row_before, pole = row, in_rows(site[step.order], dtype=np.int32)
         group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
-        row_of, site_of = _rows_after(step, rank, at.site)
+        # Edits have ids of vertices. Here they become rows: of the buffers, and, for new vertices, of the workspace.
+        # A new vertex has no pole that pulls.
+        fresh = np.zeros(sum(len(done.new) for done in rounds), dtype=np.int64)
+        row, site = np.concatenate([rank, fresh]), np.concatenate([site, fresh])
         cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
         for k, done in enumerate(rounds):
-            row_of[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
+            row[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
             apex = done.a if done.apex is None else done.apex
-            cut[k, : len(done.a)] = np.stack([row_of[done.a], row_of[done.b], row_of[apex]], axis=1)
-        lines.append(
-            {
-                "rings": packing.slots(step.rings, step.degree, layout),
-                "degree": packing.pad(step.degree, capacity, 0, np.dtype(np.float64)),
-                "free": packing.pad(step.free, capacity, 0, np.dtype(np.float64)),
-                "pull": packing.pad(step.pull, capacity, 0, np.dtype(np.float64)),
-                "site": packing.pad(site, capacity, 0, np.dtype(np.int32)),
-                "left": np.pad(step.left.astype(np.float64), ((0, 0), (0, capacity - num_rows), (0, 0))),
-                "factor": np.asarray(step.factor),
-                "enter": enter if number else own,
-                "group": np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
-                "share": packing.pad(share[step.order], capacity, 1, np.dtype(np.float64)),
-                "blend": packing.pad(blend[step.order], capacity, 1, np.dtype(np.float64)),
-                "cut": cut,
-            }
+            cut[k, : len(done.a)] = np.stack([row[done.a], row[done.b], row[apex]], axis=1)
+        for edit in step.edits:
+            if isinstance(edit, CollapseRound):
+                site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
+        line = Stretch(
+            enter=in_rows(row_before[step.order], dtype=np.int32),
+            rings=packing.slots(step.rings, step.degree, layout),
+            degree=in_rows(step.degree),
+            free=in_rows(step.free),
+            pull=in_rows(step.pull),
+            site=pole,
+            left=np.pad(step.left.astype(np.float64), ((0, 0), (0, capacity - num_rows), (0, 0))),
+            factor=np.asarray(step.factor),
+            group=np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
+            share=in_rows(share[step.order], 1.0),
+            blend=in_rows(blend[step.order], 1.0),
+            cut=cut,
         )
-        live = [edit.live for edit in step.edits if isinstance(edit, Compaction)]
-        at = Row(*((row_of, site_of) if not live else (row_of[live[0]], site_of[live[0]])))
-    idle = _idle(lines[0], layout)
-    lines = [idle] * (size_for(len(lines), FEWEST_LINES) - len(lines)) + lines
-    rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
-    stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
-    return Stretch(**stacked, rings=rings, handover=handovers[0]), at
-
-
-def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The row of every vertex, extended for new vertices, and the site of its pole after the collapses."""
-    num_new = sum(len(edit.new) for edit in step.edits if isinstance(edit, SplitRound))
-    site = np.concatenate([site, np.zeros(num_new, dtype=np.int64)])  # a new vertex has no pole that pulls
-    for edit in step.edits:
-        if isinstance(edit, CollapseRound):
-            site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
-    return np.concatenate([rank, np.zeros(num_new, dtype=np.int64)]), site
-
-
-def _idle(line: dict[str, Any], layout: Layout) -> dict[str, Any]:
-    """An iteration that does nothing: no vertex is free or has neighbours, and there are no collapses or splits."""
-    own = np.arange(layout.capacity, dtype=np.int32)
-    of_slot = np.concatenate([own[: level.rows] for level in layout.levels for _ in range(level.slots)])
-    idle = {name: np.zeros_like(values) for name, values in line.items() if name != "rings"}
-    ones = {name: np.ones_like(line[name]) for name in ("factor", "share", "blend")}
-    rings = (of_slot, of_slot, of_slot, np.zeros(len(of_slot), dtype=bool))
-    return idle | ones | {"rings": rings, "enter": own, "group": own}
+        lines.append(line)
+        for edit in step.edits:
+            if isinstance(edit, Compaction):
+                row, site = row[edit.live], site[edit.live]
+    rings = tuple(np.stack(table) for table in zip(*(line.rings for line in lines), strict=True))
+    stacked = {name: np.stack([getattr(line, name) for line in lines]) for name in Stretch._fields if name != "rings"}
+    return Stretch(rings=rings, **stacked), row, site
 
 
 def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -175,97 +158,44 @@ def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.n
     return group, share, mean
 
 
-def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
-    """The tape of a component, and the layouts of its stretches and of its mesh filter."""
-    start, steps = record.start, record.steps
-    num = len(record.vertices)
-    place, blend = edit_matrices(start.edits, num)
-    capacity = place.shape[0]
-    order = np.arange(capacity)
-    plan = stretches_of(steps)
-    if steps:
-        order, capacity = steps[0].order, plan[0].layout.capacity
-    mesh_filter, mesh_layout = record_mesh_filter(start.mesh_filter, record.vertices, record.faces)
-    stretches, meso_row = record_steps(steps, plan, record.num_meso)
-    thinned = edit_matrices(record.thinning, record.num_meso)[0]
-    is_node = record.node_of_meso >= 0
-    node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
-    share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
-    means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
-    is_held = np.zeros(size_for(record.num_nodes, 64), dtype=bool)
-    is_held[record.node_of_pin] = True
-    pin_count = np.bincount(record.node_of_pin, minlength=len(is_held))
-    is_pin = np.zeros(num, dtype=bool)
-    is_pin[record.pins] = True
-    part = Part(
-        vertices=record.vertices,
-        vertex_of_input=record.vertex_of_input.astype(np.int32),
-        is_pin=is_pin,
-        mesh_filter=mesh_filter,
-        gather=entries(place[order], blend[order]),
-        site_filter=record_site_filter(start.found.kept if start.found else None, steps, plan),
-        **record_poles(start.found, order, capacity),
-        stretches=stretches,
-        meso_row=packing.pad(meso_row, size_for(len(meso_row), 512), 0, np.dtype(np.int32)),
-        nodes=entries(means @ thinned),
-        pin_node=record.node_of_pin.astype(np.int32),
-        pin_input=record.vertex_of_input[record.pins].astype(np.int32),
-        pin_share=1.0 / np.maximum(pin_count[record.node_of_pin], 1),
-        is_held=is_held,
-        centre=record.frame.centre,
-        diagonal=np.asarray(record.frame.diagonal),
-        axes=record.frame.axes,
-    )
-    return part, Shape(tuple(planned.layout for planned in plan), mesh_layout)
-
-
 def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
     """The effect of ``edits`` with known fractions on positions and on weights: sparse matrices (rows after, before).
 
     They differ at a fixed vertex: in a collapse it keeps its position, but gets the mean of the weights.
     """
-    place: Any = sparse.csr_matrix(sparse.identity(num_rows))
-    blend = place
-    collapses: list[CollapseRound] = []
-    for edit in [*edits, None]:
+    both: list[Any] = [sparse.csr_matrix(sparse.identity(num_rows)) for _ in range(2)]
+    for edit in edits:
+        row = np.arange(both[0].shape[0])
         if isinstance(edit, CollapseRound):
-            collapses.append(edit)
-            continue
-        if collapses:
-            group, share, mean = merged(collapses, num_rows)
-            row = np.arange(num_rows)
-            place = sparse.csr_matrix((share, (group, row)), shape=(num_rows, num_rows)) @ place
-            blend = sparse.csr_matrix((mean, (group, row)), shape=(num_rows, num_rows)) @ blend
-            collapses = []
-        if isinstance(edit, SplitRound):
-            fresh = np.arange(len(edit.a))
-            shares, rows = np.concatenate([1 - edit.fraction, edit.fraction]), np.concatenate([fresh, fresh])
-            cut = sparse.csr_matrix((shares, (rows, np.concatenate([edit.a, edit.b]))), shape=(len(fresh), num_rows))
-            place, blend = sparse.vstack([place, cut @ place]).tocsr(), sparse.vstack([blend, cut @ blend]).tocsr()
-            num_rows += len(fresh)
+            group, *shares = merged([edit], len(row))
+            steps = [sparse.csr_matrix((share, (group, row)), shape=(len(row), len(row))) for share in shares]
+            both = [step @ matrix for step, matrix in zip(steps, both, strict=True)]
+        elif isinstance(edit, SplitRound):
+            fresh, ends = np.arange(len(edit.a)), np.r_[edit.a, edit.b]
+            shares = np.r_[1 - edit.fraction, edit.fraction]
+            cut = sparse.csr_matrix((shares, (np.r_[fresh, fresh], ends)), shape=(len(fresh), len(row)))
+            both = [sparse.vstack([matrix, cut @ matrix], format="csr") for matrix in both]
         elif isinstance(edit, Compaction):
-            place, blend = place[edit.live], blend[edit.live]
-            num_rows = len(edit.live)
-    return place, blend
+            both = [matrix[edit.live] for matrix in both]
+    return both[0], both[1]
 
 
-def entries(place: Any, blend: Any = None) -> Mixing:
-    """The matrices' entries, padded with zeros."""
-    blend = place if blend is None else blend
+def entries(place: Any, blend: Any) -> Mixing:
+    """The entries of two matrices that one or the other has."""
     row, column = (abs(place) + abs(blend)).nonzero()
-    size = size_for(len(row), 256)
-    shares = (np.asarray(matrix[row, column]).ravel() for matrix in (place, blend))
-    arrays = row.astype(np.int32), column.astype(np.int32), *shares
-    return Mixing(*(packing.pad(values, size, 0, values.dtype) for values in arrays))
+    shares = [np.asarray(matrix[row, column]).ravel() for matrix in (place, blend)]
+    return Mixing(row.astype(np.int32), column.astype(np.int32), *shares)
 
 
-def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Planned]) -> Basis | Polynomial | None:
+def record_site_filter(
+    kept: LowPass | None, steps: list[Step], plan: list[tuple[int, Layout]]
+) -> Basis | Polynomial | None:
     """The filter of the sites of poles, for the first rows of the flow."""
     if kept is None or not steps:
         return None
+    first, layout = steps[0], plan[0][1]
     if kept.basis is not None:
-        return Basis(packing.pad(kept.basis[steps[0].order], plan[0].layout.capacity, 0, kept.basis.dtype))
-    layout, first = plan[0].layout, steps[0]
+        return Basis(packing.pad(kept.basis[first.order], layout.capacity, 0, kept.basis.dtype))
     own = np.arange(layout.capacity)
     return _polynomial(kept, packing.slots(first.rings, first.degree, layout), first.degree, own, own)
 
@@ -281,24 +211,17 @@ def record_mesh_filter(
     meso = Meso.from_mesh(vertices, faces)
     layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
-    row = np.argsort(order)
     vertex = packing.pad(order, layout.capacity, 0, order.dtype)
-    return _polynomial(kept, fields["rings"], fields["degree"], vertex, row), layout
+    return _polynomial(kept, fields["rings"], fields["degree"], vertex, np.argsort(order)), layout
 
 
 def _polynomial(
     kept: LowPass, rings: tuple[np.ndarray, ...], degree: np.ndarray, vertex: np.ndarray, row: np.ndarray
 ) -> Polynomial:
     neighbour, _, _, is_used = rings
-    return Polynomial(
-        vertex=vertex.astype(np.int32),
-        row=row.astype(np.int32),
-        neighbour=neighbour,
-        is_used=is_used,
-        degree=packing.pad(degree, len(vertex), 0, np.dtype(np.float64)),
-        share=packing.pad(kept.share, rung(len(kept.share), 32), 0, np.dtype(np.float64)),
-        top=np.asarray(kept.top),
-    )
+    degree = packing.pad(degree, len(vertex), 0, np.dtype(np.float64))
+    ids = vertex.astype(np.int32), row.astype(np.int32), neighbour
+    return Polynomial(*ids, is_used, degree, kept.share, np.asarray(kept.top))
 
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
@@ -310,8 +233,7 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
-    rank = np.argsort(order)
-    corner = found.sites[found.tetrahedron]
+    corner, is_inside = found.sites[found.tetrahedron], found.is_inside[:, None]
     a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
     square = [np.einsum("ij,ij->i", edge, edge) for edge in (a, b, c)]
     determinant = np.einsum("ij,ij->i", a, np.cross(b, c))
@@ -320,10 +242,9 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
     sum_ = sum(s[:, None] * n for s, n in zip(square, (np.cross(b, c), np.cross(c, a), np.cross(a, b)), strict=True))
     centre = corner[:, 0] + sum_ / (2 * np.where(is_firm, determinant, 1.0))[:, None]
     offset = found.poles - np.where(is_firm[:, None], centre, corner.mean(axis=1))
-    tetrahedron = np.where(found.is_inside[:, None], rank[found.tetrahedron], 0)
-    offset = np.where(found.is_inside[:, None], offset, 0.0)
-    return {
-        "tetrahedron": packing.pad(tetrahedron[order], capacity, 0, np.dtype(np.int32)),
-        "is_firm": packing.pad(is_firm[order], capacity, 0, np.dtype(bool)),
-        "offset": packing.pad(offset[order], capacity, 0, np.dtype(np.float64)),
+    fields = {
+        "tetrahedron": np.where(is_inside, np.argsort(order)[found.tetrahedron], 0).astype(np.int32),
+        "is_firm": is_firm,
+        "offset": np.where(is_inside, offset, 0.0),
     }
+    return {name: packing.pad(values[order], capacity, 0, values.dtype) for name, values in fields.items()}

@@ -16,7 +16,6 @@ from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Tape, 
 from msf_jax.base.layout import layout_for
 from msf_jax.gradients import replay, tape
 from msf_jax.recording import padded
-from msf_jax.recording.padded import Planned
 
 pytestmark = pytest.mark.usefixtures("few_rows")
 
@@ -93,10 +92,10 @@ def test_padding_does_not_matter(flow, monkeypatch):
 
     def other_plan(steps, *_):
         beyond = [4] * 20
-        return [Planned(0, 1, layout_for(500, beyond)), Planned(1, len(steps), layout_for(400, beyond))]
+        return [(1, layout_for(500, beyond)), (len(steps), layout_for(400, beyond))]
 
     nodes = msf_jax.replay(flow.tape, flow.weights)
-    monkeypatch.setattr(padded, "stretches_of", other_plan)
+    monkeypatch.setattr(padded, "layouts_of", other_plan)
     again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
     assert again.shapes != flow.tape.shapes
     np.testing.assert_allclose(msf_jax.replay(again, flow.weights), nodes, atol=1e-10)
@@ -204,7 +203,7 @@ def test_what_is_no_tape(path, how):
         path.write_bytes(damaged)
     else:
         np.savez(path, allow_pickle=True, **damaged)
-    says = "of version 999, not 5" if how == "other version" else ""
+    says = "of version 999, not 6" if how == "other version" else ""
     with pytest.raises(ConfigError, match=f"run.npz' is no tape.*{says}"):
         Tape.load(path)
 

@@ -39,7 +39,7 @@ def written(tmp_path_factory):
     [
         ("tape", "parts/0/stretches/0/left", lambda a: np.full_like(a, np.nan)),
         ("tape", "parts/0/tetrahedron", lambda a: -1 - a),
-        ("tape", "node_row", lambda a: a + 10**6),
+        ("tape", "node_of_vertex", lambda a: a + 10**6),
         ("tape", "edges", lambda a: a.astype(float)),
         ("tape", "is_inside", lambda a: a[:-1]),
         ("skeleton", "mesh_map", lambda a: a.astype(float)),
