@@ -9,7 +9,7 @@ from tqdm import tqdm
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.writing import made_folder, write_whole
-from msf_jax.gradients.track import FAULTS, Tracker, curve_of
+from msf_jax.gradients.track import FAULTS, Track, Tracker
 from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.skeleton import Skeleton
@@ -54,7 +54,7 @@ def run(
                 raise MeshError(f"{path.name!r}: {error}") from error
             has_curve, target = not len(frame.vanished), folder / f"{path.stem}{suffix}"
             if has_curve:
-                write_whole(target, export.writer_for(target)(curve_of(skeleton, frame), mesh))
+                write_whole(target, export.writer_for(target)(Track(skeleton, (frame,)).curve(0), mesh))
             num_lacking += not has_curve
             if frame.wants_run:
                 doubts.append(f"{path.name}: {frame}")

@@ -26,7 +26,7 @@ ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
     "faces": ("faces", "twin"),
     "edges": ("edges", "branch"),
     "corners": ("tail", "head", "part", "onward", "section", "share"),
-    "sections": ("is_loop", "area", "node"),
+    "sections": ("is_loop", "node"),
     "smoothing": ("a_row", "a_column", "a_value"),
     "turning": ("b_row", "b_column", "b_value"),
 }
@@ -56,7 +56,7 @@ class Binding(NamedTuple):
     live: the numbers without padding. tail, head: (C,) the vertices of the mesh edge that each corner lies on. part:
     (C,) the corner's place on it, as a fraction from tail to head. onward: (C,) the next corner of the section.
     section: (C,) the section of each corner, ascending. share: (C,) one over the number of corners in the section.
-    is_loop: (S,) False for a cloud of points, whose centroid is their mean. area: (S,) of each section. node: (S,) the
+    is_loop: (S,) False for a cloud of points, whose centroid is their mean. node: (S,) the
     node of each section. a_row, a_column, a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value:
     entries of b, (N, V). rest: (N, 3) r. faces: (F, 3) triangles of the surface, neighbours close to each other. twin:
     (F, 3): edge 3 f + k leads from corner k of face f to the next corner; its twin is the same edge of the face on the
@@ -74,7 +74,6 @@ class Binding(NamedTuple):
     section: Any
     share: Any
     is_loop: Any
-    area: Any
     node: Any
     a_row: Any
     a_column: Any

@@ -13,29 +13,18 @@ import jax.numpy as jnp
 from msf_jax.base.binding import Binding
 from msf_jax.device.nearest import signed_distances
 
-# Ratio of a section's area to its recorded area (scaled by the growth of all sections), and to the mean squared
-# distance of its corners from their mean: below it, the section has vanished.
-VANISHED = 1e-3
+VANISHED = 1e-3  # of a section's area to the mean square of its corners' distances from their mean: below, it is none
 
 
-class MovedCurve(NamedTuple):
-    """nodes (N, 3) and radii (N,), in the mesh's units."""
+class Followed(NamedTuple):
+    """nodes: (N, 3), in the mesh's units. radii: (N,) signed distance to the surface, negative for a node outside."""
 
     nodes: jax.Array
     radii: jax.Array
 
-
-class MovedSections(NamedTuple):
-    """The moved cross-sections.
-
-    centroid: (S, 3). area: (S,). normal: (S, 3) unit. warp: (S,) the RMS distance of the corners from their plane, over
-    that from their mean.
-    """
-
-    centroid: jax.Array
-    area: jax.Array
-    normal: jax.Array
-    warp: jax.Array
+    def __repr__(self) -> str:
+        parts = (f"{name} {part.dtype}{list(part.shape)}" for name, part in self._asdict().items())
+        return f"Followed({', '.join(parts)})"
 
 
 def corners(binding: Binding, vertices: jax.Array) -> jax.Array:
@@ -44,8 +33,8 @@ def corners(binding: Binding, vertices: jax.Array) -> jax.Array:
     return tail + jnp.asarray(binding.part, vertices.dtype)[:, None] * (head - tail)
 
 
-def centroids(binding: Binding, place: jax.Array) -> MovedSections:
-    """The sections whose corners are at ``place`` (C, 3)."""
+def centroids(binding: Binding, place: jax.Array) -> tuple[jax.Array, jax.Array]:
+    """The centroids (S, 3) of the sections whose corners are at ``place`` (C, 3), and whether each vanished (S,)."""
     num, dtype = len(binding.node), place.dtype
     share = jnp.asarray(binding.share, dtype)[:, None]
 
@@ -63,39 +52,31 @@ def centroids(binding: Binding, place: jax.Array) -> MovedSections:
     normal = vector / jnp.where(is_some, twice, 1.0)[:, None]
     part = (cross * normal[binding.section]).sum(1)
     spread2 = total(share[:, 0] * (p * p).sum(1))
-    recorded, is_loop = jnp.asarray(binding.area, dtype), jnp.asarray(binding.is_loop)
-    # A segment sum adds in order, so that the result does not depend on the amount of padding.
-    areas = jnp.stack([jnp.where(is_loop, twice / 2, 0.0), recorded], axis=1)
-    now, before = jax.ops.segment_sum(areas, jnp.zeros(num, jnp.int32), 1, indices_are_sorted=True)[0]
-    grown = now / jnp.maximum(before, jnp.finfo(dtype).tiny)
-    is_there = is_loop & (twice / 2 > VANISHED * jnp.maximum(grown * recorded, spread2))
+    is_loop = jnp.asarray(binding.is_loop)
+    is_there = is_loop & (twice / 2 > VANISHED * spread2)
     off = total(part[:, None] * (p + onward)) / (3 * jnp.where(is_there, twice, 1.0))[:, None]
-    height2 = total(share[:, 0] * (p * normal[binding.section]).sum(1) ** 2)
-    warp = jnp.sqrt(height2 / jnp.where(spread2 > 0, spread2, 1.0))
-    area = jnp.where(is_there | ~is_loop, twice / 2, 0.0)
-    return MovedSections(mean + jnp.where(is_there[:, None], off, 0.0), area, normal, jax.lax.stop_gradient(warp))
+    return mean + jnp.where(is_there[:, None], off, 0.0), is_loop & ~is_there
 
 
-def follow(binding: Binding, vertices: jax.Array) -> MovedCurve:
+def follow(binding: Binding, vertices: jax.Array) -> Followed:
     """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose section has vanished, 0 in
     padding."""
     dtype = vertices.dtype
     unit = jnp.asarray(binding.unit, dtype)
     entered = (vertices - jnp.asarray(binding.centre, dtype)) / unit
-    found = centroids(binding, corners(binding, entered))
+    centroid, is_vanished = centroids(binding, corners(binding, entered))
     num = len(binding.rest)
 
     def product(row: jax.Array, column: jax.Array, value: jax.Array, of: jax.Array) -> jax.Array:
         entries = jnp.asarray(value, dtype)[:, None] * of[column]
         return jax.ops.segment_sum(entries, row, num, indices_are_sorted=True)
 
-    nodes = product(binding.a_row, binding.a_column, binding.a_value, found.centroid)
+    nodes = product(binding.a_row, binding.a_column, binding.a_value, centroid)
     turned = product(binding.b_row, binding.b_column, binding.b_value, entered)
     nodes = nodes + turned + jnp.asarray(binding.rest, dtype)
-    is_vanished = (jnp.asarray(binding.is_loop) & (found.area == 0)).astype(jnp.int32)
-    is_gone = jax.ops.segment_max(is_vanished, binding.node, num) > 0
+    is_gone = jax.ops.segment_max(is_vanished.astype(jnp.int32), binding.node, num) > 0
     nodes = jnp.where(is_gone[:, None], jnp.nan, nodes)
     radii = signed_distances(binding, nodes, entered)
     is_node = binding.node_mask
     placed = jnp.where(is_node[:, None], jnp.asarray(binding.centre, dtype) + unit * nodes, 0.0)
-    return MovedCurve(placed, jnp.where(is_node, unit * radii, 0.0))
+    return Followed(placed, jnp.where(is_node, unit * radii, 0.0))

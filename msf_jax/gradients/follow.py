@@ -7,7 +7,7 @@ and masks tell rows from padding.
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -18,18 +18,8 @@ from msf_jax.base.binding import Binding, capacity_for, padded, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
+from msf_jax.device.following import Followed
 from msf_jax.skeleton.skeleton import Skeleton
-
-
-class Followed(NamedTuple):
-    """nodes: (N, 3), in the mesh's units. radii: (N,) signed distance to the surface, negative for a node outside."""
-
-    nodes: jax.Array
-    radii: jax.Array
-
-    def __repr__(self) -> str:
-        parts = (f"{name} {part.dtype}{list(part.shape)}" for name, part in self._asdict().items())
-        return f"Followed({', '.join(parts)})"
 
 
 def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
@@ -65,29 +55,39 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         MeshError: ``vertices`` has another shape or is not finite, or the section of a node has vanished.
     """
     binding = binding_of(skeleton)
+    rows = slice(None if isinstance(skeleton, Binding) else len(skeleton.vertices))
     # The body needs neither of JAX's strict modes, which a caller may have set.
     with jax.numpy_dtype_promotion("standard"), jax.numpy_rank_promotion("allow"):
         array = checked_vertices(skeleton, vertices)
-        rest = ((0, binding.num_vertices - len(array)), (0, 0))
-        rows = slice(None if isinstance(skeleton, Binding) else len(skeleton.vertices))
         if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
-            found = _follow(binding, jnp.pad(array, rest))
-            return Followed(found.nodes[rows], found.radii[rows])
-        devices = array.devices() if isinstance(array, jax.Array) else ()
-        device = next(iter(devices)) if len(devices) == 1 else None
-        # NumPy pads and cuts, because JAX would compile this for every size.
-        found = _follow(*jax.device_put((binding, np.pad(jax.device_get(array), rest)), device))
-    nodes, radii = jax.device_get(found)
+            nodes, radii = _follow(binding, jnp.pad(array, ((0, binding.num_vertices - len(array)), (0, 0))))
+            return Followed(nodes[rows], radii[rows])
+        nodes, radii = evaluated(binding, array)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
     if len(gone):
         raise MeshError(
             f"the sections of {len(gone)} nodes, the first {gone[0]}, have vanished: expected a mesh with the same "
             "limbs; run skeletonize on this one"
         )
-    return Followed(*(jax.device_put(part[rows].copy(), device) for part in (nodes, radii)))
+    return Followed(*(jax.device_put(part[rows].copy(), _device_of(array)) for part in (nodes, radii)))
 
 
 _follow = jax.jit(following.follow)
+
+
+def evaluated(binding: Binding, vertices: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and radii with rows of padding, NaN at a node whose section has vanished, computed where ``vertices`` are.
+
+    NumPy pads, because JAX would compile this for every size.
+    """
+    padded = np.pad(jax.device_get(vertices), ((0, binding.num_vertices - len(vertices)), (0, 0)))
+    return tuple(jax.device_get(_follow(*jax.device_put((binding, padded), _device_of(vertices)))))
+
+
+def _device_of(array: Any) -> Any:
+    """The one device of a JAX array, or None."""
+    devices = array.devices() if isinstance(array, jax.Array) else ()
+    return next(iter(devices)) if len(devices) == 1 else None
 
 
 def binding_of(skeleton: Any) -> Binding:
@@ -148,8 +148,7 @@ class Batch:
     Attributes:
         bindings: the argument of `msf_jax.follow`; every array has a first axis of length B.
         vertices: (B, V, 3) of the recorded meshes, in the units of each; 0 in padding.
-        vertex_mask: (B, V) bool: rows that are vertices.
-        node_mask: (B, N) bool: rows that are nodes.
+        vertex_mask, node_mask: (B, V) and (B, N) bool: rows that are vertices, rows that are nodes.
     """
 
     bindings: Binding

@@ -7,19 +7,16 @@ go around its handles. Lengths are compared relative to the growth of the mesh, 
 shows under the affine map that fits the moved mesh best: stretching the whole mesh is no fault.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from tqdm import tqdm
 
-from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.device import following
-from msf_jax.gradients.follow import binding_of, checked_vertices
+from msf_jax.gradients.follow import binding_of, checked_vertices, evaluated
 from msf_jax.meshes import reading
 from msf_jax.metrics import inside_fraction
 from msf_jax.skeleton.report import loops_of
@@ -85,9 +82,6 @@ class TrackedFrame:
         return {name: count for name, count in counts.items() if count}
 
     def __repr__(self) -> str:
-        return f"TrackedFrame({self})"
-
-    def __str__(self) -> str:
         inside = "not checked further" if len(self.vanished) else f"{100 * self.inside:.2f} % inside"
         parts = [f"frame {self.number}: {inside}"]
         for name, what in NODES.items():
@@ -131,24 +125,17 @@ class Track:
         """
         if not -len(self.frames) <= number < len(self.frames):
             raise ConfigError(f"no frame {number}: expected one of the {len(self.frames)}, counted from 0")
-        return curve_of(self.skeleton, self.frames[number])
+        frame, skeleton = self.frames[number], self.skeleton
+        if len(frame.vanished):
+            raise ConfigError(f"frame {frame.number} has no curve, {frame}")
+        note = f"followed from another mesh, not run: {frame}"
+        report = replace(skeleton.report, inside=frame.inside, figures={}, notes=(*skeleton.report.notes, note))
+        return replace(skeleton, vertices=frame.nodes, radii=np.maximum(frame.radii, 0), report=report, source=None)
 
     def __repr__(self) -> str:
-        return f"Track({str(self).splitlines()[0]}, {self.skeleton!r})"
-
-    def __str__(self) -> str:
         wanting = [frame for frame in self.frames if frame.wants_run]
         lines = [f"{len(self.frames)} frames, {len(wanting)} of them need a fresh run"]
         return "\n".join(lines + [str(frame) for frame in wanting])
-
-
-def curve_of(skeleton: Skeleton, frame: TrackedFrame) -> Skeleton:
-    """The curve of a ``frame`` of a track of ``skeleton``; see `Track.curve`."""
-    if len(frame.vanished):
-        raise ConfigError(f"frame {frame.number} has no curve, {frame}")
-    note = f"followed from another mesh, not run: {frame}"
-    report = replace(skeleton.report, inside=frame.inside, figures={}, notes=(*skeleton.report.notes, note))
-    return replace(skeleton, vertices=frame.nodes, radii=np.maximum(frame.radii, 0), report=report, source=None)
 
 
 def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) -> Track:
@@ -174,30 +161,24 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
     if not isinstance(frames, Iterable) or isinstance(frames, str):
         raise ConfigError(f"frames is a {type(frames).__name__}: expected a sequence of vertices (V, 3) or of meshes")
     tracker = Tracker(skeleton)
-    num = len(frames) if isinstance(frames, Sequence | np.ndarray) else None
-    found = []
-    with tqdm(total=num, desc="track", unit="frame", disable=None if progress else True) as bar:
-        for number, given in enumerate(frames):
-            found.append(tracker.frame(number, given))
-            bar.update()
+    each = tqdm(frames, desc="track", unit="frame", disable=None if progress else True)
+    found = tuple(tracker.frame(number, given) for number, given in enumerate(each))
     if not found:
         raise ConfigError("frames is empty: expected at least one mesh")
-    return Track(skeleton, tuple(found))
+    return Track(skeleton, found)
 
 
 class Tracker:
     """Follows a skeleton frame by frame. It holds the data that all frames share, and raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
-        binding = unpadded(binding_of(skeleton))
-        surface = skeleton.bound_surface
+        binding, surface = binding_of(skeleton), skeleton.bound_surface
         self.skeleton, self.edges, self.node = skeleton, skeleton.edges, surface.node
-        self.binding: Binding = jax.device_put(jax.tree.map(jnp.asarray, binding))
-        self.solid, self.vertex = surface.solid, surface.vertex
+        self.binding, self.solid, self.vertex = jax.device_put(binding), surface.solid, surface.vertex
         # Repair changes faces, so the caller's faces of a repaired mesh are not compared.
         self.faces = None if skeleton.report.repairs else _sorted(self.vertex[self.solid.shape.faces])
         shape, x = self.solid.shape, self.solid.enter(skeleton.vertices)
-        self.recorded, self.sides = _measured(shape, x, self.node), _sides(shape)
+        self.recorded = _measured(shape, x, self.node)
         self.most, self.is_free = np.maximum(shape.winding_numbers(x), 1), self.recorded[0] > PINNED
         self.is_embedded = not self._crossings(shape, x)
         self.loops = self._loops(shape, x)
@@ -205,11 +186,10 @@ class Tracker:
     def frame(self, number: int, given: Any) -> TrackedFrame:
         """The curve in the mesh ``given``, with its checks."""
         try:
-            vertices = self._vertices_of(given)
-            array = checked_vertices(self.skeleton, vertices)
+            array = checked_vertices(self.skeleton, self._vertices_of(given))
         except MeshError as error:
             raise MeshError(f"frame {number}: {error}") from error
-        nodes, radii = (np.asarray(each, dtype=np.float64) for each in _followed(self.binding, array))
+        nodes, radii = (part[: len(self.most)].astype(float) for part in evaluated(self.binding, array))
         moved, none = np.asarray(array, dtype=np.float64)[self.vertex], np.zeros(0, dtype=np.int64)
         vanished = np.flatnonzero(np.isnan(nodes).any(axis=1)) if np.ptp(moved, axis=0).any() else np.arange(len(nodes))
         if len(vanished):
@@ -217,7 +197,7 @@ class Tracker:
         solid = Solid(moved, self.solid.shape.faces)
         shape, x = solid.shape, solid.enter(nodes)
         now, winding = _measured(shape, x, self.node), shape.winding_numbers(x)
-        scale = float(np.median(_sides(shape) / np.maximum(self.sides, 1e-300)))
+        scale = float(np.median(shape.reaches / np.maximum(self.solid.shape.reaches, 1e-300)))
         changed = self._changed(now, tuple(scale * lengths for lengths in self.recorded))
         if changed.any() and (stretched := self._stretched(shape)) is not None:
             changed &= self._changed(now, stretched)
@@ -268,17 +248,9 @@ class Tracker:
         return vertices
 
 
-_followed = jax.jit(following.follow)
-
-
 def _measured(shape: Enclosure, x: np.ndarray, node: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The exact radii (N,) of nodes at ``x`` (N, 3), and the distance (V,) of each vertex from its own node."""
     return shape.distances(x), np.linalg.norm(shape.vertices - x[node], axis=1)
-
-
-def _sides(shape: Enclosure) -> np.ndarray:
-    """(F, 3) lengths of the sides of all faces."""
-    return np.linalg.norm(np.roll(shape.triangles, -1, axis=1) - shape.triangles, axis=2)
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:

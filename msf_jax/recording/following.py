@@ -61,7 +61,7 @@ class BoundSurface(NamedTuple):
 class BoundCorners(NamedTuple):
     """The corners (C,) of S sections, one section after the other; section: (C,); tail, head, part: `sections.Corners`.
 
-    is_loop: (S,) False for a cloud. centroid: (S, 3). area: (S,). node: (S,). weight: (S,) w.
+    is_loop: (S,) False for a cloud. centroid: (S, 3). node: (S,). weight: (S,) w.
     """
 
     section: np.ndarray
@@ -70,7 +70,6 @@ class BoundCorners(NamedTuple):
     part: np.ndarray
     is_loop: np.ndarray
     centroid: np.ndarray
-    area: np.ndarray
     node: np.ndarray
     weight: np.ndarray
 
@@ -109,17 +108,8 @@ def record(
     branch_of = {frozenset(pair): k for k, path in enumerate(paths) for pair in pairwise(path.nodes.tolist())}
     unit_of_length = 2.0 ** np.round(np.log2(solid.diagonal))
     scale = solid.diagonal / unit_of_length
-    return Binding(
-        live=Sizes(
-            vertices=num,
-            faces=len(shape.faces),
-            nodes=len(x),
-            edges=len(edges),
-            sections=len(corners.node),
-            corners=len(corners.section),
-            smoothing=a.nnz,
-            turning=b.nnz,
-        ),
+    binding = Binding(
+        live=Sizes(*8 * [0]),
         tail=surface.vertex[corners.tail],
         head=surface.vertex[corners.head],
         part=corners.part,
@@ -127,7 +117,6 @@ def record(
         section=corners.section,
         share=1 / np.bincount(corners.section)[corners.section],
         is_loop=corners.is_loop,
-        area=scale**2 * corners.area,
         node=corners.node,
         a_row=a.row,
         a_column=a.col,
@@ -145,6 +134,7 @@ def record(
         diagonal=np.float64(solid.diagonal),
         unit=unit_of_length,
     )
+    return binding._replace(live=binding.capacity._replace(vertices=num))
 
 
 def _sections(
@@ -160,8 +150,8 @@ def _sections(
     opening cuts off are left out."""
     shape = solid.shape
     if not paths:
-        none, nothing = np.zeros(0, dtype=np.int64), np.zeros(0)
-        return BoundCorners(none, none, none, nothing, none > 0, np.zeros((0, 3)), nothing, none, nothing), radii
+        none = np.zeros(0, dtype=np.int64)
+        return BoundCorners(none, none, none, none, none > 0, np.zeros((0, 3)), none, none), radii
     curve = shape, x, edges, paths, is_held, centring.Budget()
     before = centring.LimbSections(*curve).at(x, radii, radii, nearest)[-1]  # the first time measures limbs' sizes
     chord, node, found, weight, size = centring.LimbSections(*curve).at(x, before, radii, nearest)
@@ -173,33 +163,27 @@ def _sections(
     is_kept = (weight > SLIGHT) & is_whole[node] & (found.radius < measures.WIDE * found.size)
     node, weight = node[is_kept], weight[is_kept]
     cut = sections.corners(shape, x[node], normal[node], before[node], nearest[node])
-    middle, area = (
-        sections.measured(shape, x[node], normal[node], cut).centroid,
-        sections.areas(shape, cut, normal[node]),
-    )
-    is_loop = np.ones(len(node), dtype=bool)
-    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, is_loop, middle, area, node, weight), size
+    middle, is_loop = sections.measured(shape, x[node], normal[node], cut).centroid, np.ones(len(node), dtype=bool)
+    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, is_loop, middle, node, weight), size
 
 
 def _with_clouds(surface: BoundSurface, edges: np.ndarray, corners: BoundCorners, num: int) -> BoundCorners:
     """Add a cloud for each of ``num`` nodes without a section: the vertices of the node and its neighbours, if any."""
     beside = sparse.eye_array(num) + graphs.weighted(num, *np.r_[edges, edges[:, ::-1]].T)
-    own = sparse.csr_array(
-        (np.ones(len(surface.node)), (surface.node, np.arange(len(surface.node)))), shape=(num, len(surface.node))
-    )
+    every = np.arange(len(surface.node))
+    own = sparse.csr_array((np.ones(len(every)), (surface.node, every)), shape=(num, len(every)))
     clouds = sparse.csr_array(beside @ own)
     count = np.diff(clouds.indptr)
     node = np.setdiff1d(np.flatnonzero(count), corners.node)
     vertex, row = clouds[node].indices, np.repeat(np.arange(len(node)), count[node])
-    centroid = np.stack([np.bincount(row, axis, len(node)) for axis in surface.solid.shape.vertices[vertex].T], axis=1)
+    centroid = clouds[node] @ surface.solid.shape.vertices / count[node, None]
     added = BoundCorners(
         len(corners.node) + row,
         vertex,
         vertex,
         np.zeros(len(vertex)),
         np.zeros(len(node), dtype=bool),
-        centroid / count[node, None],
-        np.zeros(len(node)),
+        centroid,
         node,
         np.full(len(node), SLIGHT),
     )

@@ -59,7 +59,7 @@ def jacobian(skeleton: "Skeleton") -> sparse.csr_matrix:
 def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
     """(3, C, 3): derivative of a centroid along axis i with respect to each corner of its section along axis j."""
     place = following.corners(binding, entered)
-    pull_back = jax.vjp(lambda corners: following.centroids(binding, corners).centroid, place)[1]
+    pull_back = jax.vjp(lambda corners: following.centroids(binding, corners)[0], place)[1]
     return jax.vmap(lambda axis: pull_back(jnp.zeros((len(binding.node), 3), place.dtype).at[:, axis].set(1.0))[0])(
         jnp.arange(3)
     )
