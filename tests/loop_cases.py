@@ -34,6 +34,11 @@ def torus_knot(along, across):
     return np.stack([out * np.cos(along * angle), out * np.sin(along * angle), 0.15 * np.sin(across * angle)], axis=1)
 
 
+def windings(shape, line):
+    """The linking numbers of a closed polyline with the loops of a solid's surface."""
+    return shape.handles.linking(line, np.roll(line, -1, axis=0), np.zeros(len(line), dtype=np.int64))[0]
+
+
 RING = shape_of(torus(minor=0.3))
 
 

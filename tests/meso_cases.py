@@ -7,7 +7,9 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
+from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
+from msf_jax.solid.handles import half_edge_classes, surface_loops
 
 OBTUSE = 110.0
 
@@ -89,6 +91,11 @@ SURFACES = ["torus", "twisted torus", "blob", "two parts", pytest.param("bunny",
 def is_tetrahedron(around: dict[int, set[int]], a: int) -> bool:
     """Whether the component of ``a`` is a tetrahedron."""
     return len(around[a]) == 3 and all(around[b] == around[a] - {b} | {a} for b in around[a])
+
+
+def ring_classes(vertices, faces, rings):
+    """The classes of all edges, beside the rings."""
+    return ring_tables.beside_rings(rings, faces, half_edge_classes(vertices, faces, surface_loops(faces)))
 
 
 def class_of(meso, a, b):

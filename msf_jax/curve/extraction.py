@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.meso import ring_tables, surgery
-from msf_jax.meso.complex import Complex, cut_discs
+from msf_jax.meso.complex import Complex
 from msf_jax.meso.edits import edge_lengths, shortest_first
 
 
@@ -32,7 +32,7 @@ def extract_curve(
 ) -> Curve:
     """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
 
-    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `homology`). Vertices of
+    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `solid.handles`). Vertices of
     ``pinned`` are merged with each other only if no other edge can be merged.
     The order makes this step sequential: one loop over the edges of the meso-skeleton, after the flow.
     """
@@ -72,10 +72,8 @@ def _curve_of(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.nda
     count = np.bincount(own)
     sums = [np.bincount(own, weights=positions[is_counted, axis], minlength=num) for axis in range(3)]
     nodes = np.stack([total / count for total in sums], axis=1)
+    left = np.stack([a, b], axis=1)
     if complex_.has_classes:  # the complex lists its remaining edges, without those that were opened
-        a, b, value = complex_.edges()
-        length = np.linalg.norm(nodes[node_of_meso[a]] - nodes[node_of_meso[b]], axis=1)
-        is_kept = cut_discs(a, b, value, shortest_first(a, b, length, 1e-3))
-        a, b = a[is_kept], b[is_kept]
-    ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)
+        left = complex_.edges()
+    ends = np.sort(node_of_meso[left], axis=1)
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)

@@ -143,7 +143,7 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
         ),
         (
             guessed,
-            f"the loops of {which} itself, or with very many handles, were told apart by their lengths only",
+            f"the loops of {which} itself were not told apart in the flow: those that it lost were laid afterwards",
         ),
         (redone, f"{redone} {steps} repeated with a smaller w_L: coordinates diverged"),
     )

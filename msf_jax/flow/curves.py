@@ -13,7 +13,7 @@ from msf_jax.curve.extraction import Curve
 from msf_jax.curve.finishing import Draft, Finished, Job
 from msf_jax.flow.state import State
 from msf_jax.meshes.checking import Surface
-from msf_jax.meso import edits, homology, surgery
+from msf_jax.meso import edits, surgery
 from msf_jax.meso.meso import Meso
 
 MOST_VOLUME = 0.1  # share of the first volume: with more left, the curve is a tangle, and is not finished
@@ -43,12 +43,8 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
         meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min)
         if clock.reason:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
             meso = _thinned(meso, config.flow.threshold_max)
-        # The curve so far may lack loops: classes that are not known take seconds where there are many handles.
-        classes = meso.classes
-        if lacks_classes(state) and not clock.reason:
-            classes = homology.short_classes(meso.positions, meso.rings)
         extract = extraction.operated_curve if config.curve.surgery else extraction.extract_curve
-        found = extract(meso.positions, meso.rings, classes, meso.node_of_input[state.pins])
+        found = extract(meso.positions, meso.rings, meso.classes, meso.node_of_input[state.pins])
         pinned = meso.node_of_input[state.pins]
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]

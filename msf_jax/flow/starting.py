@@ -11,7 +11,7 @@ from msf_jax.flow.state import State
 from msf_jax.inside import balls
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.checking import Component
-from msf_jax.meso import edits, homology, packing, ring_tables
+from msf_jax.meso import edits, packing, ring_tables
 from msf_jax.meso.meso import Meso
 from msf_jax.numerics import reconstruction
 from msf_jax.numerics.reconstruction import LowPass
@@ -19,6 +19,7 @@ from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION, UnitFrame, frame_of, sort_mesh
 from msf_jax.solid.geometry import signed_volume, triangle_areas
+from msf_jax.solid.handles import half_edge_classes
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rounded to the frame's grid
@@ -62,9 +63,10 @@ def init(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
             f"{RESOLUTION:.0e} of its diagonal; expected a solid"
         )
-    if 0 < component.genus <= homology.LARGEST_GENUS:
+    if component.genus:
         with clock.stage("homology"):
-            meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
+            classes = half_edge_classes(shape.vertices, faces, shape.handles.surface)
+            meso.classes = None if classes is None else ring_tables.beside_rings(meso.rings, faces, classes)
     clock.check()
     max_rows = GROWTH * meso.num_rows + GROWTH_MARGIN
     if options.resample:

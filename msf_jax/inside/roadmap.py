@@ -20,7 +20,7 @@ from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, distinct
 from msf_jax.topology import graphs
-from msf_jax.topology.graphs import along_forest, down_forest, shortest_forest
+from msf_jax.topology.graphs import down_forest
 
 TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
 CORRECTIONS = 4  # corrections of a ball's radius by the triangles between samples
@@ -57,7 +57,6 @@ class Roadmap:
         self.num_unsought = 0  # handles left without a loop because of that
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
         self._links: _Links | None = None
-        self._known = np.zeros(0, dtype=bool), np.zeros(0, dtype=np.int64)  # classes of edges between balls
 
     def paths(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
         """Points (k, 3) of a path inside from x[a] to x[b] for each of ``pairs`` (E, 2), without its ends; empty if
@@ -129,51 +128,39 @@ class Roadmap:
         Yields:
             start, end: nodes. path: (k, 3) points between them.
         """
-        is_used = self.shape.clearance(x) > TOUCHING
-        node_of_end = np.flatnonzero(is_used)
+        node_of_end = np.flatnonzero(self.shape.clearance(x) > TOUCHING)
         if not len(node_of_end):
             return
         graph = self._graph(x[node_of_end])
         if is_complete:
             self.is_cut_short |= not graph.test_all(MOST_TESTS_FOR_LOOPS)
             self._links = graph.links_of_balls()
-        is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles
-        tail, head, cost = (field[is_open] for field in (graph.links.tail, graph.links.head, graph.links.cost))
-        value = self._classes_of(graph, is_open)
-        tail, head = np.r_[tail, head], np.r_[head, tail]
-        cost, value = np.tile(cost, 2), np.r_[value, -value]
-        matrix = graphs.weighted(len(graph.centre), tail, head, cost)
-        ends = np.arange(first, len(graph.centre))
-        away, before, source = csgraph.dijkstra(matrix, indices=ends, return_predecessors=True, min_only=True)
-        in_forest = shortest_forest(len(x), edges, np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1))
-        of_curve = along_forest(len(x), edges[in_forest], handles.classes(*(x[edges[in_forest, k]] for k in (0, 1))))
-        is_reached = (source[tail] >= 0) & (source[head] >= 0)
-        tail, head, cost, value = (field[is_reached] for field in (tail, head, cost, value))
+        links, first, handles = graph.links, graph.first_end, self.shape.handles
+        tail, head, cost = (field[links.is_open] for field in (links.tail, links.head, links.cost))
+        value = handles.classes(graph.centre[tail], graph.centre[head])
+        tail, head, cost, value = np.r_[tail, head], np.r_[head, tail], np.tile(cost, 2), np.r_[value, -value]
+        away, before, source = csgraph.dijkstra(
+            graphs.weighted(len(graph.centre), tail, head, cost),
+            indices=np.arange(first, len(graph.centre)),
+            return_predecessors=True,
+            min_only=True,
+        )
+        a, b = x[edges[:, 0]], x[edges[:, 1]]
+        of_curve = graphs.cycles(len(x), edges, handles.classes(a, b), np.linalg.norm(a - b, axis=1))[2]
         last, is_step = np.zeros(len(before), dtype=np.int64), before[head] == tail
         last[head[is_step]] = value[is_step]
-        to_ball = of_curve[node_of_end[np.maximum(source, first) - first]] + down_forest(before, last)
+        node = node_of_end[np.maximum(source, first) - first]  # where the path from the curve to each ball begins
+        to_ball = of_curve[node] + down_forest(before, last)
         around = to_ball[tail] + value - to_ball[head]
         length = away[tail] + cost + away[head]
-        rows = np.flatnonzero(around > 0)  # a negative class is the same loop in the other direction
+        part = np.where(source < 0, -1, graphs.labels(len(x), *edges.T)[node])
+        # A path between two parts of the curve closes no loop. A negative class is the same loop the other way round.
+        rows = np.flatnonzero((part[tail] >= 0) & (part[tail] == part[head]) & (around > 0))
         rows = rows[np.lexsort((length[rows], around[rows]))]
-        rows = rows[np.r_[True, around[rows][1:] != around[rows][:-1]]] if len(rows) else rows
+        rows = rows[np.diff(around[rows], prepend=0) > 0]
         for row in rows[np.argsort(length[rows], kind="stable")].tolist():
             there, back = (_ascent(before, int(ball[row])) for ball in (tail, head))
-            start, end = (int(node_of_end[path[-1] - first]) for path in (there, back))
-            yield start, end, graph.centre[[*there[-2::-1], *back[:-1]]]
-
-    def _classes_of(self, graph: "_Graph", is_open: np.ndarray) -> np.ndarray:
-        """The class of each open edge of a graph of all balls; those between balls are computed once."""
-        tail, head = graph.links.tail, graph.links.head
-        is_known = np.zeros(len(tail), dtype=bool)
-        found = np.zeros(len(tail), dtype=np.int64)
-        num = len(self._known[0])
-        is_known[:num], found[:num] = self._known
-        asked = np.flatnonzero(is_open & ~is_known)
-        found[asked] = self.shape.handles.classes(graph.centre[tail[asked]], graph.centre[head[asked]])
-        num = np.count_nonzero(head < graph.first_end)  # the edges between balls come first
-        self._known = (is_known | is_open)[:num], found[:num]
-        return found[is_open]
+            yield int(node[there[-1]]), int(node[back[-1]]), graph.centre[[*there[-2::-1], *back[:-1]]]
 
     def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Centre (P, 3) and radius (P,) of the ball nearest to each point; the arguments if there are no balls."""

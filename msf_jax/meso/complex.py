@@ -1,6 +1,6 @@
 """Triangles and edges while vertices are merged to a graph, from which the curve is extracted; merges in any order.
 
-A merge contracts an edge. If the solid has handles, edges have homology classes (see `homology`), and a merge that
+A merge contracts an edge. If the solid has handles, edges have homology classes (see `solid.handles`), and a merge that
 would pinch a loop that the curve must keep waits until no other merge is left.
 """
 
@@ -72,7 +72,7 @@ class Complex:
         """Remove a face, with the first of ``edges`` that has no other face. False if no edge has a face.
 
         This removes faces whose three edges all close cycles. If every edge has several faces, a face of the first edge
-        is removed. `cut_discs` removes remaining cycles that bound a disc in the solid.
+        is removed. Cycles that bound a disc in the solid may remain; the curve's first pass over loops cuts them.
         """
         closed = None
         for u, v in edges:
@@ -94,11 +94,10 @@ class Complex:
             self.apexes[x][y].discard(z)
             self.apexes[y][x].discard(z)
 
-    def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The ends of every remaining edge, and its class; no edges if there are no classes."""
-        found = [(u, v, value) for u, classes in enumerate(self.classes) for v, value in classes.items() if u < v]
-        left = np.array(found, dtype=np.int64).reshape(-1, 3)
-        return left[:, 0], left[:, 1], left[:, 2]
+    def edges(self) -> np.ndarray:
+        """The ends (E, 2) of every remaining edge; no edges if there are no classes."""
+        found = [(u, v) for u, classes in enumerate(self.classes) for v in classes if u < v]
+        return np.array(found, dtype=np.int64).reshape(-1, 2)
 
     def _pinches(self, u: int, v: int) -> bool:
         """Whether the class of a loop u -> v -> x -> u is not zero."""
@@ -114,33 +113,3 @@ class Complex:
             if x != u:
                 self.classes[u].setdefault(x, own + value)
                 self.classes[x].setdefault(u, -self.classes[u][x])
-
-
-def cut_discs(a: np.ndarray, b: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
-    """Which of the graph's edges ab (E,) of class ``value`` are kept, so that no cycle bounds a disc in the solid.
-
-    Edges are added in ``order``. An edge is dropped if it closes a cycle whose class is zero, or the sum of the classes
-    of up to three other cycles.
-    """
-    is_kept = np.ones(len(a), dtype=bool)
-    above: dict[int, tuple[int, int]] = {}  # a parent, and the class of the edge to it
-
-    def to_root(vertex: int) -> tuple[int, int]:
-        total = 0
-        while vertex in above:
-            vertex, step = above[vertex]
-            total += step
-        return vertex, total
-
-    known, sums = {0}, {0}  # classes of cycles, and sums of two of them
-    for edge in order.tolist():
-        (root, up), (other, other_up) = to_root(int(a[edge])), to_root(int(b[edge]))
-        around = int(value[edge]) + other_up - up
-        if root != other:
-            above[root] = other, around
-        elif any(around - one in sums for one in known):
-            is_kept[edge] = False
-        else:
-            known |= {around, -around}
-            sums |= {one + sign * around for one in known for sign in (-1, 1)}
-    return is_kept

@@ -48,6 +48,13 @@ def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
     return rings
 
 
+def beside_rings(rings: np.ndarray, faces: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """The ``values`` (3F,) of the half-edges of ``faces`` as a table (n, K) beside their ``rings``, 0 elsewhere."""
+    edges, table = half_edges(faces), np.zeros(rings.shape, dtype=values.dtype)
+    table[edges.origin, find_slot(rings[edges.origin], edges.target)] = values
+    return table
+
+
 def ring_degrees(rings: np.ndarray) -> np.ndarray:
     """Number of neighbours (n,) in each row."""
     return np.count_nonzero(rings >= 0, axis=1)

@@ -9,6 +9,9 @@ closed curve with the loop is the sum of the curve's signed crossings with the c
 This sum is a sum over segments, so each segment has a class, and the classes along a path add up. Two paths inside with
 the same ends go around the same handles exactly if their classes are equal. So passes over a curve keep its loops.
 
+Edges of the surface have classes, too. The class of a loop of the surface is zero if, and only if, it bounds in the
+solid, as loops around limbs do: such a loop may be pinched. The others are the cycles of the curve.
+
 The surface's loops come from a tree and a cotree (Eppstein 2003).
 """
 
@@ -21,12 +24,16 @@ from scipy import sparse
 from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
 from msf_jax.solid.geometry import ROUNDING, repeated, unit, vertex_normals
 from msf_jax.topology import graphs
-from msf_jax.topology.graphs import along_forest, forest, loop_along, shortest_forest
+from msf_jax.topology.graphs import forest, loop_along
 from msf_jax.topology.half_edges import HalfEdges, half_edges
 
-SEED = 2003  # of all random numbers: weights that combine linking numbers into one, and linear forms
+SEED = 2003  # of the weights that combine linking numbers into one
 CELLS = 96  # cells along each axis of the grid that finds pairs of segments
 CROSSINGS_AT_FIRST = 8  # crossings a segment for which memory is allocated first; few segments have more
+PUSH = 1e-3  # mean edge lengths, by which loops lie outside the surface where its own edges have classes
+SMOOTHINGS = (0, 1, 1, 2, 4, 8, 16)  # successive numbers of rounds that smooth a surface which crosses itself
+PRIME = 2**20 - 3  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
+BLOCK = 64  # vectors that are reduced together
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
 TURN *= np.linalg.det(TURN)  # a rotation in general position: two axes across the curtains, then the curtains' own
 
@@ -36,43 +43,113 @@ class SurfaceLoops(NamedTuple):
 
     edges: the half-edges. generator: (2g,) the half-edge that closes each loop. loops: (2g,) lists of vertices.
     to_parent: (F,) the half-edge from each face to its parent in the cotree, -1 at the root.
-    depth: (F,) of each face in the cotree.
     """
 
     edges: HalfEdges
     generator: np.ndarray
     loops: list[list[int]]
     to_parent: np.ndarray
-    depth: np.ndarray
+
+    def steps(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The ends (k,) of all edges that loops run along, and the loop of each."""
+        number, _ = repeated(np.array([len(loop) for loop in self.loops], dtype=np.int64))
+        tail = np.array([vertex for loop in self.loops for vertex in loop], dtype=np.int64)
+        return tail, np.array([v for loop in self.loops for v in [*loop[1:], loop[0]]], dtype=np.int64), number
 
 
 def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     """Loops of the closed surface ``faces`` (F, 3), which may have several components."""
     edges = half_edges(faces)
-    num_half, num_faces = len(edges.origin), len(faces)
-    is_first = np.arange(num_half) < edges.twin
-    face = np.arange(num_half) // 3
+    is_first = np.arange(len(edges.origin)) < edges.twin
+    face = np.arange(len(edges.origin)) // 3
     parent, _ = forest(edges.origin[is_first], edges.target[is_first], int(faces.max()) + 1)
     in_tree = (parent[edges.origin] == edges.target) | (parent[edges.target] == edges.origin)
     crossed = is_first & ~in_tree
-    face_parent, depth = forest(face[crossed], face[edges.twin[crossed]], num_faces)
+    face_parent, _ = forest(face[crossed], face[edges.twin[crossed]], len(faces))
     # Two faces can share several edges outside the tree; the cotree crosses the first of them.
-    to_parent = np.full(num_faces, -1)
+    to_parent = np.full(len(faces), -1)
     leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[edges.twin]))
     to_parent[face[leads_up[::-1]]] = leads_up[::-1]
-    in_cotree = np.zeros(num_half, dtype=bool)
-    in_cotree[to_parent[to_parent >= 0]] = True
-    in_cotree |= in_cotree[edges.twin]
-    generator = np.flatnonzero(is_first & ~in_tree & ~in_cotree)
+    up = to_parent[to_parent >= 0]
+    crossed[up] = crossed[edges.twin[up]] = False
+    generator = np.flatnonzero(crossed)
     loops = [loop_along(int(edges.origin[half]), int(edges.target[half]), parent) for half in generator]
-    return SurfaceLoops(edges, generator, loops, to_parent, depth)
+    return SurfaceLoops(edges, generator, loops, to_parent)
 
 
-def _has_handles(faces: np.ndarray) -> bool:
-    """Whether V - E + F of the closed surface is below 2 for a component: quicker than its loops."""
-    num = int(faces.max()) + 1
-    num_components = graphs.labels_of_faces(faces, num).max() + 1  # vertices without a face are components
-    return num - len(faces) // 2 < 2 * num_components - np.count_nonzero(np.bincount(faces.ravel()) == 0)
+def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops) -> np.ndarray | None:
+    """The class (3F,) of every half-edge of a connected ``surface``; twins have opposite classes.
+
+    They are made of the linking numbers of the surface's loops with the same loops, pushed out. In a solid their matrix
+    L has rank g, and L - L^T, the crossings of loops on the surface, has determinant 1. Where this fails the surface
+    crosses itself, and L is taken from the slightly smoothed surface, whose loops have the same classes. None if that
+    fails, too.
+    """
+    edges, generator, _, to_parent = surface
+    tail, head, number = surface.steps()
+    neighbours = graphs.weighted(len(vertices), edges.origin, edges.target)
+    count = np.maximum(np.bincount(edges.origin, minlength=len(vertices)), 1)[:, None]
+    for rounds in SMOOTHINGS:
+        for _ in range(rounds):
+            vertices = (vertices + neighbours @ vertices / count) / 2
+        spacing = np.linalg.norm(vertices[edges.origin] - vertices[edges.target], axis=1).mean()
+        handles = Handles(vertices, faces, surface, PUSH * float(spacing / np.ptp(vertices, axis=0).max()))
+        linking = handles.linking(vertices[tail], vertices[head], number)
+        sign, size = np.linalg.slogdet(linking - linking.T)
+        if sign and abs(size) < 0.5 and 2 * Span().add(linking).sum() == len(generator):
+            break
+    else:
+        return None
+    # Classes are zero on the tree, and known on generators. As those of a face sum to zero, the class of a generator is
+    # carried up the cotree from the faces on both sides.
+    value = np.zeros(len(edges.origin), dtype=np.int64)
+    value[generator] = linking @ handles.weight
+    half, carried = np.r_[generator, edges.twin[generator]], np.r_[value[generator], -value[generator]]
+    while len(half):
+        half = to_parent[half // 3]
+        half, carried = half[half >= 0], carried[half >= 0]
+        np.subtract.at(value, half, carried)
+        half = edges.twin[half]
+    return value - value[edges.twin]
+
+
+class Span:
+    """The span of integer vectors (n,) modulo a ``prime`` of at most 20 bits.
+
+    Each of the rows (r, n) of its basis is 1 at its own pivot and 0 at those of the others. A vector v is in the span
+    if v - sum over rows of v[pivot] row is 0. Floats hold all sums of up to 2^15 products of residues exactly.
+    """
+
+    def __init__(self, prime: int = PRIME):
+        self._prime = prime
+        self._rows, self._pivots = np.empty((0, 0)), np.empty(0, dtype=np.int64)
+
+    def add(self, vectors: np.ndarray, most: int | None = None) -> np.ndarray:
+        """Add ``vectors`` (k, n) in their order, until ``most`` were outside the span of those before: which (k,)."""
+        is_new = np.zeros(len(vectors), dtype=bool)
+        if not len(self._rows):
+            self._rows = np.empty((0, vectors.shape[1]))
+        for first in range(0, len(vectors), BLOCK):
+            left = self._residues(vectors[first : first + BLOCK].astype(np.float64))
+            left = self._residues(left - left[:, self._pivots] @ self._rows)
+            chosen, pivots = [], []
+            for number in np.flatnonzero(left.any(axis=1)).tolist():
+                if not left[number].any() or is_new.sum() == most:
+                    continue
+                pivots.append(int(np.flatnonzero(left[number])[0]))
+                left[number] = self._residues(left[number] * pow(int(left[number, pivots[-1]]), -1, self._prime))
+                others = np.arange(len(left)) != number
+                left[others] = self._residues(left[others] - left[others][:, pivots[-1:]] * left[number])
+                chosen.append(number)
+                is_new[first + number] = True
+            if chosen:
+                rows = self._residues(self._rows - self._rows[:, pivots] @ left[chosen])
+                self._rows, self._pivots = np.concatenate([rows, left[chosen]]), np.append(self._pivots, pivots)
+        return is_new
+
+    def _residues(self, values: np.ndarray) -> np.ndarray:
+        """The residues of least size; 0 exactly for a multiple of the prime."""
+        return values - self._prime * np.rint(values / self._prime)
 
 
 class Grid(NamedTuple):
@@ -162,27 +239,30 @@ class Handles:
     Args:
         vertices: (V, 3), any unit.
         faces: (F, 3), closed and oriented, of one component or several.
+        surface: their loops, if known.
+        push: by how much these lie outside, in lengths of the solid.
     """
 
-    def __init__(self, vertices: np.ndarray, faces: np.ndarray):
-        loops = surface_loops(faces).loops if _has_handles(faces) else []
-        self.genus = len(loops) // 2
-        number, _ = repeated(np.array([len(loop) for loop in loops], dtype=np.int64))
-        tail = np.array([vertex for loop in loops for vertex in loop], dtype=np.int64)
-        head = np.array([vertex for loop in loops for vertex in [*loop[1:], loop[0]]], dtype=np.int64)
+    def __init__(
+        self, vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops | None = None, push: float = ROUNDING
+    ):
+        self.surface = surface or surface_loops(faces)
+        num = len(self.surface.generator)
+        self.genus = num // 2
+        tail, head, number = self.surface.steps()
         # Loops share most of their edges: each edge is tested once.
         ends, edge = np.unique(np.sort(np.stack([tail, head], axis=1), axis=1), axis=0, return_inverse=True)
         sign = np.where(tail == ends[edge.ravel(), 0], 1, -1) if len(tail) else tail
-        times = sparse.coo_matrix((sign, (edge.ravel(), number)), shape=(len(ends), len(loops)))
+        times = sparse.coo_matrix((sign, (edge.ravel(), number)), shape=(len(ends), num))
         self._times = times.tocsr()  # (K, 2g) how often each loop runs along each edge
-        weight = np.random.default_rng(SEED).integers(1, 2**30, size=len(loops))
-        self._value = self._times @ weight if len(loops) else np.empty(0, dtype=np.int64)
+        self.weight = np.random.default_rng(SEED).integers(1, 2**30, size=num)
+        self._value = self._times @ self.weight
         # Lengths are fractions of the extent, so that no square overflows or underflows.
         self._low = vertices.min(axis=0)
         self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
         placed = (vertices - self._low) / self._extent
-        if len(ends):  # loops lie outside the surface, as a pinned node lies on it; normals cost most of the time
-            placed += ROUNDING * unit(vertex_normals(placed, faces))
+        if num:  # loops lie outside the surface, as a pinned node lies on it; normals cost most of the time
+            placed += push * unit(vertex_normals(placed, faces))
         self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
     @cached_property
@@ -199,20 +279,6 @@ class Handles:
         found = np.zeros(len(a), dtype=np.int64)
         np.add.at(found, segment, sign * self._value[edge])
         return found
-
-    def windings(
-        self, vertices: np.ndarray, edges: np.ndarray, length: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """A basis of the curve's cycles: the edge (C,) that closes each cycle of a shortest spanning forest, and the
-        cycles' linking numbers (C, 2g) with the surface's loops; and their parts (N, 2g) along the forest, from a root
-        to each node. ``length`` (E,) replaces the edges' own, if given."""
-        num, (a, b) = len(vertices), edges.T
-        size = np.linalg.norm(vertices[a] - vertices[b], axis=1) if length is None else length
-        in_forest = shortest_forest(num, edges, size)
-        linking = self.linking(vertices[a], vertices[b])
-        potential = along_forest(num, edges[in_forest], linking[in_forest])
-        closing = np.flatnonzero(~in_forest)
-        return closing, linking[closing] + potential[a[closing]] - potential[b[closing]], potential
 
     def linking(self, a: np.ndarray, b: np.ndarray, path: np.ndarray | None = None) -> np.ndarray:
         """The parts (E, 2g) of segments from a (E, 3) to b (E, 3) in the linking numbers with the surface's loops, or,

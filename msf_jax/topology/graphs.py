@@ -170,6 +170,22 @@ def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
     return total
 
 
+def cycles(
+    num_nodes: int, edges: np.ndarray, values: np.ndarray, length: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A basis of a graph's cycles, each an edge with its path in the shortest spanning forest by ``length`` (E,).
+
+    Returns the edge (C,) that closes each cycle, the shortest first, the sums (C, ...) of the ``values`` (E, ...)
+    around the cycles, and those (N, ...) along the forest, from a root to each node.
+    """
+    in_forest = shortest_forest(num_nodes, edges, length)
+    along = along_forest(num_nodes, edges[in_forest], values[in_forest])
+    closing = np.flatnonzero(~in_forest)
+    closing = closing[np.argsort(length[closing], kind="stable")]
+    a, b = edges[closing].T
+    return closing, values[closing] + along[a] - along[b], along
+
+
 def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
     """The loop from ``start`` to ``end`` and back along the tree, without the path to the root that both share.
 

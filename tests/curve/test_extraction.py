@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from conftest import torus
+from meso_cases import ring_classes
 
 from msf_jax.curve import extraction
 from msf_jax.meso.meso import Meso
@@ -12,8 +13,6 @@ from tests.benchmarks import ground_truth
 
 @pytest.mark.parametrize("seed", range(4))
 def test_surgery_keeps_the_cycle_and_a_vertex_for_a_node(seed):
-    from msf_jax.meso.homology import ring_classes
-
     mesh = torus(around=12, across=6)
     meso = Meso.from_mesh(mesh.vertices, np.array(mesh.faces))
     classes = ring_classes(meso.positions, meso.faces(), meso.rings)

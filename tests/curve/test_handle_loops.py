@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import torus
-from loop_cases import NO_EDGES, RING, circle, cycle, shape_of, theta, torus_knot
+from loop_cases import NO_EDGES, RING, circle, cycle, shape_of, theta, torus_knot, windings
 
 import msf_jax
 from msf_jax import metrics
@@ -16,6 +16,7 @@ from msf_jax.inside import containment
 from msf_jax.inside.containment import is_inside
 from msf_jax.inside.roadmap import Roadmap
 from msf_jax.skeleton.report import loops_of
+from msf_jax.solid import handles
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION
 from msf_jax.topology.graphs import cycle_count, shortest_forest
@@ -101,7 +102,7 @@ def test_the_linking_number_tells_linked_rings_from_rings_apart():
         one, _ = mesh.split()
         own = proof(shape_of(one), points[:48]).rank + proof(shape_of(one), points[48:]).rank
         assert own == 1
-        of_other = [shape_of(one).handles.windings(line, cycle(48))[1].any() for line in (points[:48], points[48:])]
+        of_other = [windings(shape_of(one), line).any() for line in (points[:48], points[48:])]
         assert sorted(of_other) == [are_linked, True]
 
 
@@ -156,10 +157,10 @@ def test_the_rank_modulo_a_prime_is_that_of_fractions(seed):
     few = random.integers(-3, 4, (3, 8))
     matrix = np.concatenate([few, random.integers(-2, 3, (6, 3)) @ few, random.integers(-(2**40), 2**40, (3, 8))])
     matrix = matrix[random.permutation(len(matrix))]
-    span = handle_loops.Span(8)
+    span = handles.Span()
     for k, row in enumerate(matrix):
         before, after = (rank_by_fractions(matrix[:num]) for num in (k, k + 1))
-        assert span.adds_all(row[None])[0] == (after > before)
+        assert span.add(row[None])[0] == (after > before)
 
 
 def rank_modulo(matrix, prime):
@@ -175,18 +176,18 @@ def rank_modulo(matrix, prime):
     return is_new
 
 
-@pytest.mark.parametrize("prime", [handle_loops.PRIME, *handle_loops.FACTORS])
+@pytest.mark.parametrize("prime", [handles.PRIME, *handle_loops.FACTORS])
 def test_many_vectors_at_once_are_added_as_one_by_one(prime):
     """More than a block holds, with entries of all sizes; a rank by halves of numbers is exact."""
-    random, num = np.random.default_rng(5), 2 * handle_loops.BLOCK + 10
-    few = random.integers(0, handle_loops.PRIME, (num, num + 5))
-    mixed = random.integers(-3, 4, (num, num)) @ few % handle_loops.PRIME
+    random, num = np.random.default_rng(5), 2 * handles.BLOCK + 10
+    few = random.integers(0, handles.PRIME, (num, num + 5))
+    mixed = random.integers(-3, 4, (num, num)) @ few % handles.PRIME
     matrix = np.concatenate([few[:50], few[:20] + few[10:30], few[40:], mixed[:30]])
     expected = rank_modulo(matrix, prime)
-    span = handle_loops.Span(matrix.shape[1], prime)
-    assert span.adds_all(matrix[:70]).tolist() + [span.adds_all(row[None])[0] for row in matrix[70:]] == expected
+    span = handles.Span(prime)
+    assert span.add(matrix[:70]).tolist() + [span.add(row[None])[0] for row in matrix[70:]] == expected
     assert sum(expected) == num or prime in handle_loops.FACTORS
-    assert not span.adds_all(matrix).any()
+    assert not span.add(matrix).any()
 
 
 @pytest.fixture(scope="module")

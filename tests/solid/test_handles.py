@@ -6,19 +6,18 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import torus
-from loop_cases import RING, circle, cycle, shape_of, theta, torus_knot
+from loop_cases import RING, circle, shape_of, theta, torus_knot, windings
 
-from msf_jax.meso import homology
 from msf_jax.solid import handles as handles_module
-from msf_jax.solid.handles import Handles, surface_loops
+from msf_jax.solid.handles import Handles, half_edge_classes, surface_loops
 
 
 @pytest.mark.parametrize("across", [-3, -1, 1, 2, 5])
 @pytest.mark.parametrize("along", [1, 2, 3])
 def test_a_torus_knot_goes_around_as_often_as_it_goes_along(along, across):
-    once = RING.handles.windings(circle(1.0), cycle(120))[1][0]
+    once = windings(RING, circle(1.0))
     knot = torus_knot(along, across)
-    found = RING.handles.windings(knot, cycle(len(knot)))[1][0]
+    found = windings(RING, knot)
     np.testing.assert_array_equal(found, along * once)
     assert np.gcd.reduce(once) == 1
 
@@ -75,8 +74,8 @@ def test_crossings_with_curtains_are_those_of_all_pairs(monkeypatch, most):
 def test_classes_of_paths_inside_are_those_of_the_surface_beside_them():
     """A path over the surface, pushed in a little, has the class that the flow gives its edges, but for one sign."""
     vertices, faces, _, _ = theta()
-    values = homology.half_edge_classes(vertices, faces)
-    edges, generator, lines, _, _ = surface_loops(faces)
+    values = half_edge_classes(vertices, faces, surface_loops(faces))
+    edges, generator, lines, _ = surface_loops(faces)
     normals = trimesh.Trimesh(vertices, faces, process=False).vertex_normals
     inner = vertices - 1e-4 * normals
     number = dict(zip(zip(edges.origin.tolist(), edges.target.tolist(), strict=True), values.tolist(), strict=True))
