@@ -1,8 +1,7 @@
 """`follow`: the finished curve of a mesh whose vertices have moved, in pure JAX and without a run; `stack` for many.
 
-Unlike `replay` it depends on no decisions of a run. It averages cross-sections of limbs, so its derivatives are
-moderate. See `msf_jax.base.binding`. As in graph libraries, every array of a batch has the size of the largest member,
-and masks tell rows from padding.
+Unlike `replay` it depends on no decisions of a run, and averages cross-sections: its derivatives are moderate. As in
+graph libraries, every array of a batch has the size of the largest member, and masks tell rows from padding.
 """
 
 from collections.abc import Iterable
@@ -25,11 +24,10 @@ from msf_jax.skeleton.skeleton import Skeleton
 def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     """The curve of ``skeleton`` for its mesh with moved ``vertices`` (V, 3) and the same faces, without a run.
 
-    Each node is tied to cross-sections of its limb. Their corners are stored as fractions of mesh edges, so they move
-    with the mesh. The offset of a node from the centroids turns and stretches with the limb. Junctions, and ends
-    without a cross-section, move with the nearest cross-sections; pins move with their vertices. An affine map of the
-    mesh maps the curve by the same map. At the recorded vertices the result is ``skeleton.vertices``, to rounding. The
-    mesh must keep its limbs: a new limb, or a limb bent through itself, needs a fresh run; `msf_jax.track` detects it.
+    Each node is tied to cross-sections of its limb (see `msf_jax.base.binding`), or to its own vertices; pins move with
+    theirs. An affine map of the mesh maps the curve by the same map. At the recorded vertices the result is
+    ``skeleton.vertices``, to rounding. The mesh must keep its limbs: a new limb, or a limb bent through itself, needs a
+    fresh run; `msf_jax.track` detects it.
 
     Works under `jax.jit`, `grad`, `vmap`, `jacfwd` and `jacrev`, also for second derivatives. The first call for a
     skeleton computes its binding, in well under a second. A jitted function of ``skeleton.binding`` is compiled once
@@ -42,10 +40,9 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
             any number up to its capacity, ``binding.num_vertices``.
 
     Returns:
-        The nodes and radii. A radius is the exact distance to the nearest triangle of the moved mesh, negative for a
-        node outside. Its sign is right unless the moved mesh crosses itself. Both have the floating-point type of
-        ``vertices``: float32 if that is narrower, and JAX's default if it is an integer type. Under `jax.jit`, a node
-        whose cross-section has vanished is NaN.
+        The nodes and radii: exact distances to the moved mesh, negative for a node outside. Signs are right unless the
+        moved mesh crosses itself. Both have the floating-point type of ``vertices``, at least float32, and JAX's
+        default for an integer type. Under `jax.jit`, a node whose cross-section has vanished is NaN.
 
     Differentiable in: vertices, with the nearest triangle held fixed. In a triangle soup, where every face has its own
     vertices, the first of several coincident vertices has the whole derivative; the others have 0.
@@ -102,9 +99,9 @@ def binding_of(skeleton: Any) -> Binding:
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     """``vertices`` as a JAX or NumPy array (V, 3). Only the shape of a traced array is checked. Vertices that no face
     of the surface uses may be at any position."""
-    binding, array = binding_of(skeleton), numbers_of(vertices)
-    is_real = jnp.isdtype(array.dtype, "real floating")
-    wide = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
+    binding, array = binding_of(skeleton), numbers_of("vertices", vertices, MeshError)
+    is_whole = jnp.isdtype(array.dtype, "integral")
+    wide = real_dtype() if is_whole else jnp.promote_types(array.dtype, jnp.float32)
     array = array.astype(jax.dtypes.canonicalize_dtype(wide))
     least = most = len(skeleton.mesh_map) if isinstance(skeleton, Skeleton) else binding.num_vertices
     if isinstance(skeleton, Binding):  # padding may be left out
@@ -121,15 +118,15 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     return array
 
 
-def numbers_of(vertices: Any) -> Any:
-    """``vertices`` as an array of real numbers of JAX or NumPy; else a `MeshError`."""
+def numbers_of(name: str, value: Any, error: type[Exception]) -> Any:
+    """``value`` as an array of real numbers of JAX or NumPy; else an ``error`` that names it."""
     try:
-        array = vertices if isinstance(vertices, Tracer | np.ndarray) else jnp.asarray(vertices)
+        array = value if isinstance(value, Tracer | np.ndarray) else jnp.asarray(value)
         is_real = jnp.isdtype(array.dtype, ("real floating", "integral"))
-    except (TypeError, ValueError) as error:
-        raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
+    except (TypeError, ValueError) as cause:
+        raise error(f"{name} is a {type(value).__name__}: expected an array of real numbers") from cause
     if not is_real:
-        raise MeshError(f"vertices has the type {array.dtype}: expected real numbers, (V, 3)")
+        raise error(f"{name} has the type {array.dtype}: expected real numbers")
     return array
 
 

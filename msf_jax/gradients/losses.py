@@ -1,14 +1,12 @@
 """Losses of followed curves, for training. Each is a number, 0 at best, of one curve, with its rows of padding.
 
-    binding = skeleton.binding
-    found = msf_jax.follow(binding, vertices)
-    loss = losses.near(found, binding, target) + 0.1 * losses.clearance(found, binding, 0.01)
+    found = msf_jax.follow(skeleton.binding, vertices)
+    loss = losses.near(found, skeleton.binding, target) + 0.1 * losses.clearance(found, skeleton.binding, 0.01)
 
-For a batch, `jax.vmap` a loss over all arguments. ``binding`` has the masks of nodes and edges, and the size of the
-mesh. Targets are in the mesh's units. Losses have none: squared lengths are in squared diagonals of the mesh, so that
-losses of meshes of any size can be added. They are means, so that they do not depend on the number of nodes. A node
-whose cross-section has vanished is NaN, and so is the loss: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh
-out, also out of the gradient. Arguments of other shapes or kinds are a `ConfigError`.
+For a batch, `jax.vmap` a loss over all arguments. Targets are in the mesh's units. Losses are in squared diagonals of
+the mesh, so that those of meshes of any size can be added. They are means over the nodes. A node whose cross-section
+has vanished is NaN, and so is the loss: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh out, also out of the
+gradient. Arguments of other shapes or kinds are a `ConfigError`.
 """
 
 from typing import Any
@@ -19,6 +17,7 @@ from jax import lax
 
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
+from msf_jax.gradients.follow import numbers_of
 
 SAMPLES = 4  # points along each edge of a curve
 SHORTEST = 1e-4  # diagonals: shorter edges count less in the turning, in proportion to their length
@@ -41,13 +40,13 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None) -> jax.Arr
     Differentiable in: nodes, target, with the nearest points held fixed.
     """
     nodes = _nodes(found, binding)
-    target = _scaled(binding, _real("target", target))
+    target = _scaled(binding, numbers_of("target", target, ConfigError))
     if target.ndim != 2 or target.shape[1] != 3:
         raise ConfigError(f"target has shape {target.shape}: expected points (P, 3)")
     is_point = jnp.ones(len(target), bool) if mask is None else jnp.asarray(mask)
     if is_point.shape != (len(target),) or is_point.dtype != bool:
         raise ConfigError(f"mask has shape {is_point.shape}, type {is_point.dtype}: expected ({len(target)},) bool")
-    a, b = nodes[binding.edges[:, 0]], nodes[binding.edges[:, 1]]
+    a, b = nodes[binding.edges.T]
     share = (jnp.arange(SAMPLES, dtype=nodes.dtype) + 0.5) / SAMPLES
     points = (a[:, None] + share[None, :, None] * (b - a)[:, None]).reshape(-1, 3)
     is_sample, weight = (jnp.repeat(x, SAMPLES) for x in (binding.edge_mask, norm(b - a)))
@@ -67,8 +66,8 @@ def branch_lengths(found: Any, binding: Binding) -> jax.Array:
 
     Differentiable in: nodes; the gradient at an edge of length 0 is 0.
     """
-    nodes = _nodes(found, binding)
-    along = jnp.where(binding.edge_mask, norm(nodes[binding.edges[:, 1]] - nodes[binding.edges[:, 0]]), 0.0)
+    a, b = _nodes(found, binding)[binding.edges.T]
+    along = jnp.where(binding.edge_mask, norm(b - a), 0.0)
     return jnp.asarray(binding.diagonal, along.dtype) * jax.ops.segment_sum(along, binding.branch, len(along))
 
 
@@ -93,7 +92,7 @@ def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
 
     Differentiable in: radii, least.
     """
-    rows, least = len(_nodes(found, binding)), _real("least", least)
+    rows, least = len(_nodes(found, binding)), numbers_of("least", least, ConfigError)
     if least.shape not in ((), (rows,)):
         raise ConfigError(f"least has shape {least.shape}: expected a number, or ({rows},), one for each row of nodes")
     return _mean(jnp.maximum(_scaled(binding, least - found.radii), 0.0) ** 2, binding.node_mask)
@@ -101,10 +100,9 @@ def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
 
 def turning(nodes: jax.Array, edges: Any, is_edge: Any, is_node: Any) -> jax.Array:
     """See `smoothness`; ``nodes`` (N, 3) in diagonals, ``edges`` (E, 2)."""
-    num, (a, b) = len(nodes), (edges[:, 0], edges[:, 1])
+    num, (a, b) = len(nodes), edges.T
     along = nodes[b] - nodes[a]
-    along = along / jnp.maximum(norm(along), SHORTEST)[:, None]
-    along = jnp.where(is_edge[:, None], along, 0.0)
+    along = jnp.where(is_edge[:, None], along / jnp.maximum(norm(along), SHORTEST)[:, None], 0.0)
     total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
     one = is_edge.astype(nodes.dtype)
     is_passed = is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
@@ -141,17 +139,6 @@ def _nodes(found: Any, binding: Binding) -> jax.Array:
             "of a batch, jax.vmap the loss over both"
         )
     return _scaled(binding, found.nodes)
-
-
-def _real(name: str, value: Any) -> jax.Array:
-    """``value`` as an array of real numbers; else a `ConfigError`."""
-    try:
-        array = jnp.asarray(value)
-    except (TypeError, ValueError) as error:
-        raise ConfigError(f"{name} is a {type(value).__name__}: expected real numbers") from error
-    if not jnp.isdtype(array.dtype, ("real floating", "integral")):
-        raise ConfigError(f"{name} has the type {array.dtype}: expected real numbers")
-    return array
 
 
 def _scaled(binding: Binding, lengths: Any) -> jax.Array:

@@ -32,8 +32,7 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
 
     Positions, Laplacians, poles and split points are computed anew. Collapses, splits and fixed vertices are those of
     the tape. At the recorded weights and vertices the result is ``flow.curve.vertices``. Works under `jax.jit`, `grad`,
-    `vmap`, `jacfwd` and `jacrev`; reverse mode stores three states of the surface for each iteration. Under `jax.jit`,
-    pass the tape as an argument, because a tape that is closed over is compiled in.
+    `vmap`, `jacfwd` and `jacrev`. Under `jax.jit`, pass the tape as an argument, or it is compiled in.
 
     Args:
         tape: of a run, ``flow.tape``.
@@ -41,9 +40,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
             vertices' weights; a vertex that splits an edge gets an interpolated weight.
         vertices: (V, 3) of the mesh in the caller's units. The default is the recorded vertices.
         tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed, and
-            1e-8 where a derivative is, too, which is three to five times as fast; in float32 it is 1e-6. At 1e-8 the
-            relative error of gradients is some thousandths. ``tolerance=1e-14`` makes them exact, to rounding, for the
-            recorded decisions.
+            1e-8 where a derivative is, too, which is three to five times as fast and gives gradients to some
+            thousandths; in float32 it is 1e-6. ``tolerance=1e-14`` makes gradients exact, to rounding.
 
     Returns:
         (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: then the weights are
@@ -52,10 +50,9 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
     Differentiable in: weights, vertices. The derivative includes a pole's dependence on its four sites, and the filter
     of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and
     the direction of the residual that each loose solve of the run left; its length scales with the right-hand side.
-    With ``SolverOptions(tolerance=1e-9, step_tolerance=0)`` a run leaves almost no residual. The first of several
-    welded vertices represents all of them; the others have a derivative of 0. A system whose w_L grows
-    (``Config.au2008()``) is ill-conditioned. Its run has a factorisation as preconditioner, its replay has not: on more
-    than some thousand vertices the replay takes minutes, or is NaN.
+    Of several welded vertices the first has the whole derivative. A system whose w_L grows (``Config.au2008()``) is
+    ill-conditioned, and the replay has no factorisation for it: on more than some thousand vertices it takes minutes,
+    or is NaN.
 
     Raises:
         ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.
@@ -119,7 +116,7 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
         _replayed_part(shape, settings, (part, weights, given + moved, moved))
         for part, shape in zip(tape.parts, tape.shapes, strict=True)
     ]
-    meso, nodes = (jnp.concatenate(column) for column in zip(*results, strict=True))
+    meso, nodes = map(jnp.concatenate, zip(*results, strict=True))
     return meso, nodes
 
 
@@ -157,7 +154,7 @@ def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
             "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
             'expected a run without repair="join" and without extruded rims, or a call without vertices'
         )
-    array = numbers_of(vertices).astype(real_dtype())
+    array = numbers_of("vertices", vertices, MeshError).astype(real_dtype())
     if array.shape != tape.vertices.shape:
         raise MeshError(
             f"vertices has shape {array.shape}: expected {tape.vertices.shape}, as in the mesh that the tape was "

@@ -1,8 +1,7 @@
 """The tape of a run: its decisions, with which `replay` computes the same curve as a differentiable program.
 
 It has the one-rings, collapses and splits, the pole of each vertex, the fixed vertices, the map from vertices to nodes,
-and the residuals of the linear solves. It is a pytree of arrays, can be saved and loaded, and identifies its mesh.
-Only layouts and options are static.
+and the residuals of the linear solves. Layouts and options are static.
 """
 
 import hashlib
@@ -41,18 +40,15 @@ class Tape:
     """The decisions of a run, for `replay`. `contract` makes it, as ``flow.tape``. A pytree of arrays.
 
     Attributes:
-        parts: one for each component of the mesh.
+        parts, shapes: one for each component of the mesh, and the layouts of its buffers.
         vertices: (V, 3) of the mesh, in the caller's units.
-        areas: (V,) the area that belongs to each vertex.
-        node_of_vertex: (V,) the node of each vertex.
+        areas, node_of_vertex: (V,) the area and the node of each vertex.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
         offsets: (N, 3, 3) from those vertices to the triangle's corners; 0, but for corners that repair made.
         is_inside: (N,) whether the node is inside.
         mesh_hash: (32,) uint8, of the mesh's vertices and faces.
-        weights: of the run.
-        shapes: layouts of the parts' buffers.
-        config: of the run.
+        weights, config: of the run.
         is_joined: whether the surface has vertices that repair made, where it joined parts or extruded a rim.
     """
 
@@ -122,11 +118,10 @@ class Tape:
             ConfigError: the file is no tape, is damaged, or was written by another version.
             MeshError: the tape is of another mesh.
         """
-        with archive.reading(path, KIND, FORMAT_VERSION, "make a tape with contract, and save it with Tape.save") as (
-            header,
-            arrays,
-        ):
-            tape = _checked(header, arrays)
+        with archive.reading(
+            path, KIND, FORMAT_VERSION, "make a tape with contract, and save it with Tape.save"
+        ) as file:
+            tape = _checked(*file)
         if mesh is not None:
             tape.check(mesh)
         return tape
@@ -168,11 +163,10 @@ def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
         tape = Tape(**archive.decoded(header["tape"], arrays, RECORDS))
     except ConfigError as error:
         raise ValueError(str(error)) from error
-    if not (isinstance(tape.weights, Weights) and isinstance(tape.config, Config) and isinstance(tape.is_joined, bool)):
-        raise ValueError("it lacks weights or options")
-    kinds = [(tape.parts, Part), (tape.shapes, Shape)]
-    if len(tape.parts) != len(tape.shapes) or not all(isinstance(each, kind) for some, kind in kinds for each in some):
-        raise ValueError("it has other parts than shapes")
+    kinds: list[tuple[Any, type]] = [(tape.weights, Weights), (tape.config, Config), (tape.is_joined, bool)]
+    kinds += [(part, Part) for part in tape.parts] + [(shape, Shape) for shape in tape.shapes]
+    if len(tape.parts) != len(tape.shapes) or not all(isinstance(each, kind) for each, kind in kinds):
+        raise ValueError("it lacks weights, options, parts or shapes")
     num, nodes = len(tape.vertices), sum(len(part.is_held) for part in tape.parts)
     most = {"node_of_vertex": nodes, "edges": nodes, "triangles": num}  # of indices
     sizes = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "edges": (len(tape.edges), 2)}
@@ -182,11 +176,11 @@ def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
             raise ValueError(f"{name} has shape {np.shape(getattr(tape, name))}: expected {shape}")
     for name, count in most.items():
         values = getattr(tape, name)
-        if values.dtype.kind not in "iu" or (values.size and values.max() >= count):
+        if values.dtype.kind not in "iu" or values.max(initial=-1) >= count:
             raise ValueError(f"{name} is {values.dtype}, up to {values.max()}: expected whole numbers below {count}")
     for values in jax.tree.leaves(tape):
-        if values.dtype.kind not in "fiub" or (values.dtype.kind == "f" and not np.isfinite(values).all()):
+        if values.dtype.kind not in "fiub" or not np.isfinite(values).all():
             raise ValueError("it has values that are not finite numbers")
-        if values.dtype.kind == "i" and values.size and values.min() < 0:
+        if values.dtype.kind == "i" and values.min(initial=0) < 0:
             raise ValueError(f"it has an index of {values.min()}")
     return tape

@@ -1,7 +1,6 @@
-"""`msf_jax.torch.follow`: `msf_jax.follow` as a function of PyTorch, with its derivative.
+"""`msf_jax.torch.follow`: `msf_jax.follow` as a function of PyTorch, with JAX's derivative, in shared memory (DLPack).
 
-Tensors and JAX's arrays share their memory (DLPack). The derivative is JAX's, computed from the saved vertices when
-PyTorch asks for it. PyTorch is imported on the first call; this package does not depend on it.
+PyTorch is imported on the first call; this package does not depend on it.
 """
 
 import importlib
@@ -38,12 +37,9 @@ def follow(skeleton: Any, vertices: Any) -> Followed:
         torch = importlib.import_module("torch")
     except ImportError as error:
         raise ConfigError("msf_jax.torch needs PyTorch: install it with pip install torch") from error
-    if not isinstance(vertices, torch.Tensor):
-        raise MeshError(
-            f"vertices is a {type(vertices).__name__}: expected a torch.Tensor; msf_jax.follow takes arrays"
-        )
-    if vertices.dtype not in (torch.float32, torch.float64):
-        raise MeshError(f"vertices has the type {vertices.dtype}: expected torch.float32 or torch.float64")
+    if not isinstance(vertices, torch.Tensor) or vertices.dtype not in (torch.float32, torch.float64):
+        kind = getattr(vertices, "dtype", "")
+        raise MeshError(f"vertices is a {type(vertices).__name__} {kind}: expected a torch.Tensor, float32 or float64")
     if vertices.dtype == torch.float64 and real_dtype() != jnp.float64:
         raise ConfigError(
             "vertices is float64, and JAX would compute in float32: expected vertices.float(), or "
@@ -51,13 +47,12 @@ def follow(skeleton: Any, vertices: Any) -> Followed:
         )
     if isinstance(skeleton, Batch) and tuple(vertices.shape) != skeleton.vertices.shape:
         raise MeshError(f"vertices has shape {tuple(vertices.shape)}: expected {skeleton.vertices.shape}, as the batch")
-    return Followed(*_function().apply(vertices, skeleton))
+    return Followed(*_function(torch).apply(vertices, skeleton))
 
 
 @lru_cache(1)
-def _function() -> Any:
+def _function(torch: Any) -> Any:
     """The `torch.autograd.Function`, which can only be defined where PyTorch is."""
-    torch = importlib.import_module("torch")
 
     def backward(ctx: Any, *slopes: Any) -> tuple[Any, None]:
         (vertices,) = ctx.saved_tensors
@@ -82,8 +77,8 @@ def _to_jax(tensor: Any) -> jax.Array:
 def _followed(skeleton: Any, vertices: jax.Array) -> tuple[jax.Array, ...]:
     """(nodes, radii) of a skeleton, a binding or a batch."""
     if isinstance(skeleton, Batch):
-        return _followed_batch(skeleton.bindings, vertices)
+        return tuple(_followed_batch(skeleton.bindings, vertices))
     return tuple(by_jax.follow(skeleton, vertices))
 
 
-_followed_batch = jax.jit(lambda bindings, vertices: tuple(jax.vmap(by_jax.follow)(bindings, vertices)))
+_followed_batch = jax.jit(jax.vmap(by_jax.follow))

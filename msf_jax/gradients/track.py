@@ -1,14 +1,14 @@
 """`track`: one curve through a sequence of meshes with the same faces; the same nodes in each, and its validity.
 
-It needs one run, and evaluates `follow` for each frame. `follow` uses only the recorded cross-sections, which can look
-right although a limb has entered another one, or a new limb has grown. So a frame is checked against its whole moved
-surface: the curve is inside, its radii agree with the recorded ones, the surface does not cross itself, and the loops
-go around its handles. Lengths are compared relative to the growth of the mesh, and a change counts only if it also
-shows under the affine map that fits the moved mesh best: stretching the whole mesh is no fault.
+It evaluates `follow` for each frame. The recorded cross-sections can look right although a limb has entered another
+one, or a new limb has grown. So a frame is checked against its whole moved surface: the curve is inside, its radii are
+the recorded ones, the surface does not cross itself, and the loops go around its handles. Lengths are compared relative
+to the growth of the mesh, and a change counts only if it also shows under the affine map that fits the moved mesh best:
+stretching the whole mesh is no fault.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import jax
@@ -32,12 +32,13 @@ GROWN = 1.0  # radii: growth of a vertex's distance from its node that counts as
 WIDE = 0.25  # share of the recorded distance that the growth must exceed in addition; the distance is large in sheets
 SLIGHT = 0.005  # diagonals: radii count as at least this, because noise dominates shorter lengths
 PINNED = 1e-6  # diagonals: nodes this near to the recorded surface were pinned to it, and are not checked
-NODES = {  # attributes of a `TrackedFrame` with ids of nodes, and their descriptions
-    "vanished": "without a section",
-    "overlaps": "around which the surface winds once more",
-    "changed": "whose distance from the surface has changed",
+FAULTS = {  # attributes of a `TrackedFrame` that are faults if they are not 0 or empty, and what they count
+    "vanished": "nodes without a section",
+    "overlaps": "nodes around which the surface winds once more",
+    "changed": "nodes whose distance from the surface has changed",
+    "crossings": "pairs of faces in which the surface crosses itself",
+    "loops": "loops that go around no handle of their own any more",
 }
-FAULTS = (*NODES, "crossings", "loops")  # attributes of a `TrackedFrame` that are faults if they are not 0 or empty
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +62,8 @@ class TrackedFrame:
     """
 
     number: int
-    nodes: np.ndarray = field(repr=False)
-    radii: np.ndarray = field(repr=False)
+    nodes: np.ndarray
+    radii: np.ndarray
     inside: float
     vanished: np.ndarray
     overlaps: np.ndarray
@@ -76,35 +77,27 @@ class TrackedFrame:
         return bool(self.faults) or not self.inside >= INSIDE
 
     @property
-    def faults(self) -> dict[str, float]:
-        """The faults by the names of their attributes: the number of nodes or pairs of faces, or the fraction."""
-        counts = {name: len(getattr(self, name)) if name in NODES else getattr(self, name) for name in FAULTS}
+    def faults(self) -> dict[str, int]:
+        """The faults by the names of their attributes: the number of nodes, pairs of faces, or loops."""
+        found = {name: getattr(self, name) for name in FAULTS}
+        counts = {name: len(some) if isinstance(some, np.ndarray) else some for name, some in found.items()}
         return {name: count for name, count in counts.items() if count}
 
     def __repr__(self) -> str:
         inside = "not checked further" if len(self.vanished) else f"{100 * self.inside:.2f} % inside"
         parts = [f"frame {self.number}: {inside}"]
-        for name, what in NODES.items():
-            nodes = getattr(self, name)
-            if len(nodes):
-                parts.append(f"{len(nodes)} {'node' if len(nodes) == 1 else 'nodes'} {what}, the first {nodes[0]}")
-        if self.crossings:
-            parts.append(f"the surface crosses itself, in {self.crossings} pairs of faces")
-        if self.loops:
-            parts.append(f"{self.loops} of its loops go around no handle of their own any more")
+        for name, count in self.faults.items():
+            found = getattr(self, name)
+            first = f", the first {found[0]}" if isinstance(found, np.ndarray) else ""
+            parts.append(f"{FAULTS[name]}: {count}{first}")
         return "; ".join(parts) + ("; needs a fresh run" if self.wants_run else "")
 
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A curve through a sequence of meshes. All frames have the same nodes and edges.
+    """A curve through a sequence of meshes, with the nodes and edges of ``skeleton`` in each of ``frames``."""
 
-    Attributes:
-        skeleton: of the mesh that was skeletonised, usually the first.
-        frames: one for each mesh, in their order.
-    """
-
-    skeleton: Skeleton = field(repr=False)
+    skeleton: Skeleton
     frames: tuple[TrackedFrame, ...]
 
     @property
@@ -149,14 +142,12 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
-        Nodes and radii for each frame, with the same ids in all, and a validity check of each. ``wants_run`` is True
-        for a frame that is bent, flattened or torn too far, in which limbs intersect, or in which a limb has grown. See
-        `TrackedFrame`.
+        Nodes and radii for each frame, with the same ids in all. ``wants_run`` is True for a frame that is bent,
+        flattened or torn too far, in which limbs intersect, or in which a limb has grown. See `TrackedFrame`.
 
     Raises:
         ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
-        MeshError: a frame cannot be read, has other vertices or faces, or is not finite. The message says which frame,
-            and what was expected.
+        MeshError: a frame, which the message names, cannot be read, has other vertices or faces, or is not finite.
     """
     if not isinstance(frames, Iterable) or isinstance(frames, str):
         raise ConfigError(f"frames is a {type(frames).__name__}: expected a sequence of vertices (V, 3) or of meshes")

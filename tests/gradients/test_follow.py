@@ -355,7 +355,7 @@ def test_through_jax_and_files(tube, batch, compilations, tmp_path):
     [
         (lambda v: v[:-1], r"shape \(\d+, 3\): expected"),
         (lambda v: np.where(np.arange(len(v))[:, None] == 5, np.nan, v), "1 of the vertices, the first 5, are not"),
-        (lambda v: "hand.off", "expected an array of numbers"),
+        (lambda v: "hand.off", "expected an array of real numbers"),
         (lambda v: v + 1j, "the type complex128: expected real"),
         (lambda v: np.zeros((10_000, 3)), r"shape \(10000, 3\): expected"),
     ],

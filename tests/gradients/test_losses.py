@@ -135,7 +135,7 @@ def test_a_loss_is_blind_to_padding_and_units_and_has_the_slopes_of_differences(
     [
         (lambda f, b: losses.clearance(f, b, jnp.full((8, 1), 0.4)), r"least has shape \(8, 1\).* number, or \(8,\)"),
         (lambda f, b: losses.clearance(f, b, b.node_mask), "least has the type bool: expected real numbers"),
-        (lambda f, b: losses.clearance(f, b, b), "least is a Binding: expected real numbers"),
+        (lambda f, b: losses.clearance(f, b, b), "least is a Binding: expected an array of real"),
         (lambda f, b: losses.near(f, b, RADII), r"target has shape \(5,\): expected points \(P, 3\)"),
         (lambda f, b: losses.near(f, b, LINE, b.node_mask), r"mask has shape \(8,\).*: expected \(5,\) bool"),
         (lambda f, b: losses.near(f, b, LINE, RADII), "mask has shape .* type float64: expected .* bool"),

@@ -147,7 +147,7 @@ def test_an_unsolved_replay_is_nan(flow, monkeypatch):
         (lambda tape: (tape, Weights(w_H=np.ones(3))), ConfigError, r"w_H has shape \(3,\): expected a number, or"),
         (lambda tape: (tape, Weights(), np.zeros((5, 3))), MeshError, r"shape \(5, 3\): expected \(162, 3\)"),
         (lambda tape: (tape, Weights(), tape.vertices * np.nan), MeshError, "162 of the vertices, the first 0, are"),
-        (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str: expected an array of numbers"),
+        (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str: expected an array of real"),
         (lambda tape: (tape, jax.tree.map(lambda _: -1.0, Weights())), ConfigError, "w_L is -1.0: expected a"),
         (lambda tape: (tape, jax.tree.map(lambda _: 0.0, Weights())), ConfigError, "w_H is 0.0: expected more"),
     ],
