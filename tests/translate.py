@@ -39,6 +39,8 @@ MODULES = (
     "msf_jax.solid.kernels",
     "msf_jax.solid.walks",
     "msf_jax.limbs.fronts",
+    "msf_jax.limbs.levels",
+    "msf_jax.limbs.tree",
     "msf_jax.meso.kernels",
 )  # that have kernels
 PYTHON = (3, 11)  # whose byte code is read

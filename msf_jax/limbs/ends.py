@@ -93,9 +93,8 @@ def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np
     return found
 
 
-def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:
-    """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line. And
-    whether there is one only: then the solid has a direction in which it is long."""
+def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line."""
     matrix, share = laplacian(vertices, faces)
     mass, whole = sparse.diags_array(share).tocsc(), float(share.sum())
     start = np.cos(np.arange(len(vertices)))
@@ -104,33 +103,19 @@ def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:
     order = np.argsort(value)[1:]
     vector = vector[:, order[value[order] * EQUAL_EIGENVALUES <= value[order[0]]]]
 
-    def length(parts: np.ndarray) -> float:
-        return zero_line(vertices, faces, vector @ parts)
+    def length(parts: tuple[float, ...] | np.ndarray) -> float:
+        """Of the line on which the sum of the eigenfunctions is 0; infinite where that is 0 all over."""
+        corners, height = vertices[faces], (vector @ np.array(parts))[faces]
+        onward = np.roll(height, -1, axis=1)
+        share = height / np.where(height == onward, 1.0, height - onward)
+        points = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
+        is_cut = (height > 0) != (onward > 0)
+        points = points[is_cut.any(axis=1)][is_cut[is_cut.any(axis=1)]].reshape(-1, 2, 3)
+        return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
 
-    start = min(itertools.product((-1.0, 0.0, 1.0), repeat=vector.shape[1]), key=lambda each: length(np.array(each)))
+    start = min(itertools.product((-1.0, 0.0, 1.0), repeat=vector.shape[1]), key=length)
     found = optimize.minimize(length, start, method="Nelder-Mead", options={"xatol": 1e-3, "maxfev": MOST_LINES})
-    return vector @ found.x, vector.shape[1] == 1
-
-
-def zero_line(vertices: np.ndarray, faces: np.ndarray, value: np.ndarray) -> float:
-    """The length of the line on which ``value`` (V,) is 0; infinite where it is 0 all over."""
-    corners, height = vertices[faces], value[faces]
-    share = height / np.where(height == np.roll(height, -1, axis=1), 1.0, height - np.roll(height, -1, axis=1))
-    points = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
-    is_cut = (height > 0) != (np.roll(height, -1, axis=1) > 0)
-    points = points[is_cut.any(axis=1)][is_cut[is_cut.any(axis=1)]].reshape(-1, 2, 3)
-    return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
-
-
-def _around_end(
-    vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The vertices (v,) of the limb ``region`` (r,) and its base, its faces (f, 3) of them, and d of each (v,)."""
-    is_in = np.zeros(len(vertices), dtype=bool)
-    is_in[region[time[region] > 0]] = True
-    near, local = np.unique(faces[is_in[faces].any(axis=1)], return_inverse=True)
-    u = np.where(is_in[near], time[near], 0.0)
-    return near, local.reshape(-1, 3), np.sqrt(2 * np.maximum(u.max() - u, 0.0))
+    return vector @ found.x
 
 
 def is_near_end(time: np.ndarray, area: float, region: np.ndarray, vertices: np.ndarray) -> np.ndarray:
@@ -142,13 +127,15 @@ def is_near_end(time: np.ndarray, area: float, region: np.ndarray, vertices: np.
 def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> LimbAxis:
     """The curve of the limb ``region`` (r,), vertices of a surface ``(vertices (V, 3), faces (F, 3))`` of the solid
     ``shape``. ``time`` (V,) is the mean exit time."""
-    near, local, away = _around_end(vertices, faces, time, region)
-    own, end = near[local], int(away.argmin())
-    # The radius of a tube of that area and length.
+    is_in = np.zeros(len(vertices), dtype=bool)
+    is_in[region[time[region] > 0]] = True
+    near, local = np.unique(faces[is_in[faces].any(axis=1)], return_inverse=True)  # the limb and its base
+    x, local, u = vertices[near], local.reshape(-1, 3), np.where(is_in[near], time[near], 0.0)
+    away = np.sqrt(2 * np.maximum(u.max() - u, 0.0))
     longest = max(float(away.max()), 1e-300)
-    width = float(triangle_areas(vertices[own]).sum()) / (2 * np.pi * longest)
-    step = min(RING_SPACING * width, longest / RINGS)
-    found = levels(vertices[near], local, away + step / 2, step)
+    width = float(triangle_areas(x[local]).sum()) / (2 * np.pi * longest)
+    found = levels(x, local, away, min(RING_SPACING * width, longest / RINGS), 0.5)
+    end, step = int(away.argmin()), found.step
     # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
     # as the flanges of a beam, are left out.
     rings, whole, is_split = [], NEAR_END, False
@@ -171,7 +158,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         is_split |= bool(is_across[:-1].any())
         rings = rings[: int(is_across[:-1].argmax()) if is_across[:-1].any() else -1]
     middles = middles[: len(rings)]
-    whole = max(whole, _cut_off(vertices[near], local, away, middles, found.perimeter[rings], step))
+    whole = max(whole, _cut_off(x, local, away, middles, found.perimeter[rings], step))
     own = found.normal[rings], found.perimeter[rings], found.size[rings]
     reach = (len(rings) + 0.5) * step if is_split else np.inf
     return LimbAxis(to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width, reach)

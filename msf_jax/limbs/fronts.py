@@ -11,126 +11,117 @@ from msf_jax.solid.enclosure import Enclosure
 
 
 class FrontSurface(NamedTuple):
-    """points: (V, 3). faces: (F, 3), closed and oriented. first: (V + 1,) of each vertex' part of ``around``, the faces
-    around it, one after another."""
+    """faces: (F, 3), closed and oriented. first: (V + 1,) of each vertex' part of ``around``, the corners 3 f + k at
+    it, one after another. sides: (F, 9) the lengths of the edges from each corner to the next; how far along each the
+    foot of the third corner's perpendicular is; and how far from each that corner is."""
 
-    points: Points
     faces: Rows
     first: Ints
     around: Ints
+    sides: Points
 
 
 class Front(NamedTuple):
-    """distance: (V,), infinite. is_settled: (V,), 0. key, value: (9F,) a heap of distances and vertices."""
+    """distance: (V,), infinite before. vertex, key: (V + 1,) a heap of vertices and their distances, the nearest first.
+    place: (V,) of each vertex in the heap: -1 before it is there, and V once it is settled."""
 
     distance: Reals
-    is_settled: Ints
+    vertex: Ints
     key: Reals
-    value: Ints
+    place: Ints
 
 
 @part
-def push(heap: Front, size: int, key: float, value: int) -> int:
-    """Add an entry to a heap of ``size`` entries; returns the new size."""
-    at = size
-    while at > 0 and heap.key[(at - 1) // 2] > key:
-        heap.key[at], heap.value[at] = heap.key[(at - 1) // 2], heap.value[(at - 1) // 2]
-        at = (at - 1) // 2
-    heap.key[at], heap.value[at] = key, value
-    return size + 1
+def lift(front: Front, vertex: int, key: float, at: int) -> None:
+    """Put a vertex into the gap ``at`` of the heap, or as far above it as its distance demands."""
+    above = (at - 1) // 2
+    while at > 0 and front.key[above] > key:
+        front.vertex[at], front.key[at], front.place[front.vertex[above]] = front.vertex[above], front.key[above], at
+        at, above = above, (above - 1) // 2
+    front.vertex[at], front.key[at], front.place[vertex] = vertex, key, at
 
 
 @part
-def pop(heap: Front, size: int) -> int:
-    """Remove the first entry of a heap of ``size`` entries; returns the new size."""
+def lower(front: Front, vertex: int, distance: float, size: int) -> int:
+    """Lower the distance of a vertex, in a heap of ``size`` vertices or not yet; returns the new size."""
+    if not distance < front.distance[vertex]:
+        return size
+    front.distance[vertex] = distance
+    at = front.place[vertex] if front.place[vertex] >= 0 else size
+    lift(front, vertex, distance, at)
+    return max(size, at + 1)
+
+
+@part
+def pop(front: Front, size: int) -> int:
+    """Remove the first vertex of a heap of ``size`` vertices; returns the new size."""
     size -= 1
-    key, value, at = heap.key[size], heap.value[size], 0
-    while 2 * at + 1 < size:
-        child = 2 * at + 1
-        if child + 1 < size and heap.key[child + 1] < heap.key[child]:
-            child += 1
-        if heap.key[child] >= key:
-            break
-        heap.key[at], heap.value[at] = heap.key[child], heap.value[child]
-        at = child
-    heap.key[at], heap.value[at] = key, value
+    vertex, key, gap = front.vertex[size], front.key[size], 0
+    front.key[size] = inf
+    while 2 * gap + 1 < size:  # the gap moves down, and the last vertex from there up: it is seldom far
+        child = 2 * gap + 1
+        child += front.key[child + 1] < front.key[child]
+        front.vertex[gap], front.key[gap], front.place[front.vertex[child]] = front.vertex[child], front.key[child], gap
+        gap = child
+    lift(front, vertex, key, gap)
     return size
 
 
 @part
-def product(x: Points, a: int, b: int, c: int) -> float:
-    """(b - a) . (c - a)."""
-    last = (x[b, 2] - x[a, 2]) * (x[c, 2] - x[a, 2])
-    return (x[b, 0] - x[a, 0]) * (x[c, 0] - x[a, 0]) + (x[b, 1] - x[a, 1]) * (x[c, 1] - x[a, 1]) + last
-
-
-@part
-def through(x: Points, a: int, b: int, c: int, from_a: float, from_b: float) -> float:
-    """The distance of c, straight through the edge ab, from the point of the unfolded plane that has the distances
-    ``from_a`` and ``from_b`` from a and b; infinite if the line misses the edge."""
-    length2 = product(x, a, b, b)
-    length = sqrt(length2)
-    if length <= 0:
+def through(surface: FrontSurface, face: int, k: int, from_a: float, from_b: float) -> float:
+    """The distance of a third corner, straight through the edge ab from corner k of a face to the next, from the point
+    of the unfolded plane that has the distances ``from_a`` and ``from_b`` from its ends; infinite if the line misses
+    the edge."""
+    length, foot, height = surface.sides[face, k], surface.sides[face, 3 + k], surface.sides[face, 6 + k]
+    along = (from_a * from_a - from_b * from_b + length * length) / (2 * length)
+    behind2 = from_a * from_a - along * along
+    if not behind2 >= 0 or not length > 0:
         return inf
-    cx = product(x, a, b, c) / length
-    cy = sqrt(max(product(x, a, c, c) - cx * cx, 0.0))
-    px = (from_a * from_a - from_b * from_b + length2) / (2 * length)
-    py2 = from_a * from_a - px * px
-    if py2 < 0:
-        return inf
-    py = sqrt(py2)
-    meets = px + (cx - px) * py / (py + cy) if py + cy > 0 else -1.0
-    return sqrt((cx - px) * (cx - px) + (cy + py) * (cy + py)) if 0 <= meets <= length else inf
-
-
-@part
-def settle(surface: FrontSurface, front: Front, vertex: int, size: int) -> int:
-    """Update the neighbours' distances through ``vertex``: along edges, and through triangles with two settled corners.
-    Returns the heap's new size."""
-    x, faces, distance = surface.points, surface.faces, front.distance
-    for at in range(surface.first[vertex], surface.first[vertex + 1]):
-        face = surface.around[at]
-        for k in range(3):
-            near = faces[face, k]
-            if near == vertex:
-                continue
-            far = faces[face, 0] + faces[face, 1] + faces[face, 2] - vertex - near
-            if front.is_settled[near] == 1:
-                target, away = far, through(x, near, vertex, far, distance[near], distance[vertex])
-            else:
-                target, away = near, distance[vertex] + sqrt(product(x, vertex, near, near))
-            if front.is_settled[target] != 1 and away < distance[target]:
-                distance[target] = away
-                size = push(front, size, away, target)
-    return size
+    behind = sqrt(behind2)
+    meets = along + (foot - along) * behind / (behind + height) if behind + height > 0 else -1.0
+    return sqrt((foot - along) ** 2 + (height + behind) ** 2) if 0 <= meets <= length else inf
 
 
 @kernel
 def spread(surface: FrontSurface, front: Front, sources: Ints) -> None:
-    """Set ``front.distance`` to the geodesic distances from the nearest of the vertices ``sources`` (k,)."""
-    size = 0
+    """Set ``front.distance`` to the geodesic distances from the nearest of the vertices ``sources`` (k,).
+
+    Each vertex, the nearest first, settles, and lowers its neighbours' distances: along edges, and through triangles
+    with two settled corners."""
+    distance, place, settled, size = front.distance, front.place, len(front.place), 0
     for source in sources:
-        front.distance[source] = 0.0
-        size = push(front, size, 0.0, source)
+        size = lower(front, source, 0.0, size)
     while size:
-        vertex = front.value[0]
+        vertex = front.vertex[0]
         size = pop(front, size)
-        if front.is_settled[vertex] != 1:
-            front.is_settled[vertex] = 1
-            size = settle(surface, front, vertex, size)
+        place[vertex] = settled
+        for at in range(surface.first[vertex], surface.first[vertex + 1]):
+            face, k = surface.around[at] // 3, surface.around[at] % 3
+            one, other, away = surface.faces[face, (k + 1) % 3], surface.faces[face, (k + 2) % 3], distance[vertex]
+            if place[one] != settled:
+                size = lower(front, one, away + surface.sides[face, k], size)
+                if place[other] == settled:
+                    size = lower(front, one, through(surface, face, (k + 2) % 3, distance[other], away), size)
+            elif place[other] != settled:
+                size = lower(front, other, through(surface, face, k, away, distance[one]), size)
 
 
 def distances(shape: Enclosure) -> Callable[[np.ndarray], np.ndarray]:
     """A function from vertices (k,) of a closed surface to the geodesic distance of each vertex (V,) from them."""
-    x, faces = shape.vertices, shape.faces
-    around = np.argsort(faces.ravel(), kind="stable") // 3
-    first = np.concatenate([[0], np.cumsum(np.bincount(faces.ravel(), minlength=len(x)))])
-    surface = FrontSurface(x, faces, first, around)
-    key, value = np.empty(9 * len(faces)), np.empty(9 * len(faces), dtype=np.int64)
+    x, faces, num = shape.vertices, shape.faces, len(shape.vertices)
+    around = np.argsort(faces.ravel(), kind="stable")
+    first = np.concatenate([[0], np.cumsum(np.bincount(faces.ravel(), minlength=num))])
+    side = np.roll(x[faces], -1, axis=1) - x[faces]
+    across = -np.roll(side, 1, axis=1)  # from each corner to the one before
+    length = np.linalg.norm(side, axis=2)
+    foot = np.einsum("fki,fki->fk", side, across) / np.maximum(length, 1e-300)
+    height = np.sqrt(np.maximum(np.einsum("fki,fki->fk", across, across) - foot**2, 0.0))
+    surface = FrontSurface(faces, first, around, np.hstack([length, foot, height]))
+    vertex, key = np.empty(num + 1, dtype=np.int64), np.empty(num + 1)
 
     def spread_from(sources: np.ndarray) -> np.ndarray:
-        found, is_settled = np.full(len(x), np.inf), np.zeros(len(x), dtype=np.int64)
-        spread(surface, Front(found, is_settled, key, value), sources)
+        found = np.full(num, np.inf)
+        spread(surface, Front(found, vertex, key, np.full(num, -1)), sources)
         return found
 
     return spread_from

@@ -66,7 +66,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
         return None
     place = int(found.piece[np.linalg.norm(x - middles[seed], axis=1).argmin()])
     vertices, edges = _joined(shape, found, middles[seed], place, is_inside)
-    node_of_piece = np.full(found.num_pieces, len(found.centre))
+    node_of_piece = np.full(len(found.contents), len(found.centre))
     node_of_piece[found.below] = node_of_piece[found.above] = np.arange(len(found.centre))
     return ReebCurve(vertices, edges, node_of_piece[found.piece])
 
@@ -85,7 +85,7 @@ def _joined(
     node = np.concatenate([np.arange(num), np.arange(num), [num]])
     order = np.lexsort((node, piece))
     piece, node = piece[order], node[order]
-    count = np.bincount(piece, minlength=found.num_pieces)[piece]
+    count = np.bincount(piece, minlength=len(found.contents))[piece]
     first = np.searchsorted(piece, piece)
     row, place = repeated(np.where(count > MOST_AROUND, 1, count))
     other = first[row] + place

@@ -24,11 +24,12 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.limbs import ends, fronts
-from msf_jax.limbs.levels import Levels, levels
+from msf_jax.limbs.levels import first_of, levels
 from msf_jax.meshes.reconnecting import reconnected
+from msf_jax.numerics.compiled import Ints, Points, kernel
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.frame import RESOLUTION
-from msf_jax.solid.geometry import largest_of_each, triangle_areas
+from msf_jax.solid.geometry import triangle_areas
 from msf_jax.topology import graphs
 
 SOURCES = 32  # points, far from each other, whose distances are averaged; with 16, mirrored limbs differ by a sixth
@@ -284,7 +285,7 @@ def limbs_among(arcs: Arcs, least: float, detail: float) -> list[int]:
 
 def _halves(part: Patch) -> list[Limb]:
     """The halves of a component, as limbs (see `ends.halves`)."""
-    value, found = ends.halves(part.points, part.faces)[0], []
+    value, found = ends.halves(part.points, part.faces), []
     share = np.bincount(part.faces.ravel(), np.repeat(triangle_areas(part.points[part.faces]) / 3, 3))
     for side in (value, -value):
         tip, region = int(side.argmax()), np.flatnonzero(side > 0)
@@ -308,26 +309,30 @@ def _limbs_of(part: Patch, arcs: Arcs, chosen: list[int], least: float) -> list[
 
 
 def average_distance(shape: Enclosure, component: np.ndarray, spread: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """(V,) the average geodesic distance of each vertex from its ``component`` (V,).
+    """(V,) the average geodesic distance of each vertex from its ``component`` (V,), numbered in order.
 
     ``spread``: see `fronts.distances`.
     """
     x, faces = shape.vertices, shape.faces
     share = np.bincount(faces.ravel(), np.repeat(triangle_areas(shape.triangles) / 3, 3), len(x))
-    whole = np.bincount(component, share)
+    whole, first = np.bincount(component, share), np.flatnonzero(np.diff(component, prepend=-1))
     middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
 
     def farthest(distance: np.ndarray) -> np.ndarray:
         """Of each component; of places that are equally far, the last one, however their distances are rounded."""
-        return largest_of_each(component, np.round(distance, DIGITS))
+        distance, source = np.round(distance, DIGITS), np.empty(len(whole), dtype=np.int64)
+        last = np.flatnonzero(distance == np.maximum.reduceat(distance, first)[component])
+        source[component[last]] = last
+        return source
 
     source = farthest(spread(farthest(-np.linalg.norm(x - middle[component], axis=1))))
-    away = np.empty((SOURCES, len(x)))
+    away, nearest, of_source = np.empty((SOURCES, len(x))), np.full(len(x), np.inf), np.zeros(len(x), dtype=np.int64)
     for row in range(SOURCES):
         away[row] = spread(source)
-        source = farthest(away[: row + 1].min(axis=0))
-    pair = away.argmin(axis=0) * len(whole) + component
-    weight = np.bincount(pair, share, SOURCES * len(whole)).reshape(SOURCES, -1)
+        of_source[away[row] < nearest] = row
+        nearest = np.minimum(nearest, away[row])
+        source = farthest(nearest)
+    weight = np.bincount(of_source * len(whole) + component, share, SOURCES * len(whole)).reshape(SOURCES, -1)
     return np.einsum("sv,sv->v", (weight / whole)[:, component], away)
 
 
@@ -338,52 +343,43 @@ def _grouped(group: np.ndarray, num: int) -> list[list[int]]:
     return [order[start:end] for start, end in zip([0, *ends], ends, strict=False)]
 
 
-class _Union:
-    """Pieces of a surface that are joined, ring by ring. contents: (P, 6) `Levels.contents`, and the number of
-    vertices, of the part for which each piece stands."""
+class Parts(NamedTuple):
+    """The parts of a surface on one side of each level. piece: (P,) the piece that stands for the part with each piece,
+    up to its level. Of the pieces that stand for one: loops (P,), how many rings close a loop in the part; highest
+    (P,), the largest of its pieces' numbers; contents (P, c), the sum of its pieces'."""
 
-    def __init__(self, contents: np.ndarray):
-        self.contents, self._root = contents.copy(), list(range(len(contents)))
-
-    def first(self, piece: int) -> int:
-        """The piece that stands for the part with ``piece``."""
-        root = self._root
-        while root[piece] != piece:
-            root[piece] = root[root[piece]]
-            piece = root[piece]
-        return piece
-
-    def join(self, piece: int, other: int) -> None:
-        """Make one of the parts for which these pieces stand; ``piece`` stands for it."""
-        self._root[other] = piece
-        self.contents[piece] += self.contents[other]
+    piece: Ints
+    loops: Ints
+    highest: Ints
+    contents: Points
 
 
-class _Sides(NamedTuple):
-    """The part of the surface below each ring, up to its level. part: (R,) its number. contents: (R, 6) of it.
-    num_rings: (R,) how many rings bound it."""
+@kernel
+def sweep(first: Ints, here: Ints, there: Ints, root: Ints, parts: Parts) -> None:
+    """Join the pieces ``here`` (R,) and ``there`` (R,) at rings, level by level; level k begins with ring
+    ``first[k]``. All pieces there have been reached before those here. ``root`` and ``parts.piece`` hold 0, 1, ..."""
+    for level in range(len(first) - 1):
+        for ring in range(first[level], first[level + 1]):
+            one, other = first_of(root, here[ring]), first_of(root, there[ring])
+            if one == other:
+                parts.loops[one] += 1
+                continue
+            root[other] = one
+            parts.loops[one] += parts.loops[other]
+            parts.highest[one] = max(parts.highest[one], parts.highest[other])
+            for i in range(parts.contents.shape[1]):
+                parts.contents[one, i] += parts.contents[other, i]
+        for ring in range(first[level], first[level + 1]):
+            parts.piece[here[ring]] = first_of(root, here[ring])
 
-    part: np.ndarray
-    contents: np.ndarray
-    num_rings: np.ndarray
 
-
-def _swept_up(found: Levels, bands: list[list[int]], contents: np.ndarray) -> _Sides:
-    """The parts below the rings of a function's level sets, whose pieces are listed band by band, the lowest first."""
-    upon, under = (_grouped(pieces, found.num_pieces) for pieces in (found.below, found.above))
-    part, num_rings = np.zeros((2, len(found.below)), dtype=np.int64)
-    union, held = _Union(contents), np.zeros((len(found.below), 6))
-    for members in bands:
-        for piece in members:
-            for ring in under[piece]:
-                here, other = union.first(piece), union.first(int(found.below[ring]))
-                if here != other:
-                    union.join(here, other)
-        above = [ring for piece in members for ring in upon[piece]]
-        part[above] = [union.first(int(found.below[ring])) for ring in above]
-        held[above] = union.contents[part[above]]
-        num_rings[above] = np.bincount(part[above])[part[above]]
-    return _Sides(part, held, num_rings)
+def _swept(here: np.ndarray, there: np.ndarray, level: np.ndarray, highest: np.ndarray, contents: np.ndarray) -> Parts:
+    """The parts on the side of the pieces ``there`` of the rings, of the lowest ``level`` (R,) first; see `sweep`."""
+    order, num = np.lexsort((here, level)), len(contents)
+    first = np.searchsorted(level[order], np.arange(level.min(initial=0), level.max(initial=0) + 2))
+    parts = Parts(np.arange(num), np.zeros(num, dtype=np.int64), highest.copy(), contents.copy())
+    sweep(first, here[order], there[order], np.arange(num), parts)
+    return parts
 
 
 def merge_tree(
@@ -400,64 +396,52 @@ def merge_tree(
     """
     low, high = float(height.min()), float(height.max())
     step = max(high - low, 1e-300) / LEVELS
-    found = levels(vertices, faces, height - low + OFFSET * step, step)
-    num = found.num_pieces
+    found = levels(vertices, faces, height - low, step, OFFSET)
+    num, by_height = len(found.contents), np.argsort(height, kind="stable")
     band, highest = np.zeros(num, dtype=np.int64), np.full(num, -1)
     band[found.below], band[found.above] = found.level - 1, found.level
-    order = np.argsort(height, kind="stable")
-    highest[found.piece[order]] = order
-    peak = np.where(highest >= 0, height[highest], -np.inf)
-    bands, contents = _grouped(band, LEVELS + 2), np.bincount(found.piece, minlength=num)[:, None]
-    contents = np.hstack([found.contents, contents])
-    upon, under = (_grouped(pieces, num) for pieces in (found.below, found.above))
-    below = _swept_up(found, bands, contents)
-    union, arcs = _Union(contents), [set[int]() for _ in range(num)]
-    loops, of_piece = np.zeros((2, num), dtype=np.int64)  # handles of each part
-    top: list[int] = []
-    parent: list[int] = []
-    rows: list[tuple[int, int, float, bool]] = []  # of each level its arc, ring, peak, and whether a limb is cut off
-    sums: list[np.ndarray] = []
-    for members in reversed(bands):
-        for piece in members:
-            for ring in upon[piece]:
-                here, other = union.first(piece), union.first(int(found.above[ring]))
-                loops[here] += loops[other] if here != other else 1
-                if here != other:
-                    union.join(here, other)
-                    arcs[here] |= arcs[other]
-                    if peak[other] > peak[here]:
-                        peak[here], highest[here] = peak[other], highest[other]
-        together: dict[int, list[int]] = {}
-        for piece in members:
-            together.setdefault(union.first(piece), []).append(piece)
-        for here, pieces in together.items():
-            if len(arcs[here]) != 1:
-                for each in arcs[here]:
-                    parent[each] = len(top)
-                arcs[here] = {len(top)}
-                top.append(int(highest[here]))
-                parent.append(-1)
-            (arc,) = arcs[here]
-            of_piece[pieces] = arc
-            rings = [ring for piece in pieces for ring in under[piece]]
-            if rings:
-                main = max(rings, key=lambda ring: below.contents[ring, 0])
-                pits, own, is_disc = [ring for ring in rings if ring != main], union.contents[here], loops[here] == 0
-                for pit in pits:
-                    is_disc &= below.num_rings[pit] == 1
-                    own = own + below.contents[pit]
-                rows.append((arc, main, peak[here], is_disc and own[0] < 2 * union.contents[here, 0]))
-                sums.append(own.copy())
-    arc, ring, peaks, is_disc = (np.array(column) for column in zip(*rows, strict=True))
-    area, vector, moment, count = np.split(np.array(sums), [1, 4, 5], axis=1)
-    area, length, at = area[:, 0], np.maximum(found.perimeter[ring], 1e-300), (found.level[ring] - OFFSET) * step + low
+    highest[found.piece[by_height]] = np.arange(len(height))
+    contents = np.hstack([found.contents, np.bincount(found.piece, minlength=num)[:, None]])
+    up = _swept(found.above, found.below, found.level, highest, contents)
+    down = _swept(found.below, found.above, -found.level, highest, contents)
+    # The parts above a level, those of the highest level first, and which of the next level each belongs to.
+    order = np.argsort(-band, kind="stable")
+    first, part = np.unique(down.piece[order], return_index=True, return_inverse=True)[1:]
+    part[order] = np.argsort(np.argsort(first))[part]
+    stands, upon = down.piece[order[np.sort(first)]], np.full(len(first), -1)
+    upon[part[found.above]] = part[found.below]
+    # A part with one part upon it continues its arc.
+    below = np.flatnonzero(upon >= 0)
+    begins, arc_of = np.bincount(upon[below], minlength=len(upon)) != 1, np.arange(len(upon))
+    arc_of[upon[below]] = below
+    arc_of[begins] = np.flatnonzero(begins)
+    while (arc_of[arc_of] != arc_of).any():
+        arc_of = arc_of[arc_of]
+    arc_of = (np.cumsum(begins) - 1)[arc_of]
+    top, parent = by_height[down.highest[stands]], np.full(begins.sum(), -1)
+    joins = below[arc_of[below] != arc_of[upon[below]]]
+    parent[arc_of[joins]] = arc_of[upon[joins]]
+    # The ring with the largest part below it cuts off a limb; those beside it bound pits.
+    under, owner = up.piece[found.below], part[found.above]
+    by_area = np.lexsort((found.above, -up.contents[under, 0], owner))
+    ring = by_area[np.diff(owner[by_area], prepend=-1) > 0]
+    pit = np.lexsort((found.above, owner))
+    pit = pit[~np.isin(pit, ring)]
+    level, at_pit = owner[ring], np.searchsorted(owner[ring], owner[pit])
+    own, sums = stands[level], down.contents[stands[level]]
+    np.add.at(sums, at_pit, up.contents[under[pit]])
+    is_disc = (down.loops[own] == 0) & (sums[:, 0] < 2 * down.contents[own, 0])
+    is_disc[at_pit[np.bincount(under)[under[pit]] > 1]] = False
+    arc, peaks, top = arc_of[level], height[top[level]], top[begins]
+    area, vector, moment, count = np.split(sums, [1, 4, 5], axis=1)
+    area, length, at = area[:, 0], np.maximum(found.perimeter[ring], 1e-300), found.height[ring] + low
     # Closed by a fan over its ring, a pit has a negative volume, and a part of a flat face none but for rounding.
     volume = moment[:, 0] - np.einsum("ri,ri->r", found.centre[ring], vector)
     is_solid = is_disc & (volume > -4 * RESOLUTION * area)
     counts = is_solid & (count[:, 0] >= FEWEST) & (area < most * found.contents[:, 0].sum())
     far = peaks - at
     if last is not None:
-        from_end = last[np.array(top)[arc]]
+        from_end = last[top[arc]]
         far = np.sqrt(np.maximum((from_end - at) ** 2 - (from_end - peaks) ** 2, 0.0))
     persistence = np.full(len(top), -np.inf)
     persistence[arc[counts]] = (2 * np.pi * far / length)[counts]  # the last level of an arc stays
@@ -466,5 +450,4 @@ def merge_tree(
     )
     persistence[(num_counting < FEWEST) | (2 * num_solid < num_levels)] = -np.inf  # or mostly a pit
     slenderness = np.where(counts, 2 * np.pi * area / length**2 - 0.5, -np.inf)
-    of_vertex = of_piece[found.piece]
-    return Arcs(np.array(top), np.array(parent), persistence, of_vertex, height, arc, at, area, slenderness)
+    return Arcs(top, parent, persistence, arc_of[part[found.piece]], height, arc, at, area, slenderness)

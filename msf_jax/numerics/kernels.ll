@@ -4183,13 +4183,13 @@ define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_a
   %9 = getelementptr i8, ptr %0, i64 32
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr i8, ptr %0, i64 40
-  %12 = load i64, ptr %11, align 8
+  %12 = load ptr, ptr %11, align 8
   %13 = getelementptr i8, ptr %0, i64 48
-  %14 = load ptr, ptr %13, align 8
+  %14 = load i64, ptr %13, align 8
   %15 = getelementptr i8, ptr %0, i64 56
-  %16 = load i64, ptr %15, align 8
+  %16 = load ptr, ptr %15, align 8
   %17 = getelementptr i8, ptr %0, i64 64
-  %18 = load ptr, ptr %17, align 8
+  %18 = load i64, ptr %17, align 8
   %19 = getelementptr i8, ptr %0, i64 72
   %20 = load i64, ptr %19, align 8
   %21 = getelementptr i8, ptr %0, i64 80
@@ -4213,407 +4213,2325 @@ define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_a
   %39 = getelementptr i8, ptr %0, i64 152
   %40 = load i64, ptr %39, align 8
   %41 = icmp sgt i64 %40, 0
-  br i1 %41, label %42, label %389
+  br i1 %41, label %42, label %536
 42:
-  %43 = phi i64 [ %79, %75 ], [ 0, %1 ]
-  %44 = shl i64 %43, 3
-  %45 = getelementptr i8, ptr %38, i64 %44
-  %46 = load i64, ptr %45, align 8
-  %47 = icmp slt i64 %46, 0
-  %48 = select i1 %47, i64 %24, i64 0
-  %49 = getelementptr double, ptr %22, i64 %46
-  %50 = getelementptr double, ptr %49, i64 %48
-  store double 0.000000e+00, ptr %50, align 8
-  %51 = icmp eq i64 %43, 0
-  br i1 %51, label %75, label %52
-52:
-  %53 = add nsw i64 %43, -1
-  %54 = lshr i64 %53, 1
-  %55 = getelementptr double, ptr %30, i64 %54
-  %56 = load double, ptr %55, align 8
-  %57 = fcmp ogt double %56, 0.000000e+00
-  br i1 %57, label %58, label %75
-58:
-  %59 = phi i64 [ %61, %69 ], [ %43, %52 ]
-  %60 = add nsw i64 %59, -1
-  %61 = lshr i64 %60, 1
-  %62 = getelementptr double, ptr %30, i64 %61
-  %63 = load double, ptr %62, align 8
-  %64 = getelementptr i64, ptr %34, i64 %61
-  %65 = load i64, ptr %64, align 8
-  %66 = getelementptr double, ptr %30, i64 %59
-  store double %63, ptr %66, align 8
-  %67 = getelementptr i64, ptr %34, i64 %59
-  store i64 %65, ptr %67, align 8
-  %68 = icmp eq i64 %61, 0
-  br i1 %68, label %75, label %69
-69:
-  %70 = add nsw i64 %61, -1
-  %71 = lshr i64 %70, 1
-  %72 = getelementptr double, ptr %30, i64 %71
-  %73 = load double, ptr %72, align 8
-  %74 = fcmp ogt double %73, 0.000000e+00
-  br i1 %74, label %58, label %75
-75:
-  %76 = phi i64 [ %43, %52 ], [ 0, %42 ], [ 0, %58 ], [ %61, %69 ]
-  %77 = getelementptr double, ptr %30, i64 %76
-  store double 0.000000e+00, ptr %77, align 8
-  %78 = getelementptr i64, ptr %34, i64 %76
-  store i64 %46, ptr %78, align 8
-  %79 = add nuw nsw i64 %43, 1
-  %80 = icmp eq i64 %79, %40
-  br i1 %80, label %81, label %42
-81:
-  %82 = shl i64 %24, 3
-  br label %83
-83:
-  %84 = phi i64 [ %372, %371 ], [ %40, %81 ]
-  %85 = load i64, ptr %34, align 8
-  %86 = add nsw i64 %84, -1
-  %87 = icmp slt i64 %84, 1
-  %88 = select i1 %87, i64 %32, i64 0
-  %89 = getelementptr double, ptr %30, i64 %86
-  %90 = getelementptr double, ptr %89, i64 %88
-  %91 = load double, ptr %90, align 8
-  %92 = select i1 %87, i64 %36, i64 0
-  %93 = getelementptr i64, ptr %34, i64 %86
-  %94 = getelementptr i64, ptr %93, i64 %92
-  %95 = load i64, ptr %94, align 8
-  %96 = icmp sgt i64 %84, 2
-  br i1 %96, label %97, label %374
-97:
-  %98 = phi i64 [ %117, %124 ], [ 0, %83 ]
-  %99 = shl nsw i64 %98, 1
-  %100 = or disjoint i64 %99, 1
-  %101 = add nsw i64 %99, 2
-  %102 = icmp slt i64 %101, %86
-  br i1 %102, label %103, label %116
+  %43 = phi i64 [ %104, %103 ], [ 0, %1 ]
+  %44 = phi i64 [ %105, %103 ], [ 0, %1 ]
+  %45 = shl i64 %44, 3
+  %46 = getelementptr i8, ptr %38, i64 %45
+  %47 = load i64, ptr %46, align 8
+  %48 = icmp slt i64 %47, 0
+  %49 = select i1 %48, i64 %24, i64 0
+  %50 = getelementptr double, ptr %22, i64 %47
+  %51 = getelementptr double, ptr %50, i64 %49
+  %52 = load double, ptr %51, align 8
+  %53 = fcmp ogt double %52, 0.000000e+00
+  br i1 %53, label %54, label %103
+54:
+  %55 = shl i64 %49, 3
+  %56 = getelementptr inbounds i8, ptr %50, i64 %55
+  store double 0.000000e+00, ptr %56, align 8
+  %57 = select i1 %48, i64 %36, i64 0
+  %58 = getelementptr i64, ptr %34, i64 %47
+  %59 = getelementptr i64, ptr %58, i64 %57
+  %60 = load i64, ptr %59, align 8
+  %61 = icmp slt i64 %60, 0
+  %62 = select i1 %61, i64 %43, i64 %60
+  %63 = icmp sgt i64 %62, 0
+  br i1 %63, label %64, label %90
+64:
+  %65 = add nsw i64 %62, -1
+  %66 = lshr i64 %65, 1
+  %67 = getelementptr double, ptr %30, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fcmp ogt double %68, 0.000000e+00
+  br i1 %69, label %76, label %90
+70:
+  %71 = add nsw i64 %79, -1
+  %72 = lshr i64 %71, 1
+  %73 = getelementptr double, ptr %30, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = fcmp ogt double %74, 0.000000e+00
+  br i1 %75, label %76, label %90
+76:
+  %77 = phi double [ %74, %70 ], [ %68, %64 ]
+  %78 = phi i64 [ %79, %70 ], [ %62, %64 ]
+  %79 = phi i64 [ %72, %70 ], [ %66, %64 ]
+  %80 = getelementptr i64, ptr %26, i64 %79
+  %81 = load i64, ptr %80, align 8
+  %82 = getelementptr i64, ptr %26, i64 %78
+  store i64 %81, ptr %82, align 8
+  %83 = getelementptr double, ptr %30, i64 %78
+  store double %77, ptr %83, align 8
+  %84 = load i64, ptr %80, align 8
+  %85 = icmp slt i64 %84, 0
+  %86 = select i1 %85, i64 %36, i64 0
+  %87 = getelementptr i64, ptr %34, i64 %84
+  %88 = getelementptr i64, ptr %87, i64 %86
+  store i64 %78, ptr %88, align 8
+  %89 = icmp eq i64 %79, 0
+  br i1 %89, label %90, label %70
+90:
+  %91 = phi i64 [ %62, %64 ], [ %62, %54 ], [ %79, %70 ], [ 0, %76 ]
+  %92 = icmp slt i64 %91, 0
+  %93 = select i1 %92, i64 %28, i64 0
+  %94 = getelementptr i64, ptr %26, i64 %91
+  %95 = getelementptr i64, ptr %94, i64 %93
+  store i64 %47, ptr %95, align 8
+  %96 = select i1 %92, i64 %32, i64 0
+  %97 = getelementptr double, ptr %30, i64 %91
+  %98 = getelementptr double, ptr %97, i64 %96
+  store double 0.000000e+00, ptr %98, align 8
+  %99 = shl i64 %57, 3
+  %100 = getelementptr inbounds i8, ptr %58, i64 %99
+  store i64 %91, ptr %100, align 8
+  %101 = add nsw i64 %62, 1
+  %102 = tail call i64 @llvm.smax.i64(i64 %101, i64 %43)
+  br label %103
 103:
-  %104 = icmp slt i64 %98, -1
-  %105 = select i1 %104, i64 %32, i64 0
-  %106 = getelementptr double, ptr %30, i64 %101
-  %107 = getelementptr double, ptr %106, i64 %105
-  %108 = load double, ptr %107, align 8
-  %109 = icmp slt i64 %98, 0
-  %110 = select i1 %109, i64 %32, i64 0
-  %111 = getelementptr double, ptr %30, i64 %100
-  %112 = getelementptr double, ptr %111, i64 %110
-  %113 = load double, ptr %112, align 8
-  %114 = fcmp olt double %108, %113
-  br i1 %114, label %115, label %116
-115:
-  br label %116
-116:
-  %117 = phi i64 [ %101, %115 ], [ %100, %103 ], [ %100, %97 ]
-  %118 = icmp slt i64 %117, 0
-  %119 = select i1 %118, i64 %32, i64 0
-  %120 = getelementptr double, ptr %30, i64 %117
-  %121 = getelementptr double, ptr %120, i64 %119
-  %122 = load double, ptr %121, align 8
-  %123 = fcmp ult double %122, %91
-  br i1 %123, label %124, label %374
-124:
-  %125 = select i1 %118, i64 %36, i64 0
-  %126 = getelementptr i64, ptr %34, i64 %117
-  %127 = getelementptr i64, ptr %126, i64 %125
-  %128 = load i64, ptr %127, align 8
-  %129 = icmp slt i64 %98, 0
-  %130 = select i1 %129, i64 %32, i64 0
-  %131 = getelementptr double, ptr %30, i64 %98
-  %132 = getelementptr double, ptr %131, i64 %130
-  store double %122, ptr %132, align 8
-  %133 = select i1 %129, i64 %36, i64 0
-  %134 = getelementptr i64, ptr %34, i64 %98
-  %135 = getelementptr i64, ptr %134, i64 %133
-  store i64 %128, ptr %135, align 8
-  %136 = shl nsw i64 %117, 1
-  %137 = or disjoint i64 %136, 1
-  %138 = icmp slt i64 %137, %86
-  br i1 %138, label %97, label %374
-139:
-  %140 = shl i64 %384, 3
-  %141 = getelementptr inbounds i8, ptr %385, i64 %140
-  store i64 1, ptr %141, align 8
-  %142 = select i1 %383, i64 %16, i64 0
-  %143 = getelementptr i64, ptr %14, i64 %85
-  %144 = getelementptr i64, ptr %143, i64 %142
-  %145 = load i64, ptr %144, align 8
-  %146 = icmp slt i64 %85, -1
-  %147 = select i1 %146, i64 %16, i64 0
-  %148 = getelementptr i8, ptr %143, i64 8
+  %104 = phi i64 [ %102, %90 ], [ %43, %42 ]
+  %105 = add nuw nsw i64 %44, 1
+  %106 = icmp eq i64 %105, %40
+  br i1 %106, label %107, label %42
+107:
+  %108 = icmp eq i64 %104, 0
+  br i1 %108, label %536, label %109
+109:
+  %110 = shl i64 %24, 3
+  br label %111
+111:
+  %112 = phi i64 [ %303, %302 ], [ %104, %109 ]
+  %113 = load i64, ptr %26, align 8
+  %114 = add nsw i64 %112, -1
+  %115 = getelementptr i64, ptr %26, i64 %114
+  %116 = load i64, ptr %115, align 8
+  %117 = getelementptr double, ptr %30, i64 %114
+  %118 = load double, ptr %117, align 8
+  store double 0x7FF0000000000000, ptr %117, align 8
+  %119 = icmp sgt i64 %112, 2
+  br i1 %119, label %120, label %326
+120:
+  %121 = phi i64 [ %137, %120 ], [ 0, %111 ]
+  %122 = shl nsw i64 %121, 1
+  %123 = or disjoint i64 %122, 1
+  %124 = icmp slt i64 %121, -1
+  %125 = select i1 %124, i64 %32, i64 0
+  %126 = getelementptr double, ptr %30, i64 %122
+  %127 = getelementptr i8, ptr %126, i64 16
+  %128 = getelementptr double, ptr %127, i64 %125
+  %129 = load double, ptr %128, align 8
+  %130 = icmp slt i64 %121, 0
+  %131 = select i1 %130, i64 %32, i64 0
+  %132 = getelementptr double, ptr %30, i64 %123
+  %133 = getelementptr double, ptr %132, i64 %131
+  %134 = load double, ptr %133, align 8
+  %135 = fcmp olt double %129, %134
+  %136 = zext i1 %135 to i64
+  %137 = add nsw i64 %123, %136
+  %138 = icmp slt i64 %137, 0
+  %139 = select i1 %138, i64 %28, i64 0
+  %140 = getelementptr i64, ptr %26, i64 %137
+  %141 = getelementptr i64, ptr %140, i64 %139
+  %142 = load i64, ptr %141, align 8
+  %143 = select i1 %138, i64 %32, i64 0
+  %144 = getelementptr double, ptr %30, i64 %137
+  %145 = getelementptr double, ptr %144, i64 %143
+  %146 = load double, ptr %145, align 8
+  %147 = select i1 %130, i64 %28, i64 0
+  %148 = getelementptr i64, ptr %26, i64 %121
   %149 = getelementptr i64, ptr %148, i64 %147
-  %150 = load i64, ptr %149, align 8
-  %151 = sub i64 %150, %145
-  %152 = icmp slt i64 %151, 1
-  br i1 %152, label %371, label %153
-153:
-  %154 = getelementptr double, ptr %22, i64 %85
-  %155 = select i1 %383, i64 %4, i64 0
-  %156 = add i64 %155, %85
-  %157 = mul i64 %156, %6
-  %158 = select i1 %383, i64 %82, i64 0
-  %159 = getelementptr inbounds i8, ptr %154, i64 %158
-  %160 = shl i64 %157, 3
-  %161 = getelementptr i8, ptr %2, i64 %160
-  %162 = getelementptr i8, ptr %161, i64 16
-  %163 = getelementptr i8, ptr %161, i64 8
-  %164 = getelementptr double, ptr %2, i64 %157
-  %165 = getelementptr i8, ptr %164, i64 16
-  %166 = getelementptr i8, ptr %164, i64 8
-  br label %167
-167:
-  %168 = phi i64 [ %365, %367 ], [ %86, %153 ]
-  %169 = phi i64 [ %368, %367 ], [ %151, %153 ]
-  %170 = phi i64 [ %369, %367 ], [ %145, %153 ]
-  %171 = icmp slt i64 %170, 0
-  %172 = select i1 %171, i64 %20, i64 0
-  %173 = getelementptr i64, ptr %18, i64 %170
-  %174 = getelementptr i64, ptr %173, i64 %172
-  %175 = load i64, ptr %174, align 8
-  %176 = icmp slt i64 %175, 0
-  %177 = select i1 %176, i64 %10, i64 0
-  %178 = add i64 %177, %175
-  %179 = mul i64 %178, %12
-  %180 = getelementptr i64, ptr %8, i64 %179
-  %181 = getelementptr i8, ptr %180, i64 8
-  %182 = getelementptr i8, ptr %180, i64 16
-  br label %183
-183:
-  %184 = phi i64 [ %168, %167 ], [ %365, %364 ]
-  %185 = phi i64 [ 0, %167 ], [ %186, %364 ]
-  %186 = add nuw nsw i64 %185, 1
-  %187 = getelementptr i64, ptr %180, i64 %185
-  %188 = load i64, ptr %187, align 8
-  %189 = icmp eq i64 %188, %85
-  br i1 %189, label %364, label %190
-190:
-  %191 = icmp slt i64 %188, 0
-  %192 = select i1 %191, i64 %28, i64 0
-  %193 = getelementptr i64, ptr %26, i64 %188
-  %194 = getelementptr i64, ptr %193, i64 %192
-  %195 = load i64, ptr %194, align 8
-  %196 = icmp eq i64 %195, 1
-  br i1 %196, label %221, label %197
-197:
-  %198 = load double, ptr %159, align 8
-  %199 = select i1 %191, i64 %4, i64 0
-  %200 = add i64 %199, %188
-  %201 = mul i64 %200, %6
-  %202 = getelementptr double, ptr %2, i64 %201
-  %203 = getelementptr i8, ptr %202, i64 16
-  %204 = load double, ptr %203, align 8
-  %205 = load double, ptr %162, align 8
-  %206 = fsub double %204, %205
-  %207 = fmul double %206, %206
-  %208 = load double, ptr %202, align 8
-  %209 = load double, ptr %161, align 8
-  %210 = fsub double %208, %209
-  %211 = fmul double %210, %210
-  %212 = getelementptr i8, ptr %202, i64 8
-  %213 = load double, ptr %212, align 8
-  %214 = load double, ptr %163, align 8
-  %215 = fsub double %213, %214
-  %216 = fmul double %215, %215
-  %217 = fadd double %211, %216
-  %218 = fadd double %207, %217
-  %219 = tail call double @llvm.sqrt.f64(double %218)
-  %220 = fadd double %198, %219
-  br label %312
-221:
-  %222 = load i64, ptr %180, align 8
-  %223 = load i64, ptr %181, align 8
-  %224 = load i64, ptr %182, align 8
-  %225 = add i64 %188, %85
-  %226 = sub i64 %222, %225
-  %227 = add i64 %226, %223
-  %228 = add i64 %227, %224
-  %229 = load double, ptr %165, align 8
-  %230 = select i1 %191, i64 %4, i64 0
-  %231 = add i64 %230, %188
-  %232 = mul i64 %231, %6
-  %233 = getelementptr double, ptr %2, i64 %232
-  %234 = getelementptr i8, ptr %233, i64 16
-  %235 = load double, ptr %234, align 8
-  %236 = fsub double %229, %235
-  %237 = fmul double %236, %236
-  %238 = load double, ptr %164, align 8
-  %239 = load double, ptr %233, align 8
-  %240 = fsub double %238, %239
-  %241 = fmul double %240, %240
-  %242 = load double, ptr %166, align 8
-  %243 = getelementptr i8, ptr %233, i64 8
-  %244 = load double, ptr %243, align 8
-  %245 = fsub double %242, %244
-  %246 = fmul double %245, %245
-  %247 = fadd double %241, %246
-  %248 = fadd double %237, %247
-  %249 = tail call double @llvm.sqrt.f64(double %248)
-  %250 = fcmp une double %248, 0.000000e+00
-  br i1 %250, label %278, label %312
-251:
-  %252 = fmul double %291, %291
-  %253 = fmul double %294, %294
-  %254 = fmul double %298, %298
-  %255 = fadd double %253, %254
-  %256 = fadd double %252, %255
-  %257 = fmul double %302, %302
-  %258 = fsub double %256, %257
-  %259 = fcmp olt double %258, 0.000000e+00
-  %260 = select i1 %259, double 0.000000e+00, double %258
-  %261 = tail call double @llvm.sqrt.f64(double %260)
-  %262 = tail call double @llvm.sqrt.f64(double %310)
-  %263 = fadd double %261, %262
-  %264 = fcmp ogt double %263, 0.000000e+00
-  br i1 %264, label %265, label %312
-265:
-  %266 = fsub double %302, %308
-  %267 = fmul double %266, %262
-  %268 = fdiv double %267, %263
-  %269 = fadd double %308, %268
-  %270 = fcmp oge double %269, 0.000000e+00
-  %271 = fcmp ole double %269, %249
-  %272 = and i1 %270, %271
-  br i1 %272, label %273, label %312
-273:
-  %274 = fmul double %266, %266
-  %275 = fmul double %263, %263
-  %276 = fadd double %274, %275
-  %277 = tail call double @llvm.sqrt.f64(double %276)
-  br label %312
-278:
-  %279 = load double, ptr %159, align 8
-  %280 = getelementptr double, ptr %22, i64 %188
-  %281 = select i1 %191, i64 %24, i64 0
-  %282 = getelementptr double, ptr %280, i64 %281
-  %283 = load double, ptr %282, align 8
-  %284 = icmp slt i64 %228, 0
-  %285 = select i1 %284, i64 %4, i64 0
-  %286 = add i64 %285, %228
-  %287 = mul i64 %286, %6
-  %288 = getelementptr double, ptr %2, i64 %287
-  %289 = getelementptr i8, ptr %288, i64 16
-  %290 = load double, ptr %289, align 8
-  %291 = fsub double %290, %235
-  %292 = fmul double %236, %291
-  %293 = load double, ptr %288, align 8
-  %294 = fsub double %293, %239
-  %295 = fmul double %240, %294
-  %296 = getelementptr i8, ptr %288, i64 8
-  %297 = load double, ptr %296, align 8
-  %298 = fsub double %297, %244
-  %299 = fmul double %245, %298
-  %300 = fadd double %295, %299
-  %301 = fadd double %292, %300
-  %302 = fdiv double %301, %249
-  %303 = fmul double %283, %283
-  %304 = fmul double %279, %279
-  %305 = fsub double %303, %304
-  %306 = fadd double %248, %305
-  %307 = fmul double %249, 2.000000e+00
-  %308 = fdiv double %306, %307
-  %309 = fmul double %308, %308
-  %310 = fsub double %303, %309
-  %311 = fcmp olt double %310, 0.000000e+00
-  br i1 %311, label %312, label %251
-312:
-  %313 = phi double [ %220, %197 ], [ 0x7FF0000000000000, %278 ], [ 0x7FF0000000000000, %221 ], [ %277, %273 ], [ 0x7FF0000000000000, %265 ], [ 0x7FF0000000000000, %251 ]
-  %314 = phi i64 [ %188, %197 ], [ %228, %278 ], [ %228, %221 ], [ %228, %273 ], [ %228, %265 ], [ %228, %251 ]
-  %315 = icmp slt i64 %314, 0
-  %316 = select i1 %315, i64 %28, i64 0
-  %317 = getelementptr i64, ptr %26, i64 %314
-  %318 = getelementptr i64, ptr %317, i64 %316
-  %319 = load i64, ptr %318, align 8
-  %320 = icmp eq i64 %319, 1
-  br i1 %320, label %364, label %321
-321:
-  %322 = select i1 %315, i64 %24, i64 0
-  %323 = getelementptr double, ptr %22, i64 %314
-  %324 = getelementptr double, ptr %323, i64 %322
-  %325 = load double, ptr %324, align 8
-  %326 = fcmp olt double %313, %325
-  br i1 %326, label %327, label %364
-327:
-  %328 = shl i64 %322, 3
-  %329 = getelementptr inbounds i8, ptr %323, i64 %328
-  store double %313, ptr %329, align 8
-  %330 = icmp sgt i64 %184, 0
-  br i1 %330, label %331, label %354
-331:
-  %332 = add nsw i64 %184, -1
-  %333 = lshr i64 %332, 1
-  %334 = getelementptr double, ptr %30, i64 %333
-  %335 = load double, ptr %334, align 8
-  %336 = fcmp ogt double %335, %313
-  br i1 %336, label %337, label %354
-337:
-  %338 = phi i64 [ %340, %348 ], [ %184, %331 ]
-  %339 = add nsw i64 %338, -1
-  %340 = lshr i64 %339, 1
-  %341 = getelementptr double, ptr %30, i64 %340
-  %342 = load double, ptr %341, align 8
-  %343 = getelementptr i64, ptr %34, i64 %340
-  %344 = load i64, ptr %343, align 8
-  %345 = getelementptr double, ptr %30, i64 %338
-  store double %342, ptr %345, align 8
-  %346 = getelementptr i64, ptr %34, i64 %338
-  store i64 %344, ptr %346, align 8
-  %347 = icmp eq i64 %340, 0
-  br i1 %347, label %354, label %348
-348:
-  %349 = add nsw i64 %340, -1
-  %350 = lshr i64 %349, 1
-  %351 = getelementptr double, ptr %30, i64 %350
-  %352 = load double, ptr %351, align 8
-  %353 = fcmp ogt double %352, %313
-  br i1 %353, label %337, label %354
+  store i64 %142, ptr %149, align 8
+  %150 = getelementptr double, ptr %30, i64 %121
+  %151 = getelementptr double, ptr %150, i64 %131
+  store double %146, ptr %151, align 8
+  %152 = load i64, ptr %141, align 8
+  %153 = icmp slt i64 %152, 0
+  %154 = select i1 %153, i64 %36, i64 0
+  %155 = getelementptr i64, ptr %34, i64 %152
+  %156 = getelementptr i64, ptr %155, i64 %154
+  store i64 %121, ptr %156, align 8
+  %157 = shl nsw i64 %137, 1
+  %158 = or disjoint i64 %157, 1
+  %159 = icmp slt i64 %158, %114
+  br i1 %159, label %120, label %160
+160:
+  %161 = add nsw i64 %137, -1
+  %162 = lshr i64 %161, 1
+  %163 = getelementptr double, ptr %30, i64 %162
+  %164 = load double, ptr %163, align 8
+  %165 = fcmp ogt double %164, %118
+  br i1 %165, label %172, label %326
+166:
+  %167 = add nsw i64 %175, -1
+  %168 = lshr i64 %167, 1
+  %169 = getelementptr double, ptr %30, i64 %168
+  %170 = load double, ptr %169, align 8
+  %171 = fcmp ogt double %170, %118
+  br i1 %171, label %172, label %326
+172:
+  %173 = phi double [ %170, %166 ], [ %164, %160 ]
+  %174 = phi i64 [ %175, %166 ], [ %137, %160 ]
+  %175 = phi i64 [ %168, %166 ], [ %162, %160 ]
+  %176 = getelementptr i64, ptr %26, i64 %175
+  %177 = load i64, ptr %176, align 8
+  %178 = getelementptr i64, ptr %26, i64 %174
+  store i64 %177, ptr %178, align 8
+  %179 = getelementptr double, ptr %30, i64 %174
+  store double %173, ptr %179, align 8
+  %180 = load i64, ptr %176, align 8
+  %181 = icmp slt i64 %180, 0
+  %182 = select i1 %181, i64 %36, i64 0
+  %183 = getelementptr i64, ptr %34, i64 %180
+  %184 = getelementptr i64, ptr %183, i64 %182
+  store i64 %174, ptr %184, align 8
+  %185 = icmp eq i64 %175, 0
+  br i1 %185, label %326, label %166
+186:
+  %187 = select i1 %383, i64 %18, i64 0
+  %188 = add i64 %187, %372
+  %189 = icmp slt i64 %375, 0
+  %190 = select i1 %189, i64 %20, i64 0
+  %191 = mul i64 %188, %20
+  %192 = getelementptr double, ptr %16, i64 %191
+  %193 = getelementptr double, ptr %192, i64 %375
+  %194 = getelementptr double, ptr %193, i64 %190
+  %195 = load double, ptr %194, align 8
+  %196 = fadd double %398, %195
+  %197 = select i1 %399, i64 %24, i64 0
+  %198 = getelementptr double, ptr %22, i64 %392
+  %199 = getelementptr double, ptr %198, i64 %197
+  %200 = load double, ptr %199, align 8
+  %201 = fcmp olt double %196, %200
+  br i1 %201, label %202, label %405
+202:
+  %203 = shl i64 %197, 3
+  %204 = getelementptr inbounds i8, ptr %198, i64 %203
+  store double %196, ptr %204, align 8
+  %205 = shl i64 %400, 3
+  %206 = getelementptr i8, ptr %401, i64 %205
+  %207 = load i64, ptr %206, align 8
+  %208 = icmp slt i64 %207, 0
+  %209 = select i1 %208, i64 %359, i64 %207
+  %210 = icmp sgt i64 %209, 0
+  br i1 %210, label %211, label %237
+211:
+  %212 = add nsw i64 %209, -1
+  %213 = lshr i64 %212, 1
+  %214 = getelementptr double, ptr %30, i64 %213
+  %215 = load double, ptr %214, align 8
+  %216 = fcmp ogt double %215, %196
+  br i1 %216, label %223, label %237
+217:
+  %218 = add nsw i64 %226, -1
+  %219 = lshr i64 %218, 1
+  %220 = getelementptr double, ptr %30, i64 %219
+  %221 = load double, ptr %220, align 8
+  %222 = fcmp ogt double %221, %196
+  br i1 %222, label %223, label %237
+223:
+  %224 = phi double [ %221, %217 ], [ %215, %211 ]
+  %225 = phi i64 [ %226, %217 ], [ %209, %211 ]
+  %226 = phi i64 [ %219, %217 ], [ %213, %211 ]
+  %227 = getelementptr i64, ptr %26, i64 %226
+  %228 = load i64, ptr %227, align 8
+  %229 = getelementptr i64, ptr %26, i64 %225
+  store i64 %228, ptr %229, align 8
+  %230 = getelementptr double, ptr %30, i64 %225
+  store double %224, ptr %230, align 8
+  %231 = load i64, ptr %227, align 8
+  %232 = icmp slt i64 %231, 0
+  %233 = select i1 %232, i64 %36, i64 0
+  %234 = getelementptr i64, ptr %34, i64 %231
+  %235 = getelementptr i64, ptr %234, i64 %233
+  store i64 %225, ptr %235, align 8
+  %236 = icmp eq i64 %226, 0
+  br i1 %236, label %237, label %217
+237:
+  %238 = phi i64 [ %209, %211 ], [ %209, %202 ], [ %226, %217 ], [ 0, %223 ]
+  %239 = icmp slt i64 %238, 0
+  %240 = select i1 %239, i64 %28, i64 0
+  %241 = getelementptr i64, ptr %26, i64 %238
+  %242 = getelementptr i64, ptr %241, i64 %240
+  store i64 %392, ptr %242, align 8
+  %243 = select i1 %239, i64 %32, i64 0
+  %244 = getelementptr double, ptr %30, i64 %238
+  %245 = getelementptr double, ptr %244, i64 %243
+  store double %196, ptr %245, align 8
+  store i64 %238, ptr %206, align 8
+  %246 = add nsw i64 %209, 1
+  %247 = tail call i64 @llvm.smax.i64(i64 %246, i64 %359)
+  br label %405
+248:
+  %249 = icmp slt i64 %397, 0
+  %250 = select i1 %249, i64 %36, i64 0
+  %251 = getelementptr i64, ptr %34, i64 %397
+  %252 = getelementptr i64, ptr %251, i64 %250
+  %253 = load i64, ptr %252, align 8
+  %254 = icmp eq i64 %253, %36
+  br i1 %254, label %323, label %255
+255:
+  %256 = select i1 %399, i64 %24, i64 0
+  %257 = getelementptr double, ptr %22, i64 %392
+  %258 = getelementptr double, ptr %257, i64 %256
+  %259 = load double, ptr %258, align 8
+  %260 = select i1 %383, i64 %18, i64 0
+  %261 = add i64 %260, %372
+  %262 = icmp slt i64 %375, 0
+  %263 = select i1 %262, i64 %20, i64 0
+  %264 = mul i64 %261, %20
+  %265 = getelementptr double, ptr %16, i64 %264
+  %266 = getelementptr double, ptr %265, i64 %375
+  %267 = getelementptr double, ptr %266, i64 %263
+  %268 = load double, ptr %267, align 8
+  %269 = getelementptr i8, ptr %266, i64 24
+  %270 = load double, ptr %269, align 8
+  %271 = fmul double %398, %398
+  %272 = fmul double %259, %259
+  %273 = fsub double %271, %272
+  %274 = fmul double %268, %268
+  %275 = fadd double %273, %274
+  %276 = fmul double %268, 2.000000e+00
+  %277 = fdiv double %275, %276
+  %278 = fmul double %277, %277
+  %279 = fsub double %271, %278
+  %280 = fcmp oge double %279, 0.000000e+00
+  %281 = fcmp ogt double %268, 0.000000e+00
+  %282 = and i1 %281, %280
+  br i1 %282, label %283, label %494
+283:
+  %284 = getelementptr i8, ptr %266, i64 48
+  %285 = load double, ptr %284, align 8
+  %286 = tail call double @llvm.sqrt.f64(double %279)
+  %287 = fadd double %285, %286
+  %288 = fcmp ogt double %287, 0.000000e+00
+  br i1 %288, label %289, label %494
+289:
+  %290 = fsub double %270, %277
+  %291 = fmul double %290, %286
+  %292 = fdiv double %291, %287
+  %293 = fadd double %277, %292
+  %294 = fcmp oge double %293, 0.000000e+00
+  %295 = fcmp ole double %293, %268
+  %296 = and i1 %294, %295
+  br i1 %296, label %297, label %494
+297:
+  %298 = fmul double %287, %287
+  %299 = fmul double %290, %290
+  %300 = fadd double %299, %298
+  %301 = tail call double @llvm.sqrt.f64(double %300)
+  br label %494
+302:
+  %303 = phi i64 [ %114, %326 ], [ %324, %323 ]
+  %304 = icmp eq i64 %303, 0
+  br i1 %304, label %536, label %111
+305:
+  %306 = phi i64 [ %504, %522 ], [ %462, %461 ], [ %504, %510 ], [ %504, %501 ], [ %462, %468 ], [ %504, %516 ], [ %462, %474 ], [ %462, %480 ]
+  %307 = phi i64 [ 0, %522 ], [ %466, %461 ], [ %508, %510 ], [ %508, %501 ], [ %466, %468 ], [ %525, %516 ], [ 0, %480 ], [ %483, %474 ]
+  %308 = phi i64 [ %397, %522 ], [ %392, %461 ], [ %397, %510 ], [ %397, %501 ], [ %392, %468 ], [ %397, %516 ], [ %392, %474 ], [ %392, %480 ]
+  %309 = phi double [ %495, %522 ], [ %456, %461 ], [ %495, %510 ], [ %495, %501 ], [ %456, %468 ], [ %495, %516 ], [ %456, %474 ], [ %456, %480 ]
+  %310 = phi ptr [ %251, %522 ], [ %401, %461 ], [ %251, %510 ], [ %251, %501 ], [ %401, %468 ], [ %251, %516 ], [ %401, %474 ], [ %401, %480 ]
+  %311 = phi i64 [ %508, %522 ], [ %466, %461 ], [ %508, %510 ], [ %508, %501 ], [ %466, %468 ], [ %508, %516 ], [ %466, %474 ], [ %466, %480 ]
+  %312 = phi i64 [ %359, %522 ], [ %406, %461 ], [ %359, %510 ], [ %359, %501 ], [ %406, %468 ], [ %359, %516 ], [ %406, %474 ], [ %406, %480 ]
+  %313 = icmp slt i64 %307, 0
+  %314 = select i1 %313, i64 %28, i64 0
+  %315 = getelementptr i64, ptr %26, i64 %307
+  %316 = getelementptr i64, ptr %315, i64 %314
+  store i64 %308, ptr %316, align 8
+  %317 = select i1 %313, i64 %32, i64 0
+  %318 = getelementptr double, ptr %30, i64 %307
+  %319 = getelementptr double, ptr %318, i64 %317
+  store double %309, ptr %319, align 8
+  %320 = getelementptr inbounds i8, ptr %310, i64 %306
+  store i64 %307, ptr %320, align 8
+  %321 = add nsw i64 %311, 1
+  %322 = tail call i64 @llvm.smax.i64(i64 %321, i64 %312)
+  br label %323
+323:
+  %324 = phi i64 [ %406, %405 ], [ %359, %248 ], [ %406, %455 ], [ %359, %494 ], [ %322, %305 ]
+  %325 = icmp samesign ugt i64 %360, 1
+  br i1 %325, label %358, label %302
+326:
+  %327 = phi i64 [ %137, %160 ], [ 0, %111 ], [ %175, %166 ], [ 0, %172 ]
+  %328 = icmp slt i64 %327, 0
+  %329 = select i1 %328, i64 %28, i64 0
+  %330 = getelementptr i64, ptr %26, i64 %327
+  %331 = getelementptr i64, ptr %330, i64 %329
+  store i64 %116, ptr %331, align 8
+  %332 = select i1 %328, i64 %32, i64 0
+  %333 = getelementptr double, ptr %30, i64 %327
+  %334 = getelementptr double, ptr %333, i64 %332
+  store double %118, ptr %334, align 8
+  %335 = icmp slt i64 %116, 0
+  %336 = select i1 %335, i64 %36, i64 0
+  %337 = getelementptr i64, ptr %34, i64 %116
+  %338 = getelementptr i64, ptr %337, i64 %336
+  store i64 %327, ptr %338, align 8
+  %339 = icmp slt i64 %113, 0
+  %340 = select i1 %339, i64 %36, i64 0
+  %341 = getelementptr i64, ptr %34, i64 %113
+  %342 = getelementptr i64, ptr %341, i64 %340
+  store i64 %36, ptr %342, align 8
+  %343 = select i1 %339, i64 %10, i64 0
+  %344 = getelementptr i64, ptr %8, i64 %113
+  %345 = getelementptr i64, ptr %344, i64 %343
+  %346 = load i64, ptr %345, align 8
+  %347 = icmp slt i64 %113, -1
+  %348 = select i1 %347, i64 %10, i64 0
+  %349 = getelementptr i8, ptr %344, i64 8
+  %350 = getelementptr i64, ptr %349, i64 %348
+  %351 = load i64, ptr %350, align 8
+  %352 = sub i64 %351, %346
+  %353 = icmp slt i64 %352, 1
+  br i1 %353, label %302, label %354
 354:
-  %355 = phi i64 [ %184, %331 ], [ %184, %327 ], [ 0, %337 ], [ %340, %348 ]
-  %356 = icmp slt i64 %355, 0
-  %357 = select i1 %356, i64 %32, i64 0
-  %358 = getelementptr double, ptr %30, i64 %355
-  %359 = getelementptr double, ptr %358, i64 %357
-  store double %313, ptr %359, align 8
-  %360 = select i1 %356, i64 %36, i64 0
-  %361 = getelementptr i64, ptr %34, i64 %355
-  %362 = getelementptr i64, ptr %361, i64 %360
-  store i64 %314, ptr %362, align 8
-  %363 = add nsw i64 %184, 1
-  br label %364
-364:
-  %365 = phi i64 [ %184, %183 ], [ %184, %312 ], [ %184, %321 ], [ %363, %354 ]
-  %366 = icmp eq i64 %186, 3
-  br i1 %366, label %367, label %183
-367:
-  %368 = add nsw i64 %169, -1
-  %369 = add i64 %170, 1
-  %370 = icmp sgt i64 %169, 1
-  br i1 %370, label %167, label %371
-371:
-  %372 = phi i64 [ %86, %374 ], [ %86, %139 ], [ %365, %367 ]
-  %373 = icmp eq i64 %372, 0
-  br i1 %373, label %389, label %83
-374:
-  %375 = phi i64 [ 0, %83 ], [ %117, %124 ], [ %98, %116 ]
-  %376 = icmp slt i64 %375, 0
-  %377 = select i1 %376, i64 %32, i64 0
-  %378 = getelementptr double, ptr %30, i64 %375
-  %379 = getelementptr double, ptr %378, i64 %377
-  store double %91, ptr %379, align 8
-  %380 = select i1 %376, i64 %36, i64 0
-  %381 = getelementptr i64, ptr %34, i64 %375
-  %382 = getelementptr i64, ptr %381, i64 %380
-  store i64 %95, ptr %382, align 8
-  %383 = icmp slt i64 %85, 0
-  %384 = select i1 %383, i64 %28, i64 0
-  %385 = getelementptr i64, ptr %26, i64 %85
-  %386 = getelementptr i64, ptr %385, i64 %384
-  %387 = load i64, ptr %386, align 8
-  %388 = icmp eq i64 %387, 1
-  br i1 %388, label %371, label %139
-389:
+  %355 = getelementptr double, ptr %22, i64 %113
+  %356 = select i1 %339, i64 %110, i64 0
+  %357 = getelementptr inbounds i8, ptr %355, i64 %356
+  br label %358
+358:
+  %359 = phi i64 [ %114, %354 ], [ %324, %323 ]
+  %360 = phi i64 [ %352, %354 ], [ %362, %323 ]
+  %361 = phi i64 [ %346, %354 ], [ %363, %323 ]
+  %362 = add nsw i64 %360, -1
+  %363 = add i64 %361, 1
+  %364 = icmp slt i64 %361, 0
+  %365 = select i1 %364, i64 %14, i64 0
+  %366 = getelementptr i64, ptr %12, i64 %361
+  %367 = getelementptr i64, ptr %366, i64 %365
+  %368 = load i64, ptr %367, align 8
+  %369 = sdiv i64 %368, 3
+  %370 = srem i64 %368, 3
+  %371 = ashr i64 %370, 63
+  %372 = add nsw i64 %371, %369
+  %373 = icmp slt i64 %370, 0
+  %374 = add nsw i64 %370, 3
+  %375 = select i1 %373, i64 %374, i64 %370
+  %376 = trunc nsw i64 %375 to i8
+  %377 = add nsw i8 %376, 1
+  %378 = srem i8 %377, 3
+  %379 = sext i8 %378 to i64
+  %380 = icmp slt i8 %378, 0
+  %381 = add nsw i64 %379, 3
+  %382 = select i1 %380, i64 %381, i64 %379
+  %383 = icmp slt i64 %372, 0
+  %384 = select i1 %383, i64 %4, i64 0
+  %385 = add i64 %384, %372
+  %386 = icmp slt i64 %382, 0
+  %387 = select i1 %386, i64 %6, i64 0
+  %388 = mul i64 %385, %6
+  %389 = getelementptr i64, ptr %2, i64 %388
+  %390 = getelementptr i64, ptr %389, i64 %382
+  %391 = getelementptr i64, ptr %390, i64 %387
+  %392 = load i64, ptr %391, align 8
+  %393 = add nsw i8 %376, 2
+  %394 = urem i8 %393, 3
+  %395 = zext nneg i8 %394 to i64
+  %396 = getelementptr i64, ptr %389, i64 %395
+  %397 = load i64, ptr %396, align 8
+  %398 = load double, ptr %357, align 8
+  %399 = icmp slt i64 %392, 0
+  %400 = select i1 %399, i64 %36, i64 0
+  %401 = getelementptr i64, ptr %34, i64 %392
+  %402 = getelementptr i64, ptr %401, i64 %400
+  %403 = load i64, ptr %402, align 8
+  %404 = icmp eq i64 %403, %36
+  br i1 %404, label %248, label %186
+405:
+  %406 = phi i64 [ %247, %237 ], [ %359, %186 ]
+  %407 = icmp slt i64 %397, 0
+  %408 = select i1 %407, i64 %36, i64 0
+  %409 = getelementptr i64, ptr %34, i64 %397
+  %410 = getelementptr i64, ptr %409, i64 %408
+  %411 = load i64, ptr %410, align 8
+  %412 = icmp eq i64 %411, %36
+  br i1 %412, label %413, label %323
+413:
+  %414 = select i1 %407, i64 %24, i64 0
+  %415 = getelementptr double, ptr %22, i64 %397
+  %416 = getelementptr double, ptr %415, i64 %414
+  %417 = load double, ptr %416, align 8
+  %418 = getelementptr double, ptr %192, i64 %395
+  %419 = load double, ptr %418, align 8
+  %420 = getelementptr i8, ptr %418, i64 24
+  %421 = load double, ptr %420, align 8
+  %422 = fmul double %417, %417
+  %423 = fmul double %398, %398
+  %424 = fsub double %422, %423
+  %425 = fmul double %419, %419
+  %426 = fadd double %424, %425
+  %427 = fmul double %419, 2.000000e+00
+  %428 = fdiv double %426, %427
+  %429 = fmul double %428, %428
+  %430 = fsub double %422, %429
+  %431 = fcmp oge double %430, 0.000000e+00
+  %432 = fcmp ogt double %419, 0.000000e+00
+  %433 = and i1 %432, %431
+  br i1 %433, label %434, label %455
+434:
+  %435 = shl nuw nsw i64 %395, 3
+  %436 = getelementptr i8, ptr %192, i64 %435
+  %437 = getelementptr i8, ptr %436, i64 48
+  %438 = load double, ptr %437, align 8
+  %439 = tail call double @llvm.sqrt.f64(double %430)
+  %440 = fadd double %438, %439
+  %441 = fcmp ogt double %440, 0.000000e+00
+  br i1 %441, label %442, label %455
+442:
+  %443 = fsub double %421, %428
+  %444 = fmul double %443, %439
+  %445 = fdiv double %444, %440
+  %446 = fadd double %428, %445
+  %447 = fcmp oge double %446, 0.000000e+00
+  %448 = fcmp ole double %446, %419
+  %449 = and i1 %447, %448
+  br i1 %449, label %450, label %455
+450:
+  %451 = fmul double %440, %440
+  %452 = fmul double %443, %443
+  %453 = fadd double %452, %451
+  %454 = tail call double @llvm.sqrt.f64(double %453)
+  br label %455
+455:
+  %456 = phi double [ 0x7FF0000000000000, %413 ], [ %454, %450 ], [ 0x7FF0000000000000, %442 ], [ 0x7FF0000000000000, %434 ]
+  %457 = shl i64 %197, 3
+  %458 = getelementptr i8, ptr %198, i64 %457
+  %459 = load double, ptr %458, align 8
+  %460 = fcmp olt double %456, %459
+  br i1 %460, label %461, label %323
+461:
+  store double %456, ptr %458, align 8
+  %462 = shl i64 %400, 3
+  %463 = getelementptr i8, ptr %401, i64 %462
+  %464 = load i64, ptr %463, align 8
+  %465 = icmp slt i64 %464, 0
+  %466 = select i1 %465, i64 %406, i64 %464
+  %467 = icmp sgt i64 %466, 0
+  br i1 %467, label %468, label %305
+468:
+  %469 = add nsw i64 %466, -1
+  %470 = lshr i64 %469, 1
+  %471 = getelementptr double, ptr %30, i64 %470
+  %472 = load double, ptr %471, align 8
+  %473 = fcmp ogt double %472, %456
+  br i1 %473, label %480, label %305
+474:
+  %475 = add nsw i64 %483, -1
+  %476 = lshr i64 %475, 1
+  %477 = getelementptr double, ptr %30, i64 %476
+  %478 = load double, ptr %477, align 8
+  %479 = fcmp ogt double %478, %456
+  br i1 %479, label %480, label %305
+480:
+  %481 = phi double [ %478, %474 ], [ %472, %468 ]
+  %482 = phi i64 [ %483, %474 ], [ %466, %468 ]
+  %483 = phi i64 [ %476, %474 ], [ %470, %468 ]
+  %484 = getelementptr i64, ptr %26, i64 %483
+  %485 = load i64, ptr %484, align 8
+  %486 = getelementptr i64, ptr %26, i64 %482
+  store i64 %485, ptr %486, align 8
+  %487 = getelementptr double, ptr %30, i64 %482
+  store double %481, ptr %487, align 8
+  %488 = load i64, ptr %484, align 8
+  %489 = icmp slt i64 %488, 0
+  %490 = select i1 %489, i64 %36, i64 0
+  %491 = getelementptr i64, ptr %34, i64 %488
+  %492 = getelementptr i64, ptr %491, i64 %490
+  store i64 %482, ptr %492, align 8
+  %493 = icmp eq i64 %483, 0
+  br i1 %493, label %305, label %474
+494:
+  %495 = phi double [ 0x7FF0000000000000, %255 ], [ %301, %297 ], [ 0x7FF0000000000000, %289 ], [ 0x7FF0000000000000, %283 ]
+  %496 = select i1 %249, i64 %24, i64 0
+  %497 = getelementptr double, ptr %22, i64 %397
+  %498 = getelementptr double, ptr %497, i64 %496
+  %499 = load double, ptr %498, align 8
+  %500 = fcmp olt double %495, %499
+  br i1 %500, label %501, label %323
+501:
+  %502 = shl i64 %496, 3
+  %503 = getelementptr inbounds i8, ptr %497, i64 %502
+  store double %495, ptr %503, align 8
+  %504 = shl i64 %250, 3
+  %505 = getelementptr i8, ptr %251, i64 %504
+  %506 = load i64, ptr %505, align 8
+  %507 = icmp slt i64 %506, 0
+  %508 = select i1 %507, i64 %359, i64 %506
+  %509 = icmp sgt i64 %508, 0
+  br i1 %509, label %510, label %305
+510:
+  %511 = add nsw i64 %508, -1
+  %512 = lshr i64 %511, 1
+  %513 = getelementptr double, ptr %30, i64 %512
+  %514 = load double, ptr %513, align 8
+  %515 = fcmp ogt double %514, %495
+  br i1 %515, label %522, label %305
+516:
+  %517 = add nsw i64 %525, -1
+  %518 = lshr i64 %517, 1
+  %519 = getelementptr double, ptr %30, i64 %518
+  %520 = load double, ptr %519, align 8
+  %521 = fcmp ogt double %520, %495
+  br i1 %521, label %522, label %305
+522:
+  %523 = phi double [ %520, %516 ], [ %514, %510 ]
+  %524 = phi i64 [ %525, %516 ], [ %508, %510 ]
+  %525 = phi i64 [ %518, %516 ], [ %512, %510 ]
+  %526 = getelementptr i64, ptr %26, i64 %525
+  %527 = load i64, ptr %526, align 8
+  %528 = getelementptr i64, ptr %26, i64 %524
+  store i64 %527, ptr %528, align 8
+  %529 = getelementptr double, ptr %30, i64 %524
+  store double %523, ptr %529, align 8
+  %530 = load i64, ptr %526, align 8
+  %531 = icmp slt i64 %530, 0
+  %532 = select i1 %531, i64 %36, i64 0
+  %533 = getelementptr i64, ptr %34, i64 %530
+  %534 = getelementptr i64, ptr %533, i64 %532
+  store i64 %524, ptr %534, align 8
+  %535 = icmp eq i64 %525, 0
+  br i1 %535, label %305, label %516
+536:
   ret i64 0
 }
 declare i64 @llvm.smin.i64(i64, i64)
+define i64 @msf_jax.limbs.levels.connect(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 16
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 32
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 56
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 64
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 72
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 80
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 88
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 96
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 104
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 112
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 120
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 128
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 136
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 144
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 152
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 160
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr i8, ptr %0, i64 168
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 176
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr i8, ptr %0, i64 184
+  %46 = load i64, ptr %45, align 8
+  %47 = icmp slt i64 %14, 1
+  br i1 %47, label %246, label %48
+48:
+  %49 = phi i64 [ %50, %237 ], [ 0, %1 ]
+  %50 = add nuw nsw i64 %49, 1
+  %51 = mul i64 %49, %16
+  %52 = getelementptr i64, ptr %12, i64 %51
+  %53 = load i64, ptr %52, align 8
+  %54 = getelementptr i64, ptr %30, i64 %49
+  %55 = load i64, ptr %54, align 8
+  %56 = icmp slt i64 %53, 0
+  %57 = select i1 %56, i64 %36, i64 0
+  %58 = getelementptr i64, ptr %34, i64 %53
+  %59 = getelementptr i64, ptr %58, i64 %57
+  %60 = load i64, ptr %59, align 8
+  %61 = icmp eq i64 %60, %53
+  br i1 %61, label %80, label %62
+62:
+  %63 = phi i64 [ %73, %62 ], [ %53, %48 ]
+  %64 = icmp slt i64 %63, 0
+  %65 = select i1 %64, i64 %36, i64 0
+  %66 = getelementptr i64, ptr %34, i64 %63
+  %67 = getelementptr i64, ptr %66, i64 %65
+  %68 = load i64, ptr %67, align 8
+  %69 = icmp slt i64 %68, 0
+  %70 = select i1 %69, i64 %36, i64 0
+  %71 = getelementptr i64, ptr %34, i64 %68
+  %72 = getelementptr i64, ptr %71, i64 %70
+  %73 = load i64, ptr %72, align 8
+  store i64 %73, ptr %67, align 8
+  %74 = icmp slt i64 %73, 0
+  %75 = select i1 %74, i64 %36, i64 0
+  %76 = getelementptr i64, ptr %34, i64 %73
+  %77 = getelementptr i64, ptr %76, i64 %75
+  %78 = load i64, ptr %77, align 8
+  %79 = icmp eq i64 %78, %73
+  br i1 %79, label %80, label %62
+80:
+  %81 = phi i64 [ %53, %48 ], [ %73, %62 ]
+  %82 = icmp slt i64 %55, 0
+  %83 = select i1 %82, i64 %36, i64 0
+  %84 = getelementptr i64, ptr %34, i64 %55
+  %85 = getelementptr i64, ptr %84, i64 %83
+  %86 = load i64, ptr %85, align 8
+  %87 = icmp eq i64 %86, %55
+  br i1 %87, label %166, label %88
+88:
+  %89 = phi i64 [ %99, %88 ], [ %55, %80 ]
+  %90 = icmp slt i64 %89, 0
+  %91 = select i1 %90, i64 %36, i64 0
+  %92 = getelementptr i64, ptr %34, i64 %89
+  %93 = getelementptr i64, ptr %92, i64 %91
+  %94 = load i64, ptr %93, align 8
+  %95 = icmp slt i64 %94, 0
+  %96 = select i1 %95, i64 %36, i64 0
+  %97 = getelementptr i64, ptr %34, i64 %94
+  %98 = getelementptr i64, ptr %97, i64 %96
+  %99 = load i64, ptr %98, align 8
+  store i64 %99, ptr %93, align 8
+  %100 = icmp slt i64 %99, 0
+  %101 = select i1 %100, i64 %36, i64 0
+  %102 = getelementptr i64, ptr %34, i64 %99
+  %103 = getelementptr i64, ptr %102, i64 %101
+  %104 = load i64, ptr %103, align 8
+  %105 = icmp eq i64 %104, %99
+  br i1 %105, label %166, label %88
+106:
+  %107 = icmp slt i64 %40, 1
+  br i1 %107, label %484, label %108
+108:
+  %109 = icmp eq i64 %40, 1
+  br i1 %109, label %130, label %110
+110:
+  %111 = and i64 %40, 9223372036854775806
+  br label %112
+112:
+  %113 = phi i64 [ 0, %110 ], [ %163, %161 ]
+  %114 = phi i64 [ 0, %110 ], [ %164, %161 ]
+  %115 = shl i64 %114, 3
+  %116 = getelementptr i8, ptr %38, i64 %115
+  %117 = load i64, ptr %116, align 8
+  %118 = icmp eq i64 %114, %117
+  br i1 %118, label %119, label %121
+119:
+  %120 = add nsw i64 %113, 1
+  br label %146
+121:
+  %122 = icmp slt i64 %117, 0
+  %123 = select i1 %122, i64 %40, i64 0
+  %124 = getelementptr i64, ptr %38, i64 %117
+  %125 = getelementptr i64, ptr %124, i64 %123
+  %126 = load i64, ptr %125, align 8
+  br label %146
+127:
+  %128 = and i64 %40, 1
+  %129 = icmp eq i64 %128, 0
+  br i1 %129, label %484, label %130
+130:
+  %131 = phi i64 [ 0, %108 ], [ %163, %127 ]
+  %132 = phi i64 [ 0, %108 ], [ %111, %127 ]
+  %133 = getelementptr i64, ptr %38, i64 %132
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp eq i64 %134, %132
+  br i1 %135, label %142, label %136
+136:
+  %137 = icmp slt i64 %134, 0
+  %138 = select i1 %137, i64 %40, i64 0
+  %139 = getelementptr i64, ptr %38, i64 %134
+  %140 = getelementptr i64, ptr %139, i64 %138
+  %141 = load i64, ptr %140, align 8
+  br label %142
+142:
+  %143 = phi i64 [ %141, %136 ], [ %131, %130 ]
+  %144 = shl i64 %132, 3
+  %145 = getelementptr i8, ptr %38, i64 %144
+  store i64 %143, ptr %145, align 8
+  br label %484
+146:
+  %147 = phi i64 [ %113, %119 ], [ %126, %121 ]
+  %148 = phi i64 [ %120, %119 ], [ %113, %121 ]
+  store i64 %147, ptr %116, align 8
+  %149 = getelementptr i8, ptr %116, i64 8
+  %150 = load i64, ptr %149, align 8
+  %151 = or disjoint i64 %114, 1
+  %152 = icmp eq i64 %150, %151
+  br i1 %152, label %159, label %153
+153:
+  %154 = icmp slt i64 %150, 0
+  %155 = select i1 %154, i64 %40, i64 0
+  %156 = getelementptr i64, ptr %38, i64 %150
+  %157 = getelementptr i64, ptr %156, i64 %155
+  %158 = load i64, ptr %157, align 8
+  br label %161
+159:
+  %160 = add nsw i64 %148, 1
+  br label %161
+161:
+  %162 = phi i64 [ %148, %159 ], [ %158, %153 ]
+  %163 = phi i64 [ %160, %159 ], [ %148, %153 ]
+  store i64 %162, ptr %149, align 8
+  %164 = add i64 %114, 2
+  %165 = icmp eq i64 %164, %111
+  br i1 %165, label %127, label %112
+166:
+  %167 = phi i64 [ %55, %80 ], [ %99, %88 ]
+  %168 = tail call i64 @llvm.smin.i64(i64 %167, i64 %81)
+  %169 = tail call i64 @llvm.smax.i64(i64 %167, i64 %81)
+  %170 = icmp slt i64 %169, 0
+  %171 = select i1 %170, i64 %36, i64 0
+  %172 = getelementptr i64, ptr %34, i64 %169
+  %173 = getelementptr i64, ptr %172, i64 %171
+  store i64 %168, ptr %173, align 8
+  %174 = shl i64 %51, 3
+  %175 = getelementptr i8, ptr %12, i64 %174
+  %176 = getelementptr i8, ptr %175, i64 8
+  %177 = load i64, ptr %176, align 8
+  %178 = shl i64 %49, 3
+  %179 = getelementptr i8, ptr %30, i64 %178
+  %180 = load i64, ptr %179, align 8
+  %181 = getelementptr i64, ptr %22, i64 %49
+  %182 = load i64, ptr %181, align 8
+  %183 = add nsw i64 %182, %180
+  %184 = getelementptr i64, ptr %18, i64 %49
+  %185 = load i64, ptr %184, align 8
+  %186 = sub i64 %183, %185
+  %187 = icmp slt i64 %177, 0
+  %188 = select i1 %187, i64 %36, i64 0
+  %189 = getelementptr i64, ptr %34, i64 %177
+  %190 = getelementptr i64, ptr %189, i64 %188
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp eq i64 %191, %177
+  br i1 %192, label %211, label %193
+193:
+  %194 = phi i64 [ %204, %193 ], [ %177, %166 ]
+  %195 = icmp slt i64 %194, 0
+  %196 = select i1 %195, i64 %36, i64 0
+  %197 = getelementptr i64, ptr %34, i64 %194
+  %198 = getelementptr i64, ptr %197, i64 %196
+  %199 = load i64, ptr %198, align 8
+  %200 = icmp slt i64 %199, 0
+  %201 = select i1 %200, i64 %36, i64 0
+  %202 = getelementptr i64, ptr %34, i64 %199
+  %203 = getelementptr i64, ptr %202, i64 %201
+  %204 = load i64, ptr %203, align 8
+  store i64 %204, ptr %198, align 8
+  %205 = icmp slt i64 %204, 0
+  %206 = select i1 %205, i64 %36, i64 0
+  %207 = getelementptr i64, ptr %34, i64 %204
+  %208 = getelementptr i64, ptr %207, i64 %206
+  %209 = load i64, ptr %208, align 8
+  %210 = icmp eq i64 %209, %204
+  br i1 %210, label %211, label %193
+211:
+  %212 = phi i64 [ %177, %166 ], [ %204, %193 ]
+  %213 = icmp slt i64 %186, 0
+  %214 = select i1 %213, i64 %36, i64 0
+  %215 = getelementptr i64, ptr %34, i64 %186
+  %216 = getelementptr i64, ptr %215, i64 %214
+  %217 = load i64, ptr %216, align 8
+  %218 = icmp eq i64 %217, %186
+  br i1 %218, label %237, label %219
+219:
+  %220 = phi i64 [ %230, %219 ], [ %186, %211 ]
+  %221 = icmp slt i64 %220, 0
+  %222 = select i1 %221, i64 %36, i64 0
+  %223 = getelementptr i64, ptr %34, i64 %220
+  %224 = getelementptr i64, ptr %223, i64 %222
+  %225 = load i64, ptr %224, align 8
+  %226 = icmp slt i64 %225, 0
+  %227 = select i1 %226, i64 %36, i64 0
+  %228 = getelementptr i64, ptr %34, i64 %225
+  %229 = getelementptr i64, ptr %228, i64 %227
+  %230 = load i64, ptr %229, align 8
+  store i64 %230, ptr %224, align 8
+  %231 = icmp slt i64 %230, 0
+  %232 = select i1 %231, i64 %36, i64 0
+  %233 = getelementptr i64, ptr %34, i64 %230
+  %234 = getelementptr i64, ptr %233, i64 %232
+  %235 = load i64, ptr %234, align 8
+  %236 = icmp eq i64 %235, %230
+  br i1 %236, label %237, label %219
+237:
+  %238 = phi i64 [ %186, %211 ], [ %230, %219 ]
+  %239 = tail call i64 @llvm.smin.i64(i64 %238, i64 %212)
+  %240 = tail call i64 @llvm.smax.i64(i64 %238, i64 %212)
+  %241 = icmp slt i64 %240, 0
+  %242 = select i1 %241, i64 %36, i64 0
+  %243 = getelementptr i64, ptr %34, i64 %240
+  %244 = getelementptr i64, ptr %243, i64 %242
+  store i64 %239, ptr %244, align 8
+  %245 = icmp eq i64 %14, %50
+  br i1 %245, label %246, label %48
+246:
+  %247 = icmp slt i64 %8, 1
+  br i1 %247, label %106, label %248
+248:
+  %249 = shl i64 %32, 3
+  %250 = shl i64 %28, 3
+  br label %251
+251:
+  %252 = phi i64 [ %437, %483 ], [ 0, %248 ]
+  %253 = phi i64 [ %254, %483 ], [ 0, %248 ]
+  %254 = add nuw nsw i64 %253, 1
+  %255 = getelementptr i64, ptr %6, i64 %253
+  %256 = icmp eq i64 %254, 3
+  %257 = select i1 %256, i64 0, i64 %254
+  %258 = getelementptr i64, ptr %6, i64 %257
+  %259 = getelementptr i64, ptr %2, i64 %257
+  br label %260
+260:
+  %261 = phi i64 [ %252, %251 ], [ %437, %436 ]
+  %262 = phi i64 [ 0, %251 ], [ %263, %436 ]
+  %263 = add nuw nsw i64 %262, 1
+  %264 = mul i64 %262, %10
+  %265 = getelementptr i64, ptr %255, i64 %264
+  %266 = load i64, ptr %265, align 8
+  %267 = getelementptr i64, ptr %258, i64 %264
+  %268 = load i64, ptr %267, align 8
+  %269 = icmp slt i64 %266, 0
+  %270 = select i1 %269, i64 %20, i64 0
+  %271 = getelementptr i64, ptr %18, i64 %266
+  %272 = getelementptr i64, ptr %271, i64 %270
+  %273 = load i64, ptr %272, align 8
+  %274 = icmp slt i64 %268, 0
+  %275 = select i1 %274, i64 %20, i64 0
+  %276 = getelementptr i64, ptr %18, i64 %268
+  %277 = getelementptr i64, ptr %276, i64 %275
+  %278 = load i64, ptr %277, align 8
+  %279 = tail call i64 @llvm.smax.i64(i64 %278, i64 %273)
+  %280 = select i1 %269, i64 %24, i64 0
+  %281 = getelementptr i64, ptr %22, i64 %266
+  %282 = getelementptr i64, ptr %281, i64 %280
+  %283 = load i64, ptr %282, align 8
+  %284 = select i1 %274, i64 %24, i64 0
+  %285 = getelementptr i64, ptr %22, i64 %268
+  %286 = getelementptr i64, ptr %285, i64 %284
+  %287 = load i64, ptr %286, align 8
+  %288 = tail call i64 @llvm.smin.i64(i64 %287, i64 %283)
+  %289 = sub i64 %288, %279
+  %290 = icmp ult i64 %289, 9223372036854775807
+  br i1 %290, label %450, label %291
+291:
+  %292 = icmp slt i64 %289, 1
+  br i1 %292, label %436, label %462
+293:
+  %294 = phi i64 [ %261, %462 ], [ %373, %355 ]
+  %295 = phi i64 [ %289, %462 ], [ %364, %355 ]
+  %296 = phi i64 [ %279, %462 ], [ %363, %355 ]
+  %297 = load i64, ptr %475, align 8
+  %298 = add nsw i64 %297, %296
+  %299 = load i64, ptr %477, align 8
+  %300 = sub i64 %298, %299
+  %301 = load i64, ptr %479, align 8
+  %302 = add nsw i64 %301, %296
+  %303 = load i64, ptr %481, align 8
+  %304 = sub i64 %302, %303
+  %305 = icmp slt i64 %300, 0
+  %306 = select i1 %305, i64 %40, i64 0
+  %307 = getelementptr i64, ptr %38, i64 %300
+  %308 = getelementptr i64, ptr %307, i64 %306
+  %309 = load i64, ptr %308, align 8
+  %310 = icmp eq i64 %309, %300
+  br i1 %310, label %329, label %311
+311:
+  %312 = phi i64 [ %322, %311 ], [ %300, %293 ]
+  %313 = icmp slt i64 %312, 0
+  %314 = select i1 %313, i64 %40, i64 0
+  %315 = getelementptr i64, ptr %38, i64 %312
+  %316 = getelementptr i64, ptr %315, i64 %314
+  %317 = load i64, ptr %316, align 8
+  %318 = icmp slt i64 %317, 0
+  %319 = select i1 %318, i64 %40, i64 0
+  %320 = getelementptr i64, ptr %38, i64 %317
+  %321 = getelementptr i64, ptr %320, i64 %319
+  %322 = load i64, ptr %321, align 8
+  store i64 %322, ptr %316, align 8
+  %323 = icmp slt i64 %322, 0
+  %324 = select i1 %323, i64 %40, i64 0
+  %325 = getelementptr i64, ptr %38, i64 %322
+  %326 = getelementptr i64, ptr %325, i64 %324
+  %327 = load i64, ptr %326, align 8
+  %328 = icmp eq i64 %327, %322
+  br i1 %328, label %329, label %311
+329:
+  %330 = phi i64 [ %300, %293 ], [ %322, %311 ]
+  %331 = icmp slt i64 %304, 0
+  %332 = select i1 %331, i64 %40, i64 0
+  %333 = getelementptr i64, ptr %38, i64 %304
+  %334 = getelementptr i64, ptr %333, i64 %332
+  %335 = load i64, ptr %334, align 8
+  %336 = icmp eq i64 %335, %304
+  br i1 %336, label %355, label %337
+337:
+  %338 = phi i64 [ %348, %337 ], [ %304, %329 ]
+  %339 = icmp slt i64 %338, 0
+  %340 = select i1 %339, i64 %40, i64 0
+  %341 = getelementptr i64, ptr %38, i64 %338
+  %342 = getelementptr i64, ptr %341, i64 %340
+  %343 = load i64, ptr %342, align 8
+  %344 = icmp slt i64 %343, 0
+  %345 = select i1 %344, i64 %40, i64 0
+  %346 = getelementptr i64, ptr %38, i64 %343
+  %347 = getelementptr i64, ptr %346, i64 %345
+  %348 = load i64, ptr %347, align 8
+  store i64 %348, ptr %342, align 8
+  %349 = icmp slt i64 %348, 0
+  %350 = select i1 %349, i64 %40, i64 0
+  %351 = getelementptr i64, ptr %38, i64 %348
+  %352 = getelementptr i64, ptr %351, i64 %350
+  %353 = load i64, ptr %352, align 8
+  %354 = icmp eq i64 %353, %348
+  br i1 %354, label %355, label %337
+355:
+  %356 = phi i64 [ %304, %329 ], [ %348, %337 ]
+  %357 = tail call i64 @llvm.smin.i64(i64 %356, i64 %330)
+  %358 = tail call i64 @llvm.smax.i64(i64 %356, i64 %330)
+  %359 = icmp slt i64 %358, 0
+  %360 = select i1 %359, i64 %40, i64 0
+  %361 = getelementptr i64, ptr %38, i64 %358
+  %362 = getelementptr i64, ptr %361, i64 %360
+  store i64 %357, ptr %362, align 8
+  %363 = add i64 %296, 1
+  %364 = add nsw i64 %295, -1
+  %365 = select i1 %482, i64 %300, i64 %304
+  %366 = select i1 %482, i64 %304, i64 %300
+  %367 = icmp slt i64 %294, 0
+  %368 = select i1 %367, i64 %44, i64 0
+  %369 = add i64 %368, %294
+  %370 = mul i64 %369, %46
+  %371 = getelementptr i64, ptr %42, i64 %370
+  store i64 %366, ptr %371, align 8
+  %372 = getelementptr i8, ptr %371, i64 8
+  store i64 %365, ptr %372, align 8
+  %373 = add nsw i64 %294, 1
+  %374 = icmp sgt i64 %295, 1
+  br i1 %374, label %293, label %436
+375:
+  %376 = phi i64 [ %451, %450 ], [ %448, %439 ]
+  %377 = phi i64 [ %279, %450 ], [ %447, %439 ]
+  %378 = load i64, ptr %455, align 8
+  %379 = add nsw i64 %378, %377
+  %380 = load i64, ptr %457, align 8
+  %381 = sub i64 %379, %380
+  %382 = load i64, ptr %459, align 8
+  %383 = add nsw i64 %382, %377
+  %384 = load i64, ptr %461, align 8
+  %385 = sub i64 %383, %384
+  %386 = icmp slt i64 %381, 0
+  %387 = select i1 %386, i64 %36, i64 0
+  %388 = getelementptr i64, ptr %34, i64 %381
+  %389 = getelementptr i64, ptr %388, i64 %387
+  %390 = load i64, ptr %389, align 8
+  %391 = icmp eq i64 %390, %381
+  br i1 %391, label %410, label %392
+392:
+  %393 = phi i64 [ %403, %392 ], [ %381, %375 ]
+  %394 = icmp slt i64 %393, 0
+  %395 = select i1 %394, i64 %36, i64 0
+  %396 = getelementptr i64, ptr %34, i64 %393
+  %397 = getelementptr i64, ptr %396, i64 %395
+  %398 = load i64, ptr %397, align 8
+  %399 = icmp slt i64 %398, 0
+  %400 = select i1 %399, i64 %36, i64 0
+  %401 = getelementptr i64, ptr %34, i64 %398
+  %402 = getelementptr i64, ptr %401, i64 %400
+  %403 = load i64, ptr %402, align 8
+  store i64 %403, ptr %397, align 8
+  %404 = icmp slt i64 %403, 0
+  %405 = select i1 %404, i64 %36, i64 0
+  %406 = getelementptr i64, ptr %34, i64 %403
+  %407 = getelementptr i64, ptr %406, i64 %405
+  %408 = load i64, ptr %407, align 8
+  %409 = icmp eq i64 %408, %403
+  br i1 %409, label %410, label %392
+410:
+  %411 = phi i64 [ %381, %375 ], [ %403, %392 ]
+  %412 = icmp slt i64 %385, 0
+  %413 = select i1 %412, i64 %36, i64 0
+  %414 = getelementptr i64, ptr %34, i64 %385
+  %415 = getelementptr i64, ptr %414, i64 %413
+  %416 = load i64, ptr %415, align 8
+  %417 = icmp eq i64 %416, %385
+  br i1 %417, label %439, label %418
+418:
+  %419 = phi i64 [ %429, %418 ], [ %385, %410 ]
+  %420 = icmp slt i64 %419, 0
+  %421 = select i1 %420, i64 %36, i64 0
+  %422 = getelementptr i64, ptr %34, i64 %419
+  %423 = getelementptr i64, ptr %422, i64 %421
+  %424 = load i64, ptr %423, align 8
+  %425 = icmp slt i64 %424, 0
+  %426 = select i1 %425, i64 %36, i64 0
+  %427 = getelementptr i64, ptr %34, i64 %424
+  %428 = getelementptr i64, ptr %427, i64 %426
+  %429 = load i64, ptr %428, align 8
+  store i64 %429, ptr %423, align 8
+  %430 = icmp slt i64 %429, 0
+  %431 = select i1 %430, i64 %36, i64 0
+  %432 = getelementptr i64, ptr %34, i64 %429
+  %433 = getelementptr i64, ptr %432, i64 %431
+  %434 = load i64, ptr %433, align 8
+  %435 = icmp eq i64 %434, %429
+  br i1 %435, label %439, label %418
+436:
+  %437 = phi i64 [ %261, %291 ], [ %373, %355 ]
+  %438 = icmp eq i64 %8, %263
+  br i1 %438, label %483, label %260
+439:
+  %440 = phi i64 [ %385, %410 ], [ %429, %418 ]
+  %441 = tail call i64 @llvm.smin.i64(i64 %440, i64 %411)
+  %442 = tail call i64 @llvm.smax.i64(i64 %440, i64 %411)
+  %443 = icmp slt i64 %442, 0
+  %444 = select i1 %443, i64 %36, i64 0
+  %445 = getelementptr i64, ptr %34, i64 %442
+  %446 = getelementptr i64, ptr %445, i64 %444
+  store i64 %441, ptr %446, align 8
+  %447 = add i64 %377, 1
+  %448 = add nsw i64 %376, -1
+  %449 = icmp sgt i64 %376, 1
+  br i1 %449, label %375, label %291
+450:
+  %451 = add nuw nsw i64 %289, 1
+  %452 = getelementptr i64, ptr %30, i64 %266
+  %453 = getelementptr i64, ptr %30, i64 %268
+  %454 = select i1 %269, i64 %249, i64 0
+  %455 = getelementptr inbounds i8, ptr %452, i64 %454
+  %456 = shl i64 %270, 3
+  %457 = getelementptr i8, ptr %271, i64 %456
+  %458 = select i1 %274, i64 %249, i64 0
+  %459 = getelementptr inbounds i8, ptr %453, i64 %458
+  %460 = shl i64 %275, 3
+  %461 = getelementptr i8, ptr %276, i64 %460
+  br label %375
+462:
+  %463 = mul i64 %262, %4
+  %464 = getelementptr i64, ptr %259, i64 %463
+  %465 = load i64, ptr %464, align 8
+  %466 = select i1 %269, i64 %14, i64 0
+  %467 = add i64 %466, %266
+  %468 = mul i64 %467, %16
+  %469 = getelementptr i64, ptr %12, i64 %468
+  %470 = getelementptr i8, ptr %469, i64 8
+  %471 = load i64, ptr %470, align 8
+  %472 = getelementptr i64, ptr %26, i64 %266
+  %473 = getelementptr i64, ptr %26, i64 %268
+  %474 = select i1 %269, i64 %250, i64 0
+  %475 = getelementptr inbounds i8, ptr %472, i64 %474
+  %476 = shl i64 %270, 3
+  %477 = getelementptr inbounds i8, ptr %271, i64 %476
+  %478 = select i1 %274, i64 %250, i64 0
+  %479 = getelementptr inbounds i8, ptr %473, i64 %478
+  %480 = shl i64 %275, 3
+  %481 = getelementptr inbounds i8, ptr %276, i64 %480
+  %482 = icmp eq i64 %471, %465
+  br label %293
+483:
+  br i1 %256, label %106, label %251
+484:
+  %485 = icmp slt i64 %36, 1
+  br i1 %485, label %547, label %486
+486:
+  %487 = icmp eq i64 %36, 1
+  br i1 %487, label %508, label %488
+488:
+  %489 = and i64 %36, 9223372036854775806
+  br label %490
+490:
+  %491 = phi i64 [ 0, %488 ], [ %544, %542 ]
+  %492 = phi i64 [ 0, %488 ], [ %545, %542 ]
+  %493 = shl i64 %492, 3
+  %494 = getelementptr i8, ptr %34, i64 %493
+  %495 = load i64, ptr %494, align 8
+  %496 = icmp eq i64 %492, %495
+  br i1 %496, label %497, label %499
+497:
+  %498 = add nsw i64 %491, 1
+  br label %527
+499:
+  %500 = icmp slt i64 %495, 0
+  %501 = select i1 %500, i64 %36, i64 0
+  %502 = getelementptr i64, ptr %34, i64 %495
+  %503 = getelementptr i64, ptr %502, i64 %501
+  %504 = load i64, ptr %503, align 8
+  br label %527
+505:
+  %506 = and i64 %36, 1
+  %507 = icmp eq i64 %506, 0
+  br i1 %507, label %547, label %508
+508:
+  %509 = phi i64 [ 0, %486 ], [ %544, %505 ]
+  %510 = phi i64 [ 0, %486 ], [ %489, %505 ]
+  %511 = getelementptr i64, ptr %34, i64 %510
+  %512 = load i64, ptr %511, align 8
+  %513 = icmp eq i64 %512, %510
+  br i1 %513, label %520, label %514
+514:
+  %515 = icmp slt i64 %512, 0
+  %516 = select i1 %515, i64 %36, i64 0
+  %517 = getelementptr i64, ptr %34, i64 %512
+  %518 = getelementptr i64, ptr %517, i64 %516
+  %519 = load i64, ptr %518, align 8
+  br label %522
+520:
+  %521 = add nsw i64 %509, 1
+  br label %522
+522:
+  %523 = phi i64 [ %509, %520 ], [ %519, %514 ]
+  %524 = phi i64 [ %521, %520 ], [ %509, %514 ]
+  %525 = shl i64 %510, 3
+  %526 = getelementptr i8, ptr %34, i64 %525
+  store i64 %523, ptr %526, align 8
+  br label %547
+527:
+  %528 = phi i64 [ %491, %497 ], [ %504, %499 ]
+  %529 = phi i64 [ %498, %497 ], [ %491, %499 ]
+  store i64 %528, ptr %494, align 8
+  %530 = getelementptr i8, ptr %494, i64 8
+  %531 = load i64, ptr %530, align 8
+  %532 = or disjoint i64 %492, 1
+  %533 = icmp eq i64 %531, %532
+  br i1 %533, label %540, label %534
+534:
+  %535 = icmp slt i64 %531, 0
+  %536 = select i1 %535, i64 %36, i64 0
+  %537 = getelementptr i64, ptr %34, i64 %531
+  %538 = getelementptr i64, ptr %537, i64 %536
+  %539 = load i64, ptr %538, align 8
+  br label %542
+540:
+  %541 = add nsw i64 %529, 1
+  br label %542
+542:
+  %543 = phi i64 [ %529, %540 ], [ %539, %534 ]
+  %544 = phi i64 [ %541, %540 ], [ %529, %534 ]
+  store i64 %543, ptr %530, align 8
+  %545 = add i64 %492, 2
+  %546 = icmp eq i64 %545, %489
+  br i1 %546, label %505, label %490
+547:
+  %548 = phi i64 [ 0, %484 ], [ %544, %505 ], [ %524, %522 ]
+  ret i64 %548
+}
+define noundef i64 @msf_jax.limbs.levels.measure_rings(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = shl i64 %12, 3
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 72
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 80
+  %23 = load i64, ptr %22, align 8
+  %24 = shl i64 %23, 3
+  %25 = icmp sgt i64 %10, 0
+  br i1 %25, label %26, label %184
+26:
+  %27 = load i64, ptr %8, align 8
+  %28 = icmp slt i64 %27, 0
+  %29 = select i1 %28, i64 %4, i64 0
+  %30 = add i64 %29, %27
+  %31 = mul i64 %30, %6
+  %32 = getelementptr double, ptr %2, i64 %31
+  %33 = getelementptr i8, ptr %8, i64 8
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp slt i64 %34, 0
+  %36 = select i1 %35, i64 %4, i64 0
+  %37 = add i64 %36, %34
+  %38 = mul i64 %37, %6
+  %39 = getelementptr double, ptr %2, i64 %38
+  %40 = select i1 %28, i64 %17, i64 0
+  %41 = getelementptr i64, ptr %15, i64 %27
+  %42 = getelementptr i64, ptr %41, i64 %40
+  %43 = load i64, ptr %42, align 8
+  %44 = load double, ptr %39, align 8
+  %45 = load double, ptr %32, align 8
+  %46 = fsub double %44, %45
+  %47 = getelementptr i8, ptr %39, i64 8
+  %48 = load double, ptr %47, align 8
+  %49 = getelementptr i8, ptr %32, i64 8
+  %50 = load double, ptr %49, align 8
+  %51 = fsub double %48, %50
+  %52 = getelementptr i8, ptr %39, i64 16
+  %53 = load double, ptr %52, align 8
+  %54 = getelementptr i8, ptr %32, i64 16
+  %55 = load double, ptr %54, align 8
+  %56 = fsub double %53, %55
+  %57 = fmul double %46, %46
+  %58 = fmul double %51, %51
+  %59 = fadd double %57, %58
+  %60 = fmul double %56, %56
+  %61 = fadd double %59, %60
+  %62 = tail call double @llvm.sqrt.f64(double %61)
+  %63 = icmp slt i64 %43, 0
+  %64 = select i1 %63, i64 %21, i64 0
+  %65 = add i64 %64, %43
+  %66 = mul i64 %65, %23
+  %67 = getelementptr double, ptr %19, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fadd double %68, %62
+  store double %69, ptr %67, align 8
+  %70 = getelementptr i8, ptr %67, i64 8
+  %71 = load double, ptr %70, align 8
+  %72 = load double, ptr %32, align 8
+  %73 = load double, ptr %39, align 8
+  %74 = fadd double %72, %73
+  %75 = fmul double %74, 5.000000e-01
+  %76 = fmul double %62, %75
+  %77 = fadd double %71, %76
+  store double %77, ptr %70, align 8
+  %78 = load double, ptr %32, align 8
+  %79 = getelementptr i8, ptr %67, i64 88
+  store double %78, ptr %79, align 8
+  %80 = getelementptr i8, ptr %67, i64 16
+  %81 = load double, ptr %80, align 8
+  %82 = load double, ptr %49, align 8
+  %83 = load double, ptr %47, align 8
+  %84 = fadd double %82, %83
+  %85 = fmul double %84, 5.000000e-01
+  %86 = fmul double %62, %85
+  %87 = fadd double %81, %86
+  store double %87, ptr %80, align 8
+  %88 = load double, ptr %49, align 8
+  %89 = getelementptr i8, ptr %67, i64 96
+  store double %88, ptr %89, align 8
+  %90 = getelementptr i8, ptr %67, i64 24
+  %91 = load double, ptr %90, align 8
+  %92 = load double, ptr %54, align 8
+  %93 = load double, ptr %52, align 8
+  %94 = fadd double %92, %93
+  %95 = fmul double %94, 5.000000e-01
+  %96 = fmul double %62, %95
+  %97 = fadd double %91, %96
+  store double %97, ptr %90, align 8
+  %98 = load double, ptr %54, align 8
+  %99 = getelementptr i8, ptr %67, i64 104
+  store double %98, ptr %99, align 8
+  %100 = icmp eq i64 %10, 1
+  br i1 %100, label %184, label %101
+101:
+  %102 = getelementptr i8, ptr %8, i64 %13
+  %103 = getelementptr i8, ptr %102, i64 8
+  %104 = add nsw i64 %10, -1
+  br label %105
+105:
+  %106 = phi i64 [ %104, %101 ], [ %182, %105 ]
+  %107 = phi ptr [ %103, %101 ], [ %181, %105 ]
+  %108 = getelementptr i8, ptr %107, i64 -8
+  %109 = load i64, ptr %108, align 8
+  %110 = icmp slt i64 %109, 0
+  %111 = select i1 %110, i64 %4, i64 0
+  %112 = add i64 %111, %109
+  %113 = mul i64 %112, %6
+  %114 = getelementptr double, ptr %2, i64 %113
+  %115 = load i64, ptr %107, align 8
+  %116 = icmp slt i64 %115, 0
+  %117 = select i1 %116, i64 %4, i64 0
+  %118 = add i64 %117, %115
+  %119 = mul i64 %118, %6
+  %120 = getelementptr double, ptr %2, i64 %119
+  %121 = select i1 %110, i64 %17, i64 0
+  %122 = getelementptr i64, ptr %15, i64 %109
+  %123 = getelementptr i64, ptr %122, i64 %121
+  %124 = load i64, ptr %123, align 8
+  %125 = load double, ptr %120, align 8
+  %126 = load double, ptr %114, align 8
+  %127 = fsub double %125, %126
+  %128 = getelementptr i8, ptr %120, i64 8
+  %129 = load double, ptr %128, align 8
+  %130 = getelementptr i8, ptr %114, i64 8
+  %131 = load double, ptr %130, align 8
+  %132 = fsub double %129, %131
+  %133 = getelementptr i8, ptr %120, i64 16
+  %134 = load double, ptr %133, align 8
+  %135 = getelementptr i8, ptr %114, i64 16
+  %136 = load double, ptr %135, align 8
+  %137 = fsub double %134, %136
+  %138 = fmul double %127, %127
+  %139 = fmul double %132, %132
+  %140 = fadd double %138, %139
+  %141 = fmul double %137, %137
+  %142 = fadd double %140, %141
+  %143 = tail call double @llvm.sqrt.f64(double %142)
+  %144 = icmp slt i64 %124, 0
+  %145 = select i1 %144, i64 %21, i64 0
+  %146 = add i64 %145, %124
+  %147 = mul i64 %146, %23
+  %148 = getelementptr double, ptr %19, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = fadd double %149, %143
+  store double %150, ptr %148, align 8
+  %151 = getelementptr i8, ptr %148, i64 8
+  %152 = load double, ptr %151, align 8
+  %153 = load double, ptr %114, align 8
+  %154 = load double, ptr %120, align 8
+  %155 = fadd double %153, %154
+  %156 = fmul double %155, 5.000000e-01
+  %157 = fmul double %143, %156
+  %158 = fadd double %152, %157
+  store double %158, ptr %151, align 8
+  %159 = load double, ptr %114, align 8
+  %160 = getelementptr i8, ptr %148, i64 88
+  store double %159, ptr %160, align 8
+  %161 = getelementptr i8, ptr %148, i64 16
+  %162 = load double, ptr %161, align 8
+  %163 = load double, ptr %130, align 8
+  %164 = load double, ptr %128, align 8
+  %165 = fadd double %163, %164
+  %166 = fmul double %165, 5.000000e-01
+  %167 = fmul double %143, %166
+  %168 = fadd double %162, %167
+  store double %168, ptr %161, align 8
+  %169 = load double, ptr %130, align 8
+  %170 = getelementptr i8, ptr %148, i64 96
+  store double %169, ptr %170, align 8
+  %171 = getelementptr i8, ptr %148, i64 24
+  %172 = load double, ptr %171, align 8
+  %173 = load double, ptr %135, align 8
+  %174 = load double, ptr %133, align 8
+  %175 = fadd double %173, %174
+  %176 = fmul double %175, 5.000000e-01
+  %177 = fmul double %143, %176
+  %178 = fadd double %172, %177
+  store double %178, ptr %171, align 8
+  %179 = load double, ptr %135, align 8
+  %180 = getelementptr i8, ptr %148, i64 104
+  store double %179, ptr %180, align 8
+  %181 = getelementptr i8, ptr %107, i64 %13
+  %182 = add i64 %106, -1
+  %183 = icmp eq i64 %182, 0
+  br i1 %183, label %184, label %105
+184:
+  %185 = icmp slt i64 %21, 1
+  br i1 %185, label %230, label %186
+186:
+  %187 = icmp eq i64 %23, 1
+  br i1 %187, label %208, label %188
+188:
+  %189 = getelementptr i8, ptr %19, i64 24
+  br label %190
+190:
+  %191 = phi i64 [ %21, %188 ], [ %206, %190 ]
+  %192 = phi ptr [ %189, %188 ], [ %205, %190 ]
+  %193 = getelementptr i8, ptr %192, i64 -24
+  %194 = getelementptr i8, ptr %192, i64 -16
+  %195 = load double, ptr %194, align 8
+  %196 = load double, ptr %193, align 8
+  %197 = fcmp olt double %196, 1.000000e-300
+  %198 = select i1 %197, double 1.000000e-300, double %196
+  %199 = fdiv double %195, %198
+  store double %199, ptr %194, align 8
+  %200 = getelementptr i8, ptr %192, i64 -8
+  %201 = load double, ptr %200, align 8
+  %202 = fdiv double %201, %198
+  store double %202, ptr %200, align 8
+  %203 = load double, ptr %192, align 8
+  %204 = fdiv double %203, %198
+  store double %204, ptr %192, align 8
+  %205 = getelementptr i8, ptr %192, i64 %24
+  %206 = add i64 %191, -1
+  %207 = icmp eq i64 %206, 0
+  br i1 %207, label %230, label %190
+208:
+  %209 = getelementptr i8, ptr %19, i64 16
+  %210 = load double, ptr %209, align 8
+  %211 = getelementptr i8, ptr %19, i64 24
+  br label %212
+212:
+  %213 = phi i64 [ %21, %208 ], [ %228, %212 ]
+  %214 = phi ptr [ %211, %208 ], [ %227, %212 ]
+  %215 = phi double [ %210, %208 ], [ %226, %212 ]
+  %216 = getelementptr i8, ptr %214, i64 -24
+  %217 = getelementptr i8, ptr %214, i64 -16
+  %218 = load double, ptr %217, align 8
+  %219 = load double, ptr %216, align 8
+  %220 = fcmp olt double %219, 1.000000e-300
+  %221 = select i1 %220, double 1.000000e-300, double %219
+  %222 = fdiv double %218, %221
+  store double %222, ptr %217, align 8
+  %223 = getelementptr i8, ptr %214, i64 -8
+  %224 = fdiv double %215, %221
+  store double %224, ptr %223, align 8
+  %225 = load double, ptr %214, align 8
+  %226 = fdiv double %225, %221
+  store double %226, ptr %214, align 8
+  %227 = getelementptr i8, ptr %214, i64 8
+  %228 = add i64 %213, -1
+  %229 = icmp eq i64 %228, 0
+  br i1 %229, label %230, label %212
+230:
+  %231 = icmp slt i64 %10, 1
+  br i1 %231, label %440, label %232
+232:
+  %233 = load i64, ptr %8, align 8
+  %234 = icmp slt i64 %233, 0
+  %235 = select i1 %234, i64 %4, i64 0
+  %236 = add i64 %235, %233
+  %237 = mul i64 %236, %6
+  %238 = getelementptr double, ptr %2, i64 %237
+  %239 = getelementptr i8, ptr %8, i64 8
+  %240 = load i64, ptr %239, align 8
+  %241 = icmp slt i64 %240, 0
+  %242 = select i1 %241, i64 %4, i64 0
+  %243 = add i64 %242, %240
+  %244 = mul i64 %243, %6
+  %245 = getelementptr double, ptr %2, i64 %244
+  %246 = select i1 %234, i64 %17, i64 0
+  %247 = getelementptr i64, ptr %15, i64 %233
+  %248 = getelementptr i64, ptr %247, i64 %246
+  %249 = load i64, ptr %248, align 8
+  %250 = icmp slt i64 %249, 0
+  %251 = select i1 %250, i64 %21, i64 0
+  %252 = add i64 %251, %249
+  %253 = mul i64 %252, %23
+  %254 = getelementptr double, ptr %19, i64 %253
+  %255 = load double, ptr %238, align 8
+  %256 = getelementptr i8, ptr %254, i64 8
+  %257 = load double, ptr %256, align 8
+  %258 = fsub double %255, %257
+  %259 = getelementptr i8, ptr %238, i64 8
+  %260 = load double, ptr %259, align 8
+  %261 = getelementptr i8, ptr %254, i64 16
+  %262 = load double, ptr %261, align 8
+  %263 = fsub double %260, %262
+  %264 = getelementptr i8, ptr %238, i64 16
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr i8, ptr %254, i64 24
+  %267 = load double, ptr %266, align 8
+  %268 = fsub double %265, %267
+  %269 = load double, ptr %245, align 8
+  %270 = fsub double %269, %257
+  %271 = getelementptr i8, ptr %245, i64 8
+  %272 = load double, ptr %271, align 8
+  %273 = fsub double %272, %262
+  %274 = getelementptr i8, ptr %245, i64 16
+  %275 = load double, ptr %274, align 8
+  %276 = fsub double %275, %267
+  %277 = fmul double %263, %276
+  %278 = fmul double %268, %273
+  %279 = fsub double %277, %278
+  %280 = fmul double %268, %270
+  %281 = fmul double %258, %276
+  %282 = fsub double %280, %281
+  %283 = fmul double %258, %273
+  %284 = fmul double %263, %270
+  %285 = fsub double %283, %284
+  %286 = fmul double %279, %279
+  %287 = fmul double %282, %282
+  %288 = fadd double %286, %287
+  %289 = fmul double %285, %285
+  %290 = fadd double %289, %288
+  %291 = tail call double @llvm.sqrt.f64(double %290)
+  %292 = getelementptr i8, ptr %254, i64 32
+  %293 = load double, ptr %292, align 8
+  %294 = fadd double %293, %291
+  store double %294, ptr %292, align 8
+  %295 = getelementptr i8, ptr %254, i64 40
+  %296 = load double, ptr %295, align 8
+  %297 = load double, ptr %238, align 8
+  %298 = load double, ptr %245, align 8
+  %299 = fadd double %297, %298
+  %300 = fadd double %257, %299
+  %301 = fdiv double %300, 3.000000e+00
+  %302 = fmul double %291, %301
+  %303 = fadd double %296, %302
+  store double %303, ptr %295, align 8
+  %304 = getelementptr i8, ptr %254, i64 48
+  %305 = load double, ptr %304, align 8
+  %306 = load double, ptr %259, align 8
+  %307 = load double, ptr %271, align 8
+  %308 = fadd double %306, %307
+  %309 = fadd double %262, %308
+  %310 = fdiv double %309, 3.000000e+00
+  %311 = fmul double %291, %310
+  %312 = fadd double %305, %311
+  store double %312, ptr %304, align 8
+  %313 = getelementptr i8, ptr %254, i64 56
+  %314 = load double, ptr %313, align 8
+  %315 = load double, ptr %264, align 8
+  %316 = load double, ptr %274, align 8
+  %317 = fadd double %315, %316
+  %318 = fadd double %267, %317
+  %319 = fdiv double %318, 3.000000e+00
+  %320 = fmul double %291, %319
+  %321 = fadd double %314, %320
+  store double %321, ptr %313, align 8
+  %322 = getelementptr i8, ptr %254, i64 64
+  %323 = load double, ptr %322, align 8
+  %324 = fadd double %279, %323
+  store double %324, ptr %322, align 8
+  %325 = getelementptr i8, ptr %254, i64 72
+  %326 = load double, ptr %325, align 8
+  %327 = fadd double %282, %326
+  store double %327, ptr %325, align 8
+  %328 = getelementptr i8, ptr %254, i64 80
+  %329 = load double, ptr %328, align 8
+  %330 = fadd double %285, %329
+  store double %330, ptr %328, align 8
+  %331 = icmp eq i64 %10, 1
+  br i1 %331, label %440, label %332
+332:
+  %333 = getelementptr i8, ptr %8, i64 %13
+  %334 = getelementptr i8, ptr %333, i64 8
+  %335 = add nsw i64 %10, -1
+  br label %336
+336:
+  %337 = phi i64 [ %335, %332 ], [ %438, %336 ]
+  %338 = phi ptr [ %334, %332 ], [ %437, %336 ]
+  %339 = getelementptr i8, ptr %338, i64 -8
+  %340 = load i64, ptr %339, align 8
+  %341 = icmp slt i64 %340, 0
+  %342 = select i1 %341, i64 %4, i64 0
+  %343 = add i64 %342, %340
+  %344 = mul i64 %343, %6
+  %345 = getelementptr double, ptr %2, i64 %344
+  %346 = load i64, ptr %338, align 8
+  %347 = icmp slt i64 %346, 0
+  %348 = select i1 %347, i64 %4, i64 0
+  %349 = add i64 %348, %346
+  %350 = mul i64 %349, %6
+  %351 = getelementptr double, ptr %2, i64 %350
+  %352 = select i1 %341, i64 %17, i64 0
+  %353 = getelementptr i64, ptr %15, i64 %340
+  %354 = getelementptr i64, ptr %353, i64 %352
+  %355 = load i64, ptr %354, align 8
+  %356 = icmp slt i64 %355, 0
+  %357 = select i1 %356, i64 %21, i64 0
+  %358 = add i64 %357, %355
+  %359 = mul i64 %358, %23
+  %360 = getelementptr double, ptr %19, i64 %359
+  %361 = load double, ptr %345, align 8
+  %362 = getelementptr i8, ptr %360, i64 8
+  %363 = load double, ptr %362, align 8
+  %364 = fsub double %361, %363
+  %365 = getelementptr i8, ptr %345, i64 8
+  %366 = load double, ptr %365, align 8
+  %367 = getelementptr i8, ptr %360, i64 16
+  %368 = load double, ptr %367, align 8
+  %369 = fsub double %366, %368
+  %370 = getelementptr i8, ptr %345, i64 16
+  %371 = load double, ptr %370, align 8
+  %372 = getelementptr i8, ptr %360, i64 24
+  %373 = load double, ptr %372, align 8
+  %374 = fsub double %371, %373
+  %375 = load double, ptr %351, align 8
+  %376 = fsub double %375, %363
+  %377 = getelementptr i8, ptr %351, i64 8
+  %378 = load double, ptr %377, align 8
+  %379 = fsub double %378, %368
+  %380 = getelementptr i8, ptr %351, i64 16
+  %381 = load double, ptr %380, align 8
+  %382 = fsub double %381, %373
+  %383 = fmul double %369, %382
+  %384 = fmul double %374, %379
+  %385 = fsub double %383, %384
+  %386 = fmul double %374, %376
+  %387 = fmul double %364, %382
+  %388 = fsub double %386, %387
+  %389 = fmul double %364, %379
+  %390 = fmul double %369, %376
+  %391 = fsub double %389, %390
+  %392 = fmul double %385, %385
+  %393 = fmul double %388, %388
+  %394 = fadd double %392, %393
+  %395 = fmul double %391, %391
+  %396 = fadd double %395, %394
+  %397 = tail call double @llvm.sqrt.f64(double %396)
+  %398 = getelementptr i8, ptr %360, i64 32
+  %399 = load double, ptr %398, align 8
+  %400 = fadd double %399, %397
+  store double %400, ptr %398, align 8
+  %401 = getelementptr i8, ptr %360, i64 40
+  %402 = load double, ptr %401, align 8
+  %403 = load double, ptr %345, align 8
+  %404 = load double, ptr %351, align 8
+  %405 = fadd double %403, %404
+  %406 = fadd double %363, %405
+  %407 = fdiv double %406, 3.000000e+00
+  %408 = fmul double %397, %407
+  %409 = fadd double %402, %408
+  store double %409, ptr %401, align 8
+  %410 = getelementptr i8, ptr %360, i64 48
+  %411 = load double, ptr %410, align 8
+  %412 = load double, ptr %365, align 8
+  %413 = load double, ptr %377, align 8
+  %414 = fadd double %412, %413
+  %415 = fadd double %368, %414
+  %416 = fdiv double %415, 3.000000e+00
+  %417 = fmul double %397, %416
+  %418 = fadd double %411, %417
+  store double %418, ptr %410, align 8
+  %419 = getelementptr i8, ptr %360, i64 56
+  %420 = load double, ptr %419, align 8
+  %421 = load double, ptr %370, align 8
+  %422 = load double, ptr %380, align 8
+  %423 = fadd double %421, %422
+  %424 = fadd double %373, %423
+  %425 = fdiv double %424, 3.000000e+00
+  %426 = fmul double %397, %425
+  %427 = fadd double %420, %426
+  store double %427, ptr %419, align 8
+  %428 = getelementptr i8, ptr %360, i64 64
+  %429 = load double, ptr %428, align 8
+  %430 = fadd double %385, %429
+  store double %430, ptr %428, align 8
+  %431 = getelementptr i8, ptr %360, i64 72
+  %432 = load double, ptr %431, align 8
+  %433 = fadd double %388, %432
+  store double %433, ptr %431, align 8
+  %434 = getelementptr i8, ptr %360, i64 80
+  %435 = load double, ptr %434, align 8
+  %436 = fadd double %391, %435
+  store double %436, ptr %434, align 8
+  %437 = getelementptr i8, ptr %338, i64 %13
+  %438 = add i64 %337, -1
+  %439 = icmp eq i64 %438, 0
+  br i1 %439, label %440, label %336
+440:
+  ret i64 0
+}
+define noundef i64 @msf_jax.limbs.levels.fill_pieces(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 56
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 64
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 72
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 80
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 88
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 96
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 120
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 136
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 144
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 152
+  %32 = load double, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 176
+  %34 = load i64, ptr %33, align 8
+  %35 = shl i64 %34, 3
+  %36 = getelementptr i8, ptr %0, i64 184
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 192
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 208
+  %41 = load i64, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 216
+  %43 = load i64, ptr %42, align 8
+  %44 = shl i64 %43, 3
+  %45 = icmp slt i64 %4, 1
+  br i1 %45, label %292, label %46
+46:
+  %47 = getelementptr i8, ptr %0, i64 200
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr i8, ptr %0, i64 160
+  %50 = load ptr, ptr %49, align 8
+  %51 = getelementptr i8, ptr %0, i64 128
+  %52 = load i64, ptr %51, align 8
+  %53 = and i64 %34, 9223372036854775806
+  %54 = getelementptr i8, ptr %48, i64 8
+  %55 = getelementptr i8, ptr %50, i64 8
+  %56 = icmp slt i64 %34, 1
+  %57 = icmp eq i64 %34, 1
+  %58 = shl i64 %52, 3
+  %59 = and i64 %34, 1
+  %60 = icmp eq i64 %59, 0
+  %61 = getelementptr double, ptr %48, i64 %53
+  %62 = getelementptr double, ptr %50, i64 %53
+  br label %118
+63:
+  %64 = getelementptr i8, ptr %119, i64 %35
+  %65 = icmp eq i64 %121, %4
+  br i1 %65, label %292, label %118
+66:
+  br i1 %60, label %73, label %67
+67:
+  %68 = getelementptr double, ptr %61, i64 %287
+  %69 = load double, ptr %68, align 8
+  %70 = load double, ptr %272, align 8
+  %71 = fmul double %288, %70
+  %72 = fadd double %69, %71
+  store double %72, ptr %68, align 8
+  br label %73
+73:
+  %74 = icmp samesign ugt i64 %77, 1
+  br i1 %74, label %75, label %63
+75:
+  %76 = phi double [ %274, %73 ], [ 0.000000e+00, %264 ]
+  %77 = phi i64 [ %79, %73 ], [ %267, %264 ]
+  %78 = phi i64 [ %80, %73 ], [ %247, %264 ]
+  %79 = add nsw i64 %77, -1
+  %80 = add i64 %78, 1
+  %81 = sitofp i64 %80 to double
+  %82 = fmul double %32, %81
+  %83 = fcmp ult double %82, %151
+  br i1 %83, label %84, label %273
+84:
+  %85 = fcmp ugt double %82, %155
+  br i1 %85, label %94, label %86
+86:
+  %87 = fsub double %82, %147
+  %88 = fcmp olt double %87, 0.000000e+00
+  %89 = select i1 %88, double 0.000000e+00, double %87
+  %90 = fcmp olt double %255, %89
+  %91 = select i1 %90, double %255, double %89
+  %92 = fmul double %91, %91
+  %93 = fdiv double %92, %259
+  br label %273
+94:
+  %95 = fsub double %151, %82
+  %96 = fcmp olt double %260, %95
+  %97 = select i1 %96, double %260, double %95
+  %98 = fmul double %97, %97
+  %99 = fdiv double %98, %263
+  %100 = fsub double 1.000000e+00, %99
+  br label %273
+101:
+  %102 = phi i64 [ %112, %101 ], [ 0, %289 ]
+  %103 = shl i64 %102, 3
+  %104 = getelementptr i8, ptr %291, i64 %103
+  %105 = getelementptr i8, ptr %104, i64 -8
+  %106 = load double, ptr %105, align 8
+  %107 = getelementptr i8, ptr %119, i64 %103
+  %108 = getelementptr i8, ptr %107, i64 -8
+  %109 = load double, ptr %108, align 8
+  %110 = fmul double %288, %109
+  %111 = fadd double %106, %110
+  store double %111, ptr %105, align 8
+  %112 = add nuw i64 %102, 2
+  %113 = load double, ptr %104, align 8
+  %114 = load double, ptr %107, align 8
+  %115 = fmul double %288, %114
+  %116 = fadd double %113, %115
+  store double %116, ptr %104, align 8
+  %117 = icmp eq i64 %53, %112
+  br i1 %117, label %66, label %101
+118:
+  %119 = phi ptr [ %55, %46 ], [ %64, %63 ]
+  %120 = phi i64 [ 0, %46 ], [ %121, %63 ]
+  %121 = add nuw nsw i64 %120, 1
+  %122 = mul i64 %120, %6
+  %123 = getelementptr i64, ptr %2, i64 %122
+  %124 = load i64, ptr %123, align 8
+  %125 = icmp slt i64 %124, 0
+  %126 = select i1 %125, i64 %30, i64 0
+  %127 = getelementptr double, ptr %28, i64 %124
+  %128 = getelementptr double, ptr %127, i64 %126
+  %129 = load double, ptr %128, align 8
+  %130 = getelementptr i8, ptr %123, i64 8
+  %131 = load i64, ptr %130, align 8
+  %132 = icmp slt i64 %131, 0
+  %133 = select i1 %132, i64 %30, i64 0
+  %134 = getelementptr double, ptr %28, i64 %131
+  %135 = getelementptr double, ptr %134, i64 %133
+  %136 = load double, ptr %135, align 8
+  %137 = getelementptr i8, ptr %123, i64 16
+  %138 = load i64, ptr %137, align 8
+  %139 = icmp slt i64 %138, 0
+  %140 = select i1 %139, i64 %30, i64 0
+  %141 = getelementptr double, ptr %28, i64 %138
+  %142 = getelementptr double, ptr %141, i64 %140
+  %143 = load double, ptr %142, align 8
+  %144 = fcmp olt double %136, %129
+  %145 = select i1 %144, double %136, double %129
+  %146 = fcmp olt double %143, %145
+  %147 = select i1 %146, double %143, double %145
+  %148 = fcmp ogt double %136, %129
+  %149 = select i1 %148, double %136, double %129
+  %150 = fcmp ogt double %143, %149
+  %151 = select i1 %150, double %143, double %149
+  %152 = fcmp olt double %143, %149
+  %153 = select i1 %152, double %143, double %149
+  %154 = fcmp ogt double %153, %145
+  %155 = select i1 %154, double %153, double %145
+  %156 = mul i64 %120, %10
+  %157 = getelementptr i64, ptr %8, i64 %156
+  %158 = load i64, ptr %157, align 8
+  %159 = getelementptr i8, ptr %157, i64 8
+  %160 = load i64, ptr %159, align 8
+  %161 = icmp slt i64 %158, 0
+  %162 = select i1 %161, i64 %14, i64 0
+  %163 = add i64 %162, %158
+  %164 = mul i64 %163, %16
+  %165 = getelementptr i64, ptr %12, i64 %164
+  %166 = getelementptr i8, ptr %165, i64 8
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp slt i64 %167, 0
+  %169 = select i1 %168, i64 %30, i64 0
+  %170 = getelementptr double, ptr %28, i64 %167
+  %171 = getelementptr double, ptr %170, i64 %169
+  %172 = load double, ptr %171, align 8
+  %173 = load i64, ptr %165, align 8
+  %174 = icmp slt i64 %173, 0
+  %175 = select i1 %174, i64 %30, i64 0
+  %176 = getelementptr double, ptr %28, i64 %173
+  %177 = getelementptr double, ptr %176, i64 %175
+  %178 = load double, ptr %177, align 8
+  %179 = fsub double %172, %178
+  %180 = icmp slt i64 %160, 0
+  %181 = select i1 %180, i64 %14, i64 0
+  %182 = add i64 %181, %160
+  %183 = mul i64 %182, %16
+  %184 = getelementptr i64, ptr %12, i64 %183
+  %185 = getelementptr i8, ptr %184, i64 8
+  %186 = load i64, ptr %185, align 8
+  %187 = icmp slt i64 %186, 0
+  %188 = select i1 %187, i64 %30, i64 0
+  %189 = getelementptr double, ptr %28, i64 %186
+  %190 = getelementptr double, ptr %189, i64 %188
+  %191 = load double, ptr %190, align 8
+  %192 = load i64, ptr %184, align 8
+  %193 = icmp slt i64 %192, 0
+  %194 = select i1 %193, i64 %30, i64 0
+  %195 = getelementptr double, ptr %28, i64 %192
+  %196 = getelementptr double, ptr %195, i64 %194
+  %197 = load double, ptr %196, align 8
+  %198 = fsub double %191, %197
+  %199 = fcmp ogt double %198, %179
+  %200 = select i1 %199, i64 %160, i64 %158
+  %201 = getelementptr i8, ptr %157, i64 16
+  %202 = load i64, ptr %201, align 8
+  %203 = icmp slt i64 %200, 0
+  %204 = select i1 %203, i64 %14, i64 0
+  %205 = add i64 %204, %200
+  %206 = mul i64 %205, %16
+  %207 = getelementptr i64, ptr %12, i64 %206
+  %208 = getelementptr i8, ptr %207, i64 8
+  %209 = load i64, ptr %208, align 8
+  %210 = icmp slt i64 %209, 0
+  %211 = select i1 %210, i64 %30, i64 0
+  %212 = getelementptr double, ptr %28, i64 %209
+  %213 = getelementptr double, ptr %212, i64 %211
+  %214 = load double, ptr %213, align 8
+  %215 = load i64, ptr %207, align 8
+  %216 = icmp slt i64 %215, 0
+  %217 = select i1 %216, i64 %30, i64 0
+  %218 = getelementptr double, ptr %28, i64 %215
+  %219 = getelementptr double, ptr %218, i64 %217
+  %220 = load double, ptr %219, align 8
+  %221 = fsub double %214, %220
+  %222 = icmp slt i64 %202, 0
+  %223 = select i1 %222, i64 %14, i64 0
+  %224 = add i64 %223, %202
+  %225 = mul i64 %224, %16
+  %226 = getelementptr i64, ptr %12, i64 %225
+  %227 = getelementptr i8, ptr %226, i64 8
+  %228 = load i64, ptr %227, align 8
+  %229 = icmp slt i64 %228, 0
+  %230 = select i1 %229, i64 %30, i64 0
+  %231 = getelementptr double, ptr %28, i64 %228
+  %232 = getelementptr double, ptr %231, i64 %230
+  %233 = load double, ptr %232, align 8
+  %234 = load i64, ptr %226, align 8
+  %235 = icmp slt i64 %234, 0
+  %236 = select i1 %235, i64 %30, i64 0
+  %237 = getelementptr double, ptr %28, i64 %234
+  %238 = getelementptr double, ptr %237, i64 %236
+  %239 = load double, ptr %238, align 8
+  %240 = fsub double %233, %239
+  %241 = fcmp ogt double %240, %221
+  %242 = select i1 %241, i64 %202, i64 %200
+  %243 = icmp slt i64 %242, 0
+  %244 = select i1 %243, i64 %20, i64 0
+  %245 = getelementptr i64, ptr %18, i64 %242
+  %246 = getelementptr i64, ptr %245, i64 %244
+  %247 = load i64, ptr %246, align 8
+  %248 = select i1 %243, i64 %24, i64 0
+  %249 = getelementptr i64, ptr %22, i64 %242
+  %250 = getelementptr i64, ptr %249, i64 %248
+  %251 = load i64, ptr %250, align 8
+  %252 = sub i64 %251, %247
+  %253 = icmp ult i64 %252, 9223372036854775807
+  br i1 %253, label %254, label %63
+254:
+  %255 = fsub double %155, %147
+  %256 = fsub double %151, %147
+  %257 = fmul double %256, %255
+  %258 = fcmp olt double %257, 1.000000e-300
+  %259 = select i1 %258, double 1.000000e-300, double %257
+  %260 = fsub double %151, %155
+  %261 = fmul double %256, %260
+  %262 = fcmp olt double %261, 1.000000e-300
+  %263 = select i1 %262, double 1.000000e-300, double %261
+  br i1 %56, label %63, label %264
+264:
+  %265 = mul i64 %120, %34
+  %266 = getelementptr i64, ptr %26, i64 %242
+  %267 = add nuw nsw i64 %252, 1
+  %268 = select i1 %243, i64 %58, i64 0
+  %269 = getelementptr inbounds i8, ptr %266, i64 %268
+  %270 = shl i64 %244, 3
+  %271 = getelementptr inbounds i8, ptr %245, i64 %270
+  %272 = getelementptr double, ptr %62, i64 %265
+  br label %75
+273:
+  %274 = phi double [ %100, %94 ], [ %93, %86 ], [ 1.000000e+00, %75 ]
+  %275 = load i64, ptr %269, align 8
+  %276 = add nsw i64 %275, %78
+  %277 = load i64, ptr %271, align 8
+  %278 = sub i64 %276, %277
+  %279 = getelementptr i64, ptr %37, i64 %278
+  %280 = icmp slt i64 %278, 0
+  %281 = select i1 %280, i64 %39, i64 0
+  %282 = getelementptr i64, ptr %279, i64 %281
+  %283 = load i64, ptr %282, align 8
+  %284 = icmp slt i64 %283, 0
+  %285 = select i1 %284, i64 %41, i64 0
+  %286 = add i64 %285, %283
+  %287 = mul i64 %286, %43
+  %288 = fsub double %274, %76
+  br i1 %57, label %67, label %289
+289:
+  %290 = mul i64 %44, %286
+  %291 = getelementptr i8, ptr %54, i64 %290
+  br label %101
+292:
+  ret i64 0
+}
+define noundef i64 @msf_jax.limbs.tree.sweep(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 48
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 56
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 64
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 72
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 80
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 88
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 96
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 104
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 112
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 120
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 128
+  %34 = load i64, ptr %33, align 8
+  %35 = shl i64 %34, 3
+  %36 = icmp sgt i64 %4, 1
+  br i1 %36, label %37, label %268
+37:
+  %38 = add nsw i64 %4, -2
+  %39 = and i64 %34, 3
+  %40 = and i64 %34, 9223372036854775804
+  %41 = getelementptr i8, ptr %30, i64 24
+  %42 = icmp slt i64 %34, 1
+  %43 = icmp samesign ult i64 %34, 4
+  %44 = icmp eq i64 %39, 0
+  br label %167
+45:
+  %46 = icmp eq i64 %168, %38
+  br i1 %46, label %268, label %167
+47:
+  %48 = phi i64 [ %50, %165 ], [ %174, %167 ]
+  %49 = phi i64 [ %51, %165 ], [ %171, %167 ]
+  %50 = add nsw i64 %48, -1
+  %51 = add i64 %49, 1
+  %52 = icmp slt i64 %49, 0
+  %53 = select i1 %52, i64 %8, i64 0
+  %54 = getelementptr i64, ptr %6, i64 %49
+  %55 = getelementptr i64, ptr %54, i64 %53
+  %56 = load i64, ptr %55, align 8
+  %57 = icmp slt i64 %56, 0
+  %58 = select i1 %57, i64 %16, i64 0
+  %59 = getelementptr i64, ptr %14, i64 %56
+  %60 = getelementptr i64, ptr %59, i64 %58
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp eq i64 %61, %56
+  br i1 %62, label %176, label %63
+63:
+  %64 = phi i64 [ %74, %63 ], [ %56, %47 ]
+  %65 = icmp slt i64 %64, 0
+  %66 = select i1 %65, i64 %16, i64 0
+  %67 = getelementptr i64, ptr %14, i64 %64
+  %68 = getelementptr i64, ptr %67, i64 %66
+  %69 = load i64, ptr %68, align 8
+  %70 = icmp slt i64 %69, 0
+  %71 = select i1 %70, i64 %16, i64 0
+  %72 = getelementptr i64, ptr %14, i64 %69
+  %73 = getelementptr i64, ptr %72, i64 %71
+  %74 = load i64, ptr %73, align 8
+  store i64 %74, ptr %68, align 8
+  %75 = icmp slt i64 %74, 0
+  %76 = select i1 %75, i64 %16, i64 0
+  %77 = getelementptr i64, ptr %14, i64 %74
+  %78 = getelementptr i64, ptr %77, i64 %76
+  %79 = load i64, ptr %78, align 8
+  %80 = icmp eq i64 %79, %74
+  br i1 %80, label %176, label %63
+81:
+  %82 = icmp slt i64 %177, 0
+  %83 = select i1 %82, i64 %24, i64 0
+  %84 = getelementptr i64, ptr %22, i64 %177
+  %85 = getelementptr i64, ptr %84, i64 %83
+  %86 = load i64, ptr %85, align 8
+  %87 = add nsw i64 %86, 1
+  store i64 %87, ptr %85, align 8
+  br label %165
+88:
+  %89 = phi i64 [ %108, %88 ], [ 0, %241 ]
+  %90 = shl i64 %89, 3
+  %91 = getelementptr i8, ptr %243, i64 %90
+  %92 = getelementptr i8, ptr %91, i64 -24
+  %93 = load double, ptr %92, align 8
+  %94 = getelementptr i8, ptr %245, i64 %90
+  %95 = getelementptr i8, ptr %94, i64 -24
+  %96 = load double, ptr %95, align 8
+  %97 = fadd double %93, %96
+  store double %97, ptr %92, align 8
+  %98 = getelementptr i8, ptr %91, i64 -16
+  %99 = load double, ptr %98, align 8
+  %100 = getelementptr i8, ptr %94, i64 -16
+  %101 = load double, ptr %100, align 8
+  %102 = fadd double %99, %101
+  store double %102, ptr %98, align 8
+  %103 = getelementptr i8, ptr %91, i64 -8
+  %104 = load double, ptr %103, align 8
+  %105 = getelementptr i8, ptr %94, i64 -8
+  %106 = load double, ptr %105, align 8
+  %107 = fadd double %104, %106
+  store double %107, ptr %103, align 8
+  %108 = add nuw nsw i64 %89, 4
+  %109 = load double, ptr %91, align 8
+  %110 = load double, ptr %94, align 8
+  %111 = fadd double %109, %110
+  store double %111, ptr %91, align 8
+  %112 = icmp eq i64 %40, %108
+  br i1 %112, label %145, label %88
+113:
+  %114 = phi i64 [ %262, %258 ], [ %252, %246 ]
+  %115 = phi i64 [ %261, %258 ], [ %249, %246 ]
+  %116 = icmp slt i64 %115, 0
+  %117 = select i1 %116, i64 %8, i64 0
+  %118 = getelementptr i64, ptr %6, i64 %115
+  %119 = getelementptr i64, ptr %118, i64 %117
+  %120 = load i64, ptr %119, align 8
+  %121 = icmp slt i64 %120, 0
+  %122 = select i1 %121, i64 %16, i64 0
+  %123 = getelementptr i64, ptr %14, i64 %120
+  %124 = getelementptr i64, ptr %123, i64 %122
+  %125 = load i64, ptr %124, align 8
+  %126 = icmp eq i64 %125, %120
+  br i1 %126, label %258, label %127
+127:
+  %128 = phi i64 [ %138, %127 ], [ %120, %113 ]
+  %129 = icmp slt i64 %128, 0
+  %130 = select i1 %129, i64 %16, i64 0
+  %131 = getelementptr i64, ptr %14, i64 %128
+  %132 = getelementptr i64, ptr %131, i64 %130
+  %133 = load i64, ptr %132, align 8
+  %134 = icmp slt i64 %133, 0
+  %135 = select i1 %134, i64 %16, i64 0
+  %136 = getelementptr i64, ptr %14, i64 %133
+  %137 = getelementptr i64, ptr %136, i64 %135
+  %138 = load i64, ptr %137, align 8
+  store i64 %138, ptr %132, align 8
+  %139 = icmp slt i64 %138, 0
+  %140 = select i1 %139, i64 %16, i64 0
+  %141 = getelementptr i64, ptr %14, i64 %138
+  %142 = getelementptr i64, ptr %141, i64 %140
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp eq i64 %143, %138
+  br i1 %144, label %254, label %127
+145:
+  br i1 %44, label %165, label %146
+146:
+  %147 = phi i64 [ %240, %238 ], [ %242, %145 ]
+  %148 = phi i64 [ %239, %238 ], [ %244, %145 ]
+  %149 = phi i64 [ 0, %238 ], [ %40, %145 ]
+  %150 = shl i64 %149, 3
+  %151 = getelementptr i8, ptr %30, i64 %148
+  %152 = getelementptr i8, ptr %151, i64 %150
+  %153 = getelementptr i8, ptr %30, i64 %147
+  %154 = getelementptr i8, ptr %153, i64 %150
+  br label %155
+155:
+  %156 = phi i64 [ 0, %146 ], [ %163, %155 ]
+  %157 = shl nuw nsw i64 %156, 3
+  %158 = getelementptr i8, ptr %154, i64 %157
+  %159 = load double, ptr %158, align 8
+  %160 = getelementptr i8, ptr %152, i64 %157
+  %161 = load double, ptr %160, align 8
+  %162 = fadd double %159, %161
+  store double %162, ptr %158, align 8
+  %163 = add i64 %156, 1
+  %164 = icmp eq i64 %39, %163
+  br i1 %164, label %165, label %155
+165:
+  %166 = icmp samesign ugt i64 %48, 1
+  br i1 %166, label %47, label %246
+167:
+  %168 = phi i64 [ 0, %37 ], [ %169, %45 ]
+  %169 = add nuw nsw i64 %168, 1
+  %170 = getelementptr i64, ptr %2, i64 %168
+  %171 = load i64, ptr %170, align 8
+  %172 = getelementptr i8, ptr %170, i64 8
+  %173 = load i64, ptr %172, align 8
+  %174 = sub i64 %173, %171
+  %175 = icmp slt i64 %174, 1
+  br i1 %175, label %45, label %47
+176:
+  %177 = phi i64 [ %56, %47 ], [ %74, %63 ]
+  %178 = select i1 %52, i64 %12, i64 0
+  %179 = getelementptr i64, ptr %10, i64 %49
+  %180 = getelementptr i64, ptr %179, i64 %178
+  %181 = load i64, ptr %180, align 8
+  %182 = icmp slt i64 %181, 0
+  %183 = select i1 %182, i64 %16, i64 0
+  %184 = getelementptr i64, ptr %14, i64 %181
+  %185 = getelementptr i64, ptr %184, i64 %183
+  %186 = load i64, ptr %185, align 8
+  %187 = icmp eq i64 %186, %181
+  br i1 %187, label %206, label %188
+188:
+  %189 = phi i64 [ %199, %188 ], [ %181, %176 ]
+  %190 = icmp slt i64 %189, 0
+  %191 = select i1 %190, i64 %16, i64 0
+  %192 = getelementptr i64, ptr %14, i64 %189
+  %193 = getelementptr i64, ptr %192, i64 %191
+  %194 = load i64, ptr %193, align 8
+  %195 = icmp slt i64 %194, 0
+  %196 = select i1 %195, i64 %16, i64 0
+  %197 = getelementptr i64, ptr %14, i64 %194
+  %198 = getelementptr i64, ptr %197, i64 %196
+  %199 = load i64, ptr %198, align 8
+  store i64 %199, ptr %193, align 8
+  %200 = icmp slt i64 %199, 0
+  %201 = select i1 %200, i64 %16, i64 0
+  %202 = getelementptr i64, ptr %14, i64 %199
+  %203 = getelementptr i64, ptr %202, i64 %201
+  %204 = load i64, ptr %203, align 8
+  %205 = icmp eq i64 %204, %199
+  br i1 %205, label %206, label %188
+206:
+  %207 = phi i64 [ %181, %176 ], [ %199, %188 ]
+  %208 = icmp eq i64 %177, %207
+  br i1 %208, label %81, label %209
+209:
+  %210 = icmp slt i64 %207, 0
+  %211 = select i1 %210, i64 %16, i64 0
+  %212 = getelementptr i64, ptr %14, i64 %207
+  %213 = getelementptr i64, ptr %212, i64 %211
+  store i64 %177, ptr %213, align 8
+  %214 = icmp slt i64 %177, 0
+  %215 = select i1 %214, i64 %24, i64 0
+  %216 = getelementptr i64, ptr %22, i64 %177
+  %217 = getelementptr i64, ptr %216, i64 %215
+  %218 = load i64, ptr %217, align 8
+  %219 = select i1 %210, i64 %24, i64 0
+  %220 = getelementptr i64, ptr %22, i64 %207
+  %221 = getelementptr i64, ptr %220, i64 %219
+  %222 = load i64, ptr %221, align 8
+  %223 = add nsw i64 %222, %218
+  store i64 %223, ptr %217, align 8
+  %224 = select i1 %214, i64 %28, i64 0
+  %225 = getelementptr i64, ptr %26, i64 %177
+  %226 = getelementptr i64, ptr %225, i64 %224
+  %227 = load i64, ptr %226, align 8
+  %228 = select i1 %210, i64 %28, i64 0
+  %229 = getelementptr i64, ptr %26, i64 %207
+  %230 = getelementptr i64, ptr %229, i64 %228
+  %231 = load i64, ptr %230, align 8
+  %232 = tail call i64 @llvm.smax.i64(i64 %231, i64 %227)
+  store i64 %232, ptr %226, align 8
+  br i1 %42, label %165, label %233
+233:
+  %234 = select i1 %214, i64 %32, i64 0
+  %235 = add i64 %234, %177
+  %236 = select i1 %210, i64 %32, i64 0
+  %237 = add i64 %236, %207
+  br i1 %43, label %238, label %241
+238:
+  %239 = mul i64 %237, %35
+  %240 = mul i64 %235, %35
+  br label %146
+241:
+  %242 = mul i64 %235, %35
+  %243 = getelementptr i8, ptr %41, i64 %242
+  %244 = mul i64 %237, %35
+  %245 = getelementptr i8, ptr %41, i64 %244
+  br label %88
+246:
+  %247 = shl i64 %168, 3
+  %248 = getelementptr i8, ptr %2, i64 %247
+  %249 = load i64, ptr %248, align 8
+  %250 = getelementptr i8, ptr %248, i64 8
+  %251 = load i64, ptr %250, align 8
+  %252 = sub i64 %251, %249
+  %253 = icmp slt i64 %252, 1
+  br i1 %253, label %45, label %113
+254:
+  %255 = shl i64 %117, 3
+  %256 = getelementptr inbounds i8, ptr %118, i64 %255
+  %257 = load i64, ptr %256, align 8
+  br label %258
+258:
+  %259 = phi i64 [ %120, %113 ], [ %257, %254 ]
+  %260 = phi i64 [ %120, %113 ], [ %138, %254 ]
+  %261 = add i64 %115, 1
+  %262 = add nsw i64 %114, -1
+  %263 = icmp slt i64 %259, 0
+  %264 = select i1 %263, i64 %20, i64 0
+  %265 = getelementptr i64, ptr %18, i64 %259
+  %266 = getelementptr i64, ptr %265, i64 %264
+  store i64 %260, ptr %266, align 8
+  %267 = icmp sgt i64 %114, 1
+  br i1 %267, label %113, label %45
+268:
+  ret i64 0
+}
 define i64 @msf_jax.meso.kernels.short_edges(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 16
