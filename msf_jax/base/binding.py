@@ -32,7 +32,6 @@ ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
 }
 MESH = ("vertices", "faces")  # fields that grow with the mesh
 BOTH = ("corners", "turning")  # fields that grow with the nodes, and with the square root of the vertices
-CAPACITY_STEP = 64  # rows: all capacities are multiples of it
 
 
 class Sizes(NamedTuple):
@@ -145,7 +144,7 @@ def capacity_for(*sizes: Sizes) -> Sizes:
 def _capacity(name: str, mesh: int, curve: int) -> int:
     """The capacity of field ``name``, after ``mesh`` steps of the mesh's capacities and ``curve`` of the curve's."""
     rung = mesh if name in MESH else 2 * curve + mesh / 2 if name in BOTH else 2 * curve
-    return -(-int(SMALLEST_SIZES[name] * 2**rung) // CAPACITY_STEP) * CAPACITY_STEP
+    return int(SMALLEST_SIZES[name] * 2**rung)
 
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:
@@ -165,19 +164,12 @@ def padded(binding: Binding, capacity: Sizes) -> Binding:
 
     rows = {name: filled(name, getattr(capacity, kind)) for kind, names in ROWS.items() for name in names}
     live = Sizes(*(np.asarray(count, dtype=np.int32) for count in binding.live))
-    return binding._replace(live=live, **rows, **_whole(binding))
+    return binding._replace(live=live, **rows)
 
 
 def unpadded(binding: Binding) -> Binding:
     """``binding`` without padding, as NumPy arrays; it must not be a batch."""
     live = Sizes(*(int(count) for count in binding.live))
-    cut = {
-        name: np.asarray(getattr(binding, name))[: getattr(live, kind)]
-        for kind, names in ROWS.items()
-        for name in names
-    }
-    return binding._replace(live=live, **cut, **_whole(binding))
-
-
-def _whole(binding: Binding) -> dict[str, np.ndarray]:
-    return {name: np.asarray(getattr(binding, name)) for name in ("centre", "diagonal", "unit")}
+    arrays = {name: np.asarray(value) for name, value in binding._asdict().items() if name != "live"}
+    rows = {name: arrays[name][: getattr(live, kind)] for kind, names in ROWS.items() for name in names}
+    return Binding(live=live, **arrays | rows)

@@ -56,9 +56,14 @@ class Weights:
         pairs = zip(vars(self).values(), vars(other).values(), strict=True) if isinstance(other, Weights) else [(0, 1)]
         return all(a is b or (not is_traced(a) and not is_traced(b) and np.array_equal(a, b)) for a, b in pairs)
 
-    def check(self) -> None:
-        """Raise a `ConfigError` unless all weights are in range. Traced values are not checked."""
+    def check(self, num: int | None = None) -> None:
+        """Raise a `ConfigError` unless all weights are in range, and numbers or ``num`` of them, if that is given. Of
+        traced values only the shape is checked."""
         for name, value in vars(self).items():
+            if num is not None and np.shape(value) not in ((), (num,)):
+                raise ConfigError(
+                    f"Weights.{name} has shape {np.shape(value)}: expected a number, or ({num},), one for each vertex"
+                )
             if is_traced(value):
                 continue
             try:

@@ -168,14 +168,10 @@ def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
 def weights_of_vertices(weights: Weights, checked: Surface) -> np.ndarray | None:
     """(V, 4) weights of the checked surface's vertices, or None if all weights are scalars."""
     num = len(checked.vertex_of_input)
-    columns = []
-    for name, value in vars(weights).items():
-        if np.shape(value) not in ((), (num,)):
-            raise ConfigError(
-                f"Weights.{name} has shape {np.shape(value)}: expected a number, or ({num},): one for each vertex"
-            )
-        columns.append(np.broadcast_to(np.asarray(value, dtype=np.float64), num)[checked.input_of_vertex])
-    return None if all(np.ndim(value) == 0 for value in vars(weights).values()) else np.stack(columns, axis=1)
+    weights.check(num)
+    values = [np.asarray(value, dtype=np.float64) for value in vars(weights).values()]
+    columns = [np.broadcast_to(value, num)[checked.input_of_vertex] for value in values]
+    return None if all(value.ndim == 0 for value in values) else np.stack(columns, axis=1)
 
 
 def checked_pins(pins: Any, checked: Surface) -> tuple[np.ndarray, np.ndarray]:

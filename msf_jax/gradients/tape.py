@@ -28,10 +28,8 @@ from msf_jax.skeleton.skeleton import Skeleton, Source
 
 KIND = "tape"  # of the file, see `archive`
 FORMAT_VERSION = 6  # of the format: files of other versions are refused
-RECORDS = {  # the types that a file may contain, by name
-    kind.__name__: kind
-    for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, *GROUPS.values())
-} | {"Config": Config}
+KINDS = (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config, *GROUPS.values())
+RECORDS = {kind.__name__: kind for kind in KINDS}  # the types that a file may contain, by name
 
 
 @jax.tree_util.register_dataclass

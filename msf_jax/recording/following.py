@@ -85,9 +85,8 @@ def record(
     is_held = np.zeros(len(x), dtype=bool)
     is_held[list(pins_of_node)] = True
     distance, nearest = shape.nearest(x)
-    here = shape.winding_numbers(x)
+    here, paths = shape.winding_numbers(x), measures.paths_of(x, edges, is_held)
     inside = here > 0
-    paths = measures.paths_of(x, edges, is_held)
     corners, size = _sections(solid, x, edges, paths, is_held, np.where(inside, distance, 0.0), nearest)
     corners = _with_clouds(surface, edges, corners, len(x))
     a = _smoothing(x, edges, size, corners, is_held)
@@ -131,8 +130,8 @@ def record(
         edges=edges,
         branch=np.array([branch_of[frozenset(pair)] for pair in edges.tolist()], dtype=np.int64),
         centre=solid.centre,
-        diagonal=np.float64(solid.diagonal),
-        unit=unit_of_length,
+        diagonal=np.asarray(solid.diagonal),
+        unit=np.asarray(unit_of_length),
     )
     return binding._replace(live=binding.capacity._replace(vertices=num))
 

@@ -28,15 +28,15 @@ WORTH_A_LAYOUT = 0.7  # ratio of the cost of two layouts to that of one, below w
 def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
     """The tape of a component, and the layouts of its stretches and of its mesh filter."""
     start, steps, num = record.start, record.steps, len(record.vertices)
+    kept = start.found.kept if start.found else None
     place, blend = edit_matrices(start.edits, num)
     plan = layouts_of(steps)
-    order, capacity = (steps[0].order, plan[0][1].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
+    order, capacity = (steps[0].order, plan[0][2].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
     row = site = np.argsort(order)  # of each vertex: its row, and the row of the first stretch whose pole it has
-    stretches, first = [], 0
-    for last, layout in plan:
+    stretches = []
+    for first, last, layout in plan:
         stretch, row, site = record_stretch(steps[first:last], layout, row, site)
         stretches.append(stretch)
-        first = last
     mesh_filter, mesh_layout = record_mesh_filter(start.mesh_filter, record.vertices, record.faces)
     is_node = record.node_of_meso >= 0
     node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
@@ -49,7 +49,7 @@ def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
         is_pin=np.isin(np.arange(num), record.pins),
         mesh_filter=mesh_filter,
         gather=entries(place[order], blend[order]),
-        site_filter=record_site_filter(start.found.kept if start.found else None, steps, plan),
+        site_filter=record_site_filter(kept, steps[0], plan[0][2]) if kept and steps else None,
         **record_poles(start.found, order, capacity),
         stretches=tuple(stretches),
         meso_row=row.astype(np.int32),
@@ -62,11 +62,11 @@ def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
         diagonal=np.asarray(record.frame.diagonal),
         axes=record.frame.axes,
     )
-    return part, Shape(tuple(layout for _, layout in plan), mesh_layout)
+    return part, Shape(tuple(layout for *_, layout in plan), mesh_layout)
 
 
-def layouts_of(steps: list[Step]) -> list[tuple[int, Layout]]:
-    """One or two layouts for the iterations, whichever are cheaper, each with the number of the first beyond it.
+def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
+    """One or two layouts for the iterations, whichever are cheaper, each after its first one and the first beyond it.
 
     Each layout takes seconds to compile. But a surface shrinks fast, and with one layout for all iterations, the late
     ones would consist mostly of padding.
@@ -76,16 +76,15 @@ def layouts_of(steps: list[Step]) -> list[tuple[int, Layout]]:
     for line, counts in zip(table, beyond, strict=True):
         line[: len(counts)] = counts
 
-    def planned(*bounds: int) -> list[tuple[int, Layout]]:
+    def planned(*bounds: int) -> list[tuple[int, int, Layout]]:
         plan = []
         for first, last in pairwise(bounds):
             most, count = table[first:last].max(axis=0), max(len(step.order) for step in steps[first:last])
-            plan.append((last, layout_for(count, most[most > 0].tolist())))
+            plan.append((first, last, layout_for(count, most[most > 0].tolist())))
         return plan
 
-    def cost(plan: list[tuple[int, Layout]]) -> int:
-        firsts = [0, *(last for last, _ in plan)]
-        return sum((last - first) * layout.num_slots for first, (last, layout) in zip(firsts, plan, strict=False))
+    def cost(plan: list[tuple[int, int, Layout]]) -> int:
+        return sum((last - first) * layout.num_slots for first, last, layout in plan)
 
     whole = planned(0, len(steps)) if steps else []
     best = min((planned(0, k, len(steps)) for k in range(1, len(steps))), key=cost, default=whole)
@@ -187,13 +186,8 @@ def entries(place: Any, blend: Any) -> Mixing:
     return Mixing(row.astype(np.int32), column.astype(np.int32), *shares)
 
 
-def record_site_filter(
-    kept: LowPass | None, steps: list[Step], plan: list[tuple[int, Layout]]
-) -> Basis | Polynomial | None:
+def record_site_filter(kept: LowPass, first: Step, layout: Layout) -> Basis | Polynomial:
     """The filter of the sites of poles, for the first rows of the flow."""
-    if kept is None or not steps:
-        return None
-    first, layout = steps[0], plan[0][1]
     if kept.basis is not None:
         return Basis(packing.pad(kept.basis[first.order], layout.capacity, 0, kept.basis.dtype))
     own = np.arange(layout.capacity)

@@ -92,7 +92,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
 
     def other_plan(steps, *_):
         beyond = [4] * 20
-        return [(1, layout_for(500, beyond)), (len(steps), layout_for(400, beyond))]
+        return [(0, 1, layout_for(500, beyond)), (1, len(steps), layout_for(400, beyond))]
 
     nodes = msf_jax.replay(flow.tape, flow.weights)
     monkeypatch.setattr(padded, "layouts_of", other_plan)
