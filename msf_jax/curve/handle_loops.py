@@ -25,7 +25,7 @@ from msf_jax.topology import graphs
 FACTORS = (2, 3)  # moduli with a smaller rank if loops go around handles several times
 # Linking numbers, of edges of a curve with loops of the surface, that are computed for one curve (1 GB), and those of
 # all paths that are tried for one curve. One of 13,000 edges in a solid of genus 1,409 has 4e7, its search takes 8e7.
-MOST_LINKING = 2**28
+MOST_LINKING = 2**27
 AT_ONCE = 8  # loops added in a round: at least so many, or a quarter of the missing ones
 
 

@@ -13,7 +13,7 @@ from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config, Weights
 from msf_jax.curve import branches, finishing
 from msf_jax.flow import curves
-from msf_jax.flow.curves import MOST_VOLUME, ComponentCurve, Stitched, is_left, lacks_classes
+from msf_jax.flow.curves import MOST_VOLUME, ComponentCurve, Stitched, is_left
 from msf_jax.flow.state import Flow, Iteration, State, stage_at
 from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import Surface
@@ -118,8 +118,7 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
     detail = math.ceil(20 * limbs[0][0]) / 20 if limbs else 0.0
     places = [place for least, place in limbs if least <= detail]
     ends = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places[:NAMED])
-    guessed, redone = sum(map(lacks_classes, states)), sum(line.redone > 0 for line in history)
-    which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
+    redone = sum(line.redone > 0 for line in history)
     steps = "step was" if redone == 1 else "steps were"
     notes = (
         (
@@ -140,10 +139,6 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
             places,
             f"{_counted(len(places), 'more limb')} at detail {detail:g}: ends at {ends}"
             + ", ..." * (len(places) > NAMED),
-        ),
-        (
-            guessed,
-            f"the loops of {which} itself were not told apart in the flow: those that it lost were laid afterwards",
         ),
         (redone, f"{redone} {steps} repeated with a smaller w_L: coordinates diverged"),
     )

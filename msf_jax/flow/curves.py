@@ -88,11 +88,6 @@ def _thinned(meso: Meso, t_c: float) -> Meso:
     return meso.compacted()
 
 
-def lacks_classes(state: State) -> bool:
-    """Whether the surface has handles, but no homology classes that tell which loops are contractible in the solid."""
-    return state.component.genus > 0 and state.meso.classes is None
-
-
 def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
     """A pass that moves the nodes left by surgery back to the middle of the solid."""
     x = surgery.recentred(

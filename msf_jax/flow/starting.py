@@ -66,7 +66,7 @@ def init(
     if component.genus:
         with clock.stage("homology"):
             classes = half_edge_classes(shape.vertices, faces, shape.handles.surface)
-            meso.classes = None if classes is None else ring_tables.beside_rings(meso.rings, faces, classes)
+            meso.classes = ring_tables.beside_rings(meso.rings, faces, classes)
     clock.check()
     max_rows = GROWTH * meso.num_rows + GROWTH_MARGIN
     if options.resample:

@@ -33,7 +33,7 @@ class Meso:
 
     positions: (n, 3). rings: (n, K), see `ring_tables`. degree: (n,), 0 for a dead row. poles: (n, 3), finite
     everywhere. has_pole: (n,), False where the pole must not pull. classes: (n, K), the class of every edge (see
-    `solid.handles`), or None for a surface without handles, or one that crosses itself so that it has no classes.
+    `solid.handles`), or None for a surface without handles.
     is_fixed: (n,), True where the vertex has reached the skeleton and no longer moves. node_of_input: (V,), the row
     that every vertex of the input has been merged into. scale: (n,) factor on lengths, up to 1, smaller on thin limbs
     (see `inside.balls.scales`), or None if no limb is thin. weights: (n, 4), w_L, w_H, w_M and smoothing of every

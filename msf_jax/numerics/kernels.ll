@@ -1,6 +1,6 @@
 ; Made of the kernels by `python -m tests.translate`: edit those.
-declare i64 @llvm.smax.i64(i64, i64)
-define i64 @msf_jax.solid.handles.crossed(ptr readonly %0) local_unnamed_addr {
+declare i64 @llvm.smin.i64(i64, i64)
+define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 8
   %4 = load i64, ptr %3, align 8
@@ -12,303 +12,306 @@ define i64 @msf_jax.solid.handles.crossed(ptr readonly %0) local_unnamed_addr {
   %10 = load i64, ptr %9, align 8
   %11 = getelementptr i8, ptr %0, i64 48
   %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 56
-  %14 = load i64, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 64
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 80
   %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 72
+  %17 = getelementptr i8, ptr %0, i64 88
   %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 80
+  %19 = getelementptr i8, ptr %0, i64 104
   %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 88
-  %22 = load i64, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 96
-  %24 = load ptr, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 112
-  %26 = load ptr, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 128
+  %21 = getelementptr i8, ptr %0, i64 112
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 120
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 128
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 136
   %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 136
+  %29 = getelementptr i8, ptr %0, i64 144
   %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 144
-  %32 = load i64, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 152
+  %31 = getelementptr i8, ptr %0, i64 152
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 168
   %34 = load ptr, ptr %33, align 8
-  %35 = getelementptr i8, ptr %0, i64 160
+  %35 = getelementptr i8, ptr %0, i64 176
   %36 = load i64, ptr %35, align 8
-  %37 = getelementptr i8, ptr %0, i64 168
+  %37 = getelementptr i8, ptr %0, i64 184
   %38 = load ptr, ptr %37, align 8
-  %39 = getelementptr i8, ptr %0, i64 184
-  %40 = load ptr, ptr %39, align 8
-  %41 = getelementptr i8, ptr %0, i64 192
-  %42 = load i64, ptr %41, align 8
-  %43 = getelementptr i8, ptr %0, i64 200
-  %44 = load ptr, ptr %43, align 8
-  %45 = getelementptr i8, ptr %0, i64 208
+  %39 = getelementptr i8, ptr %0, i64 192
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr i8, ptr %0, i64 200
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 208
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr i8, ptr %0, i64 216
   %46 = load i64, ptr %45, align 8
-  %47 = getelementptr i8, ptr %0, i64 216
-  %48 = load ptr, ptr %47, align 8
-  %49 = getelementptr i8, ptr %0, i64 224
-  %50 = load i64, ptr %49, align 8
-  %51 = icmp slt i64 %4, 1
-  br i1 %51, label %284, label %52
-52:
-  %53 = getelementptr i8, ptr %0, i64 176
-  %54 = load i64, ptr %53, align 8
-  %55 = getelementptr i8, ptr %24, i64 8
-  %56 = getelementptr i8, ptr %26, i64 8
-  %57 = shl i64 %54, 3
-  br label %61
-58:
-  %59 = phi i64 [ %62, %61 ], [ %62, %108 ], [ %278, %280 ]
-  %60 = icmp eq i64 %64, %4
-  br i1 %60, label %284, label %61
-61:
-  %62 = phi i64 [ %59, %58 ], [ 0, %52 ]
-  %63 = phi i64 [ %64, %58 ], [ 0, %52 ]
-  %64 = add nuw nsw i64 %63, 1
-  %65 = mul i64 %63, %6
-  %66 = getelementptr double, ptr %2, i64 %65
+  %47 = icmp slt i64 %4, 1
+  br i1 %47, label %283, label %48
+48:
+  %49 = icmp eq i64 %30, 0
+  %50 = tail call i64 @llvm.smin.i64(i64 %30, i64 1)
+  br i1 %49, label %283, label %51
+51:
+  %52 = shl i64 %36, 3
+  %53 = shl i64 %40, 3
+  br label %161
+54:
+  %55 = phi i64 [ %50, %161 ], [ %160, %159 ]
+  %56 = icmp slt i64 %55, 0
+  %57 = select i1 %56, i64 %24, i64 0
+  %58 = add i64 %57, %55
+  %59 = mul i64 %58, %26
+  %60 = getelementptr double, ptr %22, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = fcmp ogt double %61, %173
+  br i1 %62, label %89, label %63
+63:
+  %64 = shl i64 %59, 3
+  %65 = getelementptr i8, ptr %22, i64 %64
+  %66 = getelementptr i8, ptr %65, i64 8
   %67 = load double, ptr %66, align 8
-  %68 = mul i64 %63, %10
-  %69 = getelementptr double, ptr %8, i64 %68
-  %70 = load double, ptr %69, align 8
-  %71 = fcmp olt double %70, %67
-  %72 = select i1 %71, double %70, double %67
-  %73 = fcmp ogt double %70, %67
-  %74 = select i1 %73, double %70, double %67
-  %75 = load double, ptr %24, align 8
-  %76 = load double, ptr %26, align 8
-  %77 = fsub double %72, %75
-  %78 = fdiv double %77, %76
-  %79 = fcmp olt double %78, 0.000000e+00
-  %80 = select i1 %79, double 0.000000e+00, double %78
-  %81 = fcmp ogt double %80, 9.500000e+01
-  %82 = select i1 %81, double 9.500000e+01, double %80
-  %83 = fptosi double %82 to i64
-  %84 = fsub double %74, %75
-  %85 = fdiv double %84, %76
-  %86 = fcmp olt double %85, 0.000000e+00
-  %87 = select i1 %86, double 0.000000e+00, double %85
-  %88 = fcmp ogt double %87, 9.500000e+01
-  %89 = select i1 %88, double 9.500000e+01, double %87
-  %90 = fptosi double %89 to i64
-  %91 = getelementptr i8, ptr %66, i64 8
-  %92 = load double, ptr %91, align 8
-  %93 = getelementptr i8, ptr %69, i64 8
-  %94 = load double, ptr %93, align 8
-  %95 = fcmp olt double %94, %92
-  %96 = select i1 %95, double %94, double %92
-  %97 = load double, ptr %55, align 8
-  %98 = load double, ptr %56, align 8
-  %99 = fsub double %96, %97
-  %100 = fdiv double %99, %98
-  %101 = fcmp olt double %100, 0.000000e+00
-  %102 = select i1 %101, double 0.000000e+00, double %100
-  %103 = fcmp ogt double %102, 9.500000e+01
-  %104 = select i1 %103, double 9.500000e+01, double %102
-  %105 = fptosi double %104 to i64
-  %106 = sub i64 %90, %83
-  %107 = icmp ult i64 %106, 9223372036854775807
-  br i1 %107, label %108, label %58
-108:
-  %109 = fcmp ogt double %94, %92
-  %110 = select i1 %109, double %94, double %92
-  %111 = fsub double %110, %97
-  %112 = fdiv double %111, %98
-  %113 = fcmp olt double %112, 0.000000e+00
-  %114 = select i1 %113, double 0.000000e+00, double %112
-  %115 = fcmp ogt double %114, 9.500000e+01
-  %116 = select i1 %115, double 9.500000e+01, double %114
-  %117 = fptosi double %116 to i64
-  %118 = add i64 %117, 1
-  %119 = sub i64 %118, %105
-  %120 = tail call i64 @llvm.smax.i64(i64 %119, i64 0)
-  %121 = icmp slt i64 %119, 1
-  br i1 %121, label %58, label %122
-122:
-  %123 = add nuw nsw i64 %106, 1
-  %124 = shl i64 %65, 3
-  %125 = getelementptr i8, ptr %2, i64 %124
-  %126 = getelementptr i8, ptr %125, i64 8
-  %127 = shl i64 %68, 3
-  %128 = getelementptr i8, ptr %8, i64 %127
-  %129 = getelementptr i8, ptr %128, i64 8
-  %130 = getelementptr i8, ptr %125, i64 16
-  %131 = getelementptr i8, ptr %128, i64 16
-  br label %132
-132:
-  %133 = phi i64 [ %278, %280 ], [ %62, %122 ]
-  %134 = phi i64 [ %281, %280 ], [ %123, %122 ]
-  %135 = phi i64 [ %282, %280 ], [ %83, %122 ]
-  %136 = mul nsw i64 %135, 96
-  br label %137
-137:
-  %138 = phi i64 [ %133, %132 ], [ %278, %277 ]
-  %139 = phi i64 [ %120, %132 ], [ %141, %277 ]
-  %140 = phi i64 [ %105, %132 ], [ %142, %277 ]
-  %141 = add nsw i64 %139, -1
-  %142 = add i64 %140, 1
-  %143 = add nsw i64 %140, %136
-  %144 = icmp slt i64 %143, 0
-  %145 = select i1 %144, i64 %36, i64 0
-  %146 = getelementptr i64, ptr %34, i64 %143
-  %147 = getelementptr i64, ptr %146, i64 %145
-  %148 = load i64, ptr %147, align 8
-  %149 = icmp slt i64 %143, -1
-  %150 = select i1 %149, i64 %36, i64 0
-  %151 = getelementptr i8, ptr %146, i64 8
-  %152 = getelementptr i64, ptr %151, i64 %150
-  %153 = load i64, ptr %152, align 8
-  %154 = sub i64 %153, %148
-  %155 = icmp slt i64 %154, 1
-  br i1 %155, label %277, label %156
+  %68 = fcmp ogt double %67, %181
+  br i1 %68, label %89, label %69
+69:
+  %70 = getelementptr i8, ptr %65, i64 16
+  %71 = load double, ptr %70, align 8
+  %72 = fcmp ogt double %71, %187
+  br i1 %72, label %89, label %73
+73:
+  %74 = getelementptr i8, ptr %65, i64 24
+  %75 = load double, ptr %74, align 8
+  %76 = fcmp olt double %75, %171
+  br i1 %76, label %89, label %77
+77:
+  %78 = getelementptr i8, ptr %65, i64 32
+  %79 = load double, ptr %78, align 8
+  %80 = fcmp olt double %79, %179
+  br i1 %80, label %89, label %81
+81:
+  %82 = icmp slt i64 %55, %30
+  br i1 %82, label %87, label %83
+83:
+  %84 = sub nsw i64 %55, %30
+  %85 = getelementptr i64, ptr %28, i64 %84
+  %86 = load i64, ptr %85, align 8
+  br label %89
+87:
+  %88 = shl nsw i64 %55, 1
+  br label %156
+89:
+  %90 = phi i64 [ %86, %83 ], [ -1, %69 ], [ -1, %73 ], [ -1, %77 ], [ -1, %63 ], [ -1, %54 ]
+  %91 = add nsw i64 %55, 1
+  %92 = and i64 %55, 1
+  %93 = icmp eq i64 %92, 0
+  br i1 %93, label %198, label %94
+94:
+  %95 = phi i64 [ %96, %94 ], [ %91, %89 ]
+  %96 = ashr i64 %95, 1
+  %97 = and i64 %95, 2
+  %98 = icmp eq i64 %97, 0
+  br i1 %98, label %94, label %198
+99:
+  %100 = fcmp oge double %236, 0.000000e+00
+  %101 = fcmp ult double %241, 0.000000e+00
+  %102 = xor i1 %100, %101
+  br i1 %102, label %156, label %103
+103:
+  %104 = fsub double %222, %229
+  %105 = fdiv double %222, %104
+  %106 = fsub double %236, %241
+  %107 = fdiv double %236, %106
+  %108 = load double, ptr %194, align 8
+  %109 = load double, ptr %195, align 8
+  %110 = fsub double %109, %108
+  %111 = fmul double %105, %110
+  %112 = fadd double %108, %111
+  %113 = shl i64 %207, 3
+  %114 = getelementptr i8, ptr %14, i64 %113
+  %115 = getelementptr i8, ptr %114, i64 16
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %112, %116
+  %118 = shl i64 %204, 3
+  %119 = getelementptr i8, ptr %18, i64 %118
+  %120 = getelementptr i8, ptr %119, i64 16
+  %121 = load double, ptr %120, align 8
+  %122 = fsub double %121, %116
+  %123 = fmul double %107, %122
+  %124 = fcmp ogt double %117, %123
+  br i1 %124, label %245, label %153
+125:
+  %126 = phi i64 [ %151, %125 ], [ %254, %252 ]
+  %127 = phi i64 [ %128, %125 ], [ %247, %252 ]
+  %128 = add i64 %127, 1
+  %129 = load i64, ptr %197, align 8
+  %130 = icmp slt i64 %127, 0
+  %131 = select i1 %130, i64 %52, i64 0
+  %132 = getelementptr i8, ptr %34, i64 %131
+  %133 = shl i64 %127, 3
+  %134 = getelementptr i8, ptr %132, i64 %133
+  %135 = load i64, ptr %134, align 8
+  %136 = icmp slt i64 %129, 0
+  %137 = select i1 %136, i64 %44, i64 0
+  %138 = add i64 %137, %129
+  %139 = icmp slt i64 %135, 0
+  %140 = select i1 %139, i64 %46, i64 0
+  %141 = mul i64 %138, %46
+  %142 = getelementptr i64, ptr %42, i64 %141
+  %143 = getelementptr i64, ptr %142, i64 %135
+  %144 = getelementptr i64, ptr %143, i64 %140
+  %145 = load i64, ptr %144, align 8
+  %146 = select i1 %130, i64 %53, i64 0
+  %147 = getelementptr i8, ptr %38, i64 %146
+  %148 = getelementptr i8, ptr %147, i64 %133
+  %149 = load i64, ptr %148, align 8
+  %150 = add nsw i64 %149, %145
+  store i64 %150, ptr %144, align 8
+  %151 = add i64 %126, -1
+  %152 = icmp samesign ugt i64 %151, 1
+  br i1 %152, label %125, label %153
+153:
+  br i1 %200, label %154, label %159
+154:
+  %155 = icmp eq i64 %4, %163
+  br i1 %155, label %283, label %161
 156:
-  %157 = add nuw i64 %154, 1
-  br label %158
-158:
-  %159 = phi i64 [ %157, %156 ], [ %274, %272 ]
-  %160 = phi i64 [ %138, %156 ], [ %273, %272 ]
-  %161 = phi i64 [ %148, %156 ], [ %275, %272 ]
-  %162 = icmp slt i64 %161, 0
-  %163 = select i1 %162, i64 %57, i64 0
-  %164 = getelementptr i8, ptr %38, i64 %163
-  %165 = shl i64 %161, 3
-  %166 = getelementptr i8, ptr %164, i64 %165
-  %167 = load i64, ptr %166, align 8
-  %168 = icmp slt i64 %167, 0
-  %169 = select i1 %168, i64 %30, i64 0
-  %170 = add i64 %169, %167
-  %171 = mul i64 %170, %32
-  %172 = getelementptr i64, ptr %28, i64 %171
-  %173 = load i64, ptr %172, align 8
-  %174 = tail call i64 @llvm.smax.i64(i64 %173, i64 %83)
-  %175 = icmp eq i64 %174, %135
-  br i1 %175, label %176, label %272
-176:
-  %177 = shl i64 %171, 3
-  %178 = getelementptr i8, ptr %28, i64 %177
-  %179 = getelementptr i8, ptr %178, i64 8
-  %180 = load i64, ptr %179, align 8
-  %181 = tail call i64 @llvm.smax.i64(i64 %180, i64 %105)
-  %182 = icmp eq i64 %181, %140
-  br i1 %182, label %183, label %272
-183:
-  %184 = select i1 %168, i64 %20, i64 0
-  %185 = add i64 %184, %167
-  %186 = mul i64 %185, %22
-  %187 = getelementptr double, ptr %18, i64 %186
-  %188 = load double, ptr %187, align 8
-  %189 = select i1 %168, i64 %14, i64 0
-  %190 = add i64 %189, %167
-  %191 = mul i64 %190, %16
-  %192 = getelementptr double, ptr %12, i64 %191
-  %193 = load double, ptr %192, align 8
-  %194 = fsub double %188, %193
-  %195 = getelementptr i8, ptr %187, i64 8
-  %196 = load double, ptr %195, align 8
-  %197 = getelementptr i8, ptr %192, i64 8
-  %198 = load double, ptr %197, align 8
-  %199 = fsub double %196, %198
-  %200 = load double, ptr %126, align 8
-  %201 = fsub double %200, %198
-  %202 = fmul double %194, %201
-  %203 = load double, ptr %125, align 8
-  %204 = fsub double %203, %193
-  %205 = fmul double %199, %204
-  %206 = fsub double %202, %205
-  %207 = load double, ptr %129, align 8
-  %208 = fsub double %207, %198
-  %209 = fmul double %194, %208
-  %210 = load double, ptr %128, align 8
-  %211 = fsub double %210, %193
-  %212 = fmul double %199, %211
-  %213 = fsub double %209, %212
-  %214 = fsub double %210, %203
-  %215 = fsub double %207, %200
-  %216 = fsub double %198, %200
-  %217 = fmul double %216, %214
-  %218 = fsub double %193, %203
-  %219 = fmul double %218, %215
-  %220 = fsub double %217, %219
-  %221 = fsub double %196, %200
-  %222 = fmul double %221, %214
-  %223 = fsub double %188, %203
-  %224 = fmul double %223, %215
-  %225 = fsub double %222, %224
-  %226 = fcmp oge double %206, 0.000000e+00
-  %227 = fcmp ult double %213, 0.000000e+00
-  %228 = xor i1 %226, %227
-  br i1 %228, label %272, label %229
-229:
-  %230 = fcmp oge double %220, 0.000000e+00
-  %231 = fcmp ult double %225, 0.000000e+00
-  %232 = xor i1 %230, %231
-  br i1 %232, label %272, label %233
-233:
-  %234 = fsub double %206, %213
-  %235 = fdiv double %206, %234
-  %236 = fsub double %220, %225
-  %237 = fdiv double %220, %236
-  %238 = load double, ptr %130, align 8
-  %239 = load double, ptr %131, align 8
-  %240 = fsub double %239, %238
-  %241 = fmul double %235, %240
-  %242 = fadd double %238, %241
-  %243 = shl i64 %191, 3
-  %244 = getelementptr i8, ptr %12, i64 %243
-  %245 = getelementptr i8, ptr %244, i64 16
-  %246 = load double, ptr %245, align 8
-  %247 = fsub double %242, %246
-  %248 = shl i64 %186, 3
-  %249 = getelementptr i8, ptr %18, i64 %248
-  %250 = getelementptr i8, ptr %249, i64 16
-  %251 = load double, ptr %250, align 8
-  %252 = fsub double %251, %246
-  %253 = fmul double %237, %252
-  %254 = fcmp ogt double %247, %253
-  br i1 %254, label %255, label %272
+  %157 = phi i64 [ %88, %87 ], [ %201, %198 ], [ %201, %203 ], [ %201, %99 ]
+  %158 = icmp eq i64 %157, 0
+  br i1 %158, label %154, label %159
+159:
+  %160 = phi i64 [ %199, %153 ], [ %157, %156 ]
+  br label %54
+161:
+  %162 = phi i64 [ %163, %154 ], [ 0, %51 ]
+  %163 = add nuw nsw i64 %162, 1
+  %164 = mul i64 %162, %6
+  %165 = getelementptr double, ptr %2, i64 %164
+  %166 = load double, ptr %165, align 8
+  %167 = mul i64 %162, %10
+  %168 = getelementptr double, ptr %8, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fcmp olt double %169, %166
+  %171 = select i1 %170, double %169, double %166
+  %172 = fcmp ogt double %169, %166
+  %173 = select i1 %172, double %169, double %166
+  %174 = getelementptr i8, ptr %165, i64 8
+  %175 = load double, ptr %174, align 8
+  %176 = getelementptr i8, ptr %168, i64 8
+  %177 = load double, ptr %176, align 8
+  %178 = fcmp olt double %177, %175
+  %179 = select i1 %178, double %177, double %175
+  %180 = fcmp ogt double %177, %175
+  %181 = select i1 %180, double %177, double %175
+  %182 = getelementptr i8, ptr %165, i64 16
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr i8, ptr %168, i64 16
+  %185 = load double, ptr %184, align 8
+  %186 = fcmp ogt double %185, %183
+  %187 = select i1 %186, double %185, double %183
+  %188 = shl i64 %164, 3
+  %189 = getelementptr i8, ptr %2, i64 %188
+  %190 = getelementptr i8, ptr %189, i64 8
+  %191 = shl i64 %167, 3
+  %192 = getelementptr i8, ptr %8, i64 %191
+  %193 = getelementptr i8, ptr %192, i64 8
+  %194 = getelementptr i8, ptr %189, i64 16
+  %195 = getelementptr i8, ptr %192, i64 16
+  %196 = shl i64 %162, 3
+  %197 = getelementptr i8, ptr %12, i64 %196
+  br label %54
+198:
+  %199 = phi i64 [ %91, %89 ], [ %96, %94 ]
+  %200 = icmp slt i64 %199, 2
+  %201 = select i1 %200, i64 0, i64 %199
+  %202 = icmp slt i64 %90, 0
+  br i1 %202, label %156, label %203
+203:
+  %204 = mul i64 %90, %20
+  %205 = getelementptr double, ptr %18, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = mul i64 %90, %16
+  %208 = getelementptr double, ptr %14, i64 %207
+  %209 = load double, ptr %208, align 8
+  %210 = fsub double %206, %209
+  %211 = getelementptr i8, ptr %205, i64 8
+  %212 = load double, ptr %211, align 8
+  %213 = getelementptr i8, ptr %208, i64 8
+  %214 = load double, ptr %213, align 8
+  %215 = fsub double %212, %214
+  %216 = load double, ptr %190, align 8
+  %217 = fsub double %216, %214
+  %218 = fmul double %210, %217
+  %219 = load double, ptr %189, align 8
+  %220 = fsub double %219, %209
+  %221 = fmul double %215, %220
+  %222 = fsub double %218, %221
+  %223 = load double, ptr %193, align 8
+  %224 = fsub double %223, %214
+  %225 = fmul double %210, %224
+  %226 = load double, ptr %192, align 8
+  %227 = fsub double %226, %209
+  %228 = fmul double %215, %227
+  %229 = fsub double %225, %228
+  %230 = fsub double %226, %219
+  %231 = fsub double %223, %216
+  %232 = fsub double %214, %216
+  %233 = fmul double %232, %230
+  %234 = fsub double %209, %219
+  %235 = fmul double %234, %231
+  %236 = fsub double %233, %235
+  %237 = fsub double %212, %216
+  %238 = fmul double %237, %230
+  %239 = fsub double %206, %219
+  %240 = fmul double %239, %231
+  %241 = fsub double %238, %240
+  %242 = fcmp oge double %222, 0.000000e+00
+  %243 = fcmp ult double %229, 0.000000e+00
+  %244 = xor i1 %242, %243
+  br i1 %244, label %156, label %99
+245:
+  %246 = getelementptr i64, ptr %32, i64 %90
+  %247 = load i64, ptr %246, align 8
+  %248 = getelementptr i8, ptr %246, i64 8
+  %249 = load i64, ptr %248, align 8
+  %250 = sub i64 %249, %247
+  %251 = icmp slt i64 %250, 1
+  br i1 %251, label %153, label %252
+252:
+  %253 = fcmp ogt double %229, %222
+  %254 = add nuw i64 %250, 1
+  br i1 %253, label %255, label %125
 255:
-  %256 = icmp slt i64 %160, %42
-  br i1 %256, label %257, label %270
-257:
-  %258 = fcmp ogt double %213, %206
-  %259 = select i1 %258, i64 -1, i64 1
-  %260 = icmp slt i64 %160, 0
-  %261 = select i1 %260, i64 %42, i64 0
-  %262 = getelementptr i64, ptr %40, i64 %160
-  %263 = getelementptr i64, ptr %262, i64 %261
-  store i64 %63, ptr %263, align 8
-  %264 = select i1 %260, i64 %46, i64 0
-  %265 = getelementptr i64, ptr %44, i64 %160
-  %266 = getelementptr i64, ptr %265, i64 %264
-  store i64 %167, ptr %266, align 8
-  %267 = select i1 %260, i64 %50, i64 0
-  %268 = getelementptr i64, ptr %48, i64 %160
-  %269 = getelementptr i64, ptr %268, i64 %267
-  store i64 %259, ptr %269, align 8
-  br label %270
-270:
-  %271 = add nsw i64 %160, 1
-  br label %272
-272:
-  %273 = phi i64 [ %160, %229 ], [ %160, %158 ], [ %160, %176 ], [ %160, %183 ], [ %271, %270 ], [ %160, %233 ]
-  %274 = add i64 %159, -1
-  %275 = add i64 %161, 1
-  %276 = icmp samesign ugt i64 %274, 1
-  br i1 %276, label %158, label %277
-277:
-  %278 = phi i64 [ %138, %137 ], [ %273, %272 ]
-  %279 = icmp sgt i64 %139, 1
-  br i1 %279, label %137, label %280
-280:
-  %281 = add nsw i64 %134, -1
-  %282 = add i64 %135, 1
-  %283 = icmp sgt i64 %134, 1
-  br i1 %283, label %132, label %58
-284:
-  %285 = phi i64 [ 0, %1 ], [ %59, %58 ]
-  ret i64 %285
+  %256 = phi i64 [ %281, %255 ], [ %254, %252 ]
+  %257 = phi i64 [ %258, %255 ], [ %247, %252 ]
+  %258 = add i64 %257, 1
+  %259 = load i64, ptr %197, align 8
+  %260 = icmp slt i64 %257, 0
+  %261 = select i1 %260, i64 %52, i64 0
+  %262 = getelementptr i8, ptr %34, i64 %261
+  %263 = shl i64 %257, 3
+  %264 = getelementptr i8, ptr %262, i64 %263
+  %265 = load i64, ptr %264, align 8
+  %266 = icmp slt i64 %259, 0
+  %267 = select i1 %266, i64 %44, i64 0
+  %268 = add i64 %267, %259
+  %269 = icmp slt i64 %265, 0
+  %270 = select i1 %269, i64 %46, i64 0
+  %271 = mul i64 %268, %46
+  %272 = getelementptr i64, ptr %42, i64 %271
+  %273 = getelementptr i64, ptr %272, i64 %265
+  %274 = getelementptr i64, ptr %273, i64 %270
+  %275 = load i64, ptr %274, align 8
+  %276 = select i1 %260, i64 %53, i64 0
+  %277 = getelementptr i8, ptr %38, i64 %276
+  %278 = getelementptr i8, ptr %277, i64 %263
+  %279 = load i64, ptr %278, align 8
+  %280 = sub i64 %275, %279
+  store i64 %280, ptr %274, align 8
+  %281 = add i64 %256, -1
+  %282 = icmp samesign ugt i64 %281, 1
+  br i1 %282, label %255, label %153
+283:
+  ret i64 0
 }
 define internal fastcc void @0(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr {
   %10 = icmp slt i64 %8, 0
@@ -1503,6 +1506,7 @@ define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
   %372 = phi i64 [ 0, %1 ], [ %178, %367 ]
   ret i64 %372
 }
+declare i64 @llvm.smax.i64(i64, i64)
 declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
 define i64 @msf_jax.solid.kernels.within(ptr readonly %0) local_unnamed_addr {
   %2 = alloca i64, align 8
@@ -4793,7 +4797,6 @@ define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_a
 536:
   ret i64 0
 }
-declare i64 @llvm.smin.i64(i64, i64)
 define i64 @msf_jax.limbs.levels.connect(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 16

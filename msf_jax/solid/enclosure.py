@@ -12,7 +12,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid import kernels
-from msf_jax.solid.geometry import ROUNDING, barycentric, cross, unit
+from msf_jax.solid.geometry import ROUNDING, barycentric, cross, tree_of, unit
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import Mesh
 
@@ -23,25 +23,6 @@ MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a 
 # Largest sides of the bounding box between samples of a triangle; more if `MOST_SAMPLES` requires it.
 SAMPLE_SPACING = 0.02
 MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for memory
-
-
-def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """``boxes`` (2n, 6) and ``order`` (n,) of the tree (see `kernels`) of boxes with corners ``low``, ``high`` (n, 3).
-
-    The leaves have the order of a k-d tree of the boxes' middles.
-    """
-    num = len(low)
-    order = spatial.KDTree((low + high) / 2, leafsize=4).indices.astype(np.int64)
-    boxes = np.zeros((2 * num, 6))
-    boxes[num:, :3], boxes[num:, 3:] = low[order], high[order]
-    stop = num
-    while stop > 1:
-        start = (stop + 1) // 2
-        left, right = boxes[2 * start : 2 * stop : 2], boxes[2 * start + 1 : 2 * stop : 2]
-        boxes[start:stop, :3] = np.minimum(left[:, :3], right[:, :3])
-        boxes[start:stop, 3:] = np.maximum(left[:, 3:], right[:, 3:])
-        stop = start
-    return boxes, order
 
 
 class Samples(NamedTuple):

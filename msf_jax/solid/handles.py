@@ -9,27 +9,24 @@ closed curve with the loop is the sum of the curve's signed crossings with the c
 This sum is a sum over segments, so each segment has a class, and the classes along a path add up. Two paths inside with
 the same ends go around the same handles exactly if their classes are equal. So passes over a curve keep its loops.
 
-Edges of the surface have classes, too. The class of a loop of the surface is zero if, and only if, it bounds in the
-solid, as loops around limbs do: such a loop may be pinched. The others are the cycles of the curve.
+Edges of the surface have classes, too. That of a loop of the surface is zero exactly if the loop bounds in the solid,
+as loops around limbs do: such a loop may be pinched. The curve keeps the others.
 
 The surface's loops come from a tree and a cotree (Eppstein 2003).
 """
 
-from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
-from msf_jax.solid.geometry import ROUNDING, repeated, unit, vertex_normals
+from msf_jax.numerics.compiled import Ints, Points, Rows, kernel, part
+from msf_jax.solid.geometry import ROUNDING, tree_of, unit, vertex_normals
+from msf_jax.solid.kernels import onward, overlaps
 from msf_jax.topology import graphs
-from msf_jax.topology.graphs import forest, loop_along
 from msf_jax.topology.half_edges import HalfEdges, half_edges
 
 SEED = 2003  # of the weights that combine linking numbers into one
-CELLS = 96  # cells along each axis of the grid that finds pairs of segments
-CROSSINGS_AT_FIRST = 8  # crossings a segment for which memory is allocated first; few segments have more
 PUSH = 1e-3  # mean edge lengths, by which loops lie outside the surface where its own edges have classes
 SMOOTHINGS = (0, 1, 1, 2, 4, 8, 16)  # successive numbers of rounds that smooth a surface which crosses itself
 PRIME = 2**20 - 3  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
@@ -41,76 +38,65 @@ TURN *= np.linalg.det(TURN)  # a rotation in general position: two axes across t
 class SurfaceLoops(NamedTuple):
     """2g loops of a closed surface that generate its homology.
 
-    edges: the half-edges. generator: (2g,) the half-edge that closes each loop. loops: (2g,) lists of vertices.
-    to_parent: (F,) the half-edge from each face to its parent in the cotree, -1 at the root.
+    edges: the half-edges. loops: (2g,) the vertices of each. to_parent: (F,) the half-edge from each face to its parent
+    in a tree of faces, which no loop crosses, -1 at the root.
     """
 
     edges: HalfEdges
-    generator: np.ndarray
     loops: list[list[int]]
     to_parent: np.ndarray
-
-    def steps(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The ends (k,) of all edges that loops run along, and the loop of each."""
-        number, _ = repeated(np.array([len(loop) for loop in self.loops], dtype=np.int64))
-        tail = np.array([vertex for loop in self.loops for vertex in loop], dtype=np.int64)
-        return tail, np.array([v for loop in self.loops for v in [*loop[1:], loop[0]]], dtype=np.int64), number
 
 
 def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     """Loops of the closed surface ``faces`` (F, 3), which may have several components."""
     edges = half_edges(faces)
-    is_first = np.arange(len(edges.origin)) < edges.twin
-    face = np.arange(len(edges.origin)) // 3
-    parent, _ = forest(edges.origin[is_first], edges.target[is_first], int(faces.max()) + 1)
-    in_tree = (parent[edges.origin] == edges.target) | (parent[edges.target] == edges.origin)
-    crossed = is_first & ~in_tree
-    face_parent, _ = forest(face[crossed], face[edges.twin[crossed]], len(faces))
+    origin, target, twin = edges
+    is_first = np.arange(len(origin)) < twin
+    face = np.arange(len(origin)) // 3
+    parent, _ = graphs.forest(origin[is_first], target[is_first], int(faces.max(initial=-1)) + 1)
+    in_tree = (parent[origin] == target) | (parent[target] == origin)
+    is_left = is_first & ~in_tree
+    face_parent, _ = graphs.forest(face[is_left], face[twin[is_left]], len(faces))
     # Two faces can share several edges outside the tree; the cotree crosses the first of them.
     to_parent = np.full(len(faces), -1)
-    leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[edges.twin]))
+    leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[twin]))
     to_parent[face[leads_up[::-1]]] = leads_up[::-1]
     up = to_parent[to_parent >= 0]
-    crossed[up] = crossed[edges.twin[up]] = False
-    generator = np.flatnonzero(crossed)
-    loops = [loop_along(int(edges.origin[half]), int(edges.target[half]), parent) for half in generator]
-    return SurfaceLoops(edges, generator, loops, to_parent)
+    is_left[up] = is_left[twin[up]] = False
+    ends = zip(origin[is_left].tolist(), target[is_left].tolist(), strict=True)
+    return SurfaceLoops(edges, [graphs.loop_along(start, end, parent) for start, end in ends], to_parent)
 
 
-def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops) -> np.ndarray | None:
-    """The class (3F,) of every half-edge of a connected ``surface``; twins have opposite classes.
+def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops) -> np.ndarray:
+    """The class (3F,) of every half-edge of a closed ``surface``, see `Handles.classes`; twins have opposite classes.
 
-    They are made of the linking numbers of the surface's loops with the same loops, pushed out. In a solid their matrix
-    L has rank g, and L - L^T, the crossings of loops on the surface, has determinant 1. Where this fails the surface
-    crosses itself, and L is taken from the slightly smoothed surface, whose loops have the same classes. None if that
-    fails, too.
+    Around each face the classes add up to zero, unless a loop leads through it, where the surface crosses itself. Then
+    they are taken from the slightly smoothed surface, whose loops have the same classes: from the first surface without
+    such a face, or that with the fewest. What is left there is carried along the tree of faces until it cancels.
     """
-    edges, generator, _, to_parent = surface
-    tail, head, number = surface.steps()
+    edges, found, least = surface.edges, np.zeros(faces.size, dtype=np.int64), len(faces)
     neighbours = graphs.weighted(len(vertices), edges.origin, edges.target)
     count = np.maximum(np.bincount(edges.origin, minlength=len(vertices)), 1)[:, None]
     for rounds in SMOOTHINGS:
         for _ in range(rounds):
             vertices = (vertices + neighbours @ vertices / count) / 2
-        spacing = np.linalg.norm(vertices[edges.origin] - vertices[edges.target], axis=1).mean()
-        handles = Handles(vertices, faces, surface, PUSH * float(spacing / np.ptp(vertices, axis=0).max()))
-        linking = handles.linking(vertices[tail], vertices[head], number)
-        sign, size = np.linalg.slogdet(linking - linking.T)
-        if sign and abs(size) < 0.5 and 2 * Span().add(linking).sum() == len(generator):
+        a, b = vertices[edges.origin], vertices[edges.target]
+        spacing = np.linalg.norm(a - b, axis=1).mean() / np.ptp(vertices, axis=0).max()
+        classes = Handles(vertices, faces, surface, PUSH * float(spacing)).classes(a, b)
+        num_pierced = np.count_nonzero(classes.reshape(-1, 3).sum(axis=1))
+        if num_pierced < least:
+            found, least = classes, num_pierced
+        if not least:
             break
-    else:
-        return None
-    # Classes are zero on the tree, and known on generators. As those of a face sum to zero, the class of a generator is
-    # carried up the cotree from the faces on both sides.
-    value = np.zeros(len(edges.origin), dtype=np.int64)
-    value[generator] = linking @ handles.weight
-    half, carried = np.r_[generator, edges.twin[generator]], np.r_[value[generator], -value[generator]]
-    while len(half):
-        half = to_parent[half // 3]
+    left = found.reshape(-1, 3).sum(axis=1)
+    face, carried = np.flatnonzero(left), left[left != 0]
+    while len(face):
+        half = surface.to_parent[face]
         half, carried = half[half >= 0], carried[half >= 0]
-        np.subtract.at(value, half, carried)
-        half = edges.twin[half]
-    return value - value[edges.twin]
+        np.subtract.at(found, half, carried)
+        np.add.at(found, edges.twin[half], carried)
+        face = edges.twin[half] // 3
+    return found
 
 
 class Span:
@@ -127,8 +113,7 @@ class Span:
     def add(self, vectors: np.ndarray, most: int | None = None) -> np.ndarray:
         """Add ``vectors`` (k, n) in their order, until ``most`` were outside the span of those before: which (k,)."""
         is_new = np.zeros(len(vectors), dtype=bool)
-        if not len(self._rows):
-            self._rows = np.empty((0, vectors.shape[1]))
+        self._rows = self._rows.reshape(len(self._pivots), vectors.shape[1])
         for first in range(0, len(vectors), BLOCK):
             left = self._residues(vectors[first : first + BLOCK].astype(np.float64))
             left = self._residues(left - left[:, self._pivots] @ self._rows)
@@ -136,12 +121,11 @@ class Span:
             for number in np.flatnonzero(left.any(axis=1)).tolist():
                 if not left[number].any() or is_new.sum() == most:
                     continue
-                pivots.append(int(np.flatnonzero(left[number])[0]))
-                left[number] = self._residues(left[number] * pow(int(left[number, pivots[-1]]), -1, self._prime))
-                others = np.arange(len(left)) != number
-                left[others] = self._residues(left[others] - left[others][:, pivots[-1:]] * left[number])
-                chosen.append(number)
-                is_new[first + number] = True
+                pivot = int(np.flatnonzero(left[number])[0])
+                row = self._residues(left[number] * pow(int(left[number, pivot]), -1, self._prime))
+                left = self._residues(left - left[:, [pivot]] * row)
+                left[number], is_new[first + number] = row, True
+                chosen, pivots = [*chosen, number], [*pivots, pivot]
             if chosen:
                 rows = self._residues(self._rows - self._rows[:, pivots] @ left[chosen])
                 self._rows, self._pivots = np.concatenate([rows, left[chosen]]), np.append(self._pivots, pivots)
@@ -152,85 +136,54 @@ class Span:
         return values - self._prime * np.rint(values / self._prime)
 
 
-class Grid(NamedTuple):
-    """Edges in the cells of a grid of the plane across the curtains that their boxes touch.
+class Curtains(NamedTuple):
+    """The curtains of edges from tail to head (K, 3), upwards, and how often loop l runs along edge k: ``times[i]`` for
+    ``loop[i]``, for i from ``first[k]`` to ``first[k + 1]``. boxes: (2K, 6), order: (K,), the tree of their boxes."""
 
-    low, size: (2,) of the first cell. first: (K, 2) the first cell of each edge. listed: the edges by cells; those of
-    cell k begin at ``start[k]``.
-    """
-
-    low: Reals
-    size: Reals
-    first: Rows
-    start: Ints
-    listed: Ints
-
-
-def grid_of(tail: np.ndarray, head: np.ndarray) -> Grid:
-    """The grid of the edges from ``tail`` to ``head`` (K, 2)."""
-    least, most = np.minimum(tail, head), np.maximum(tail, head)
-    low = least.min(axis=0)
-    size = np.maximum(most.max(axis=0) - low, 1e-300) / CELLS
-    first, last = (np.clip((ends - low) / size, 0, CELLS - 1).astype(np.int64) for ends in (least, most))
-    span = last - first + 1
-    row, place = repeated(span[:, 0] * span[:, 1])
-    cell = (first[row, 0] + place // span[row, 1]) * CELLS + first[row, 1] + place % span[row, 1]
-    order = np.argsort(cell, kind="stable")
-    return Grid(low, size, first, np.searchsorted(cell[order], np.arange(CELLS**2 + 1)), row[order])
+    tail: Points
+    head: Points
+    boxes: Points
+    order: Ints
+    first: Ints
+    loop: Ints
+    times: Ints
 
 
 @part
 def side(points: Points, row: int, start: Points, end: Points, line: int) -> float:
-    """On which side of a line of the plane a point is."""
+    """On which side of a line, seen along the curtains, a point is."""
     x, y = end[line, 0] - start[line, 0], end[line, 1] - start[line, 1]
     return x * (points[row, 1] - start[line, 1]) - y * (points[row, 0] - start[line, 0])
 
 
-@part
-def cell_of(x: float, low: float, size: float) -> int:
-    """The cell of a coordinate, along an axis; what is beyond the grid counts as in its outermost cells."""
-    return int(min(max((x - low) / size, 0.0), CELLS - 1.0))
-
-
 @kernel
-def crossed(
-    p: Points,
-    p_end: Points,
-    q: Points,
-    q_end: Points,
-    grid: Grid,
-    segment: Ints,
-    edge: Ints,
-    sign: Ints,
-) -> int:
-    """Crossings of segments from p to p_end (E, 3) with the curtains of edges from q to q_end (K, 3) in a ``grid``.
+def add_crossings(p: Points, p_end: Points, path: Ints, curtains: Curtains, found: Rows) -> None:
+    """Add to ``found`` (R, L) the signed crossings of segments from p to p_end (E, 3), each in the row ``path`` (E,),
+    with the curtains of each loop.
 
-    Returns the number of crossings; ``segment``, ``edge`` and ``sign`` hold the first of them, up to their length.
+    Seen along the curtains, a segment crosses an edge if the ends of each are on different sides of the other.
+    Segments that share an end compute the same side for it, so a path through it crosses once or not at all.
     """
-    low, size, first, count = grid.low, grid.size, grid.first, 0
+    q, q_end, num = curtains.tail, curtains.head, len(curtains.order)
     for one in range(len(p)):
-        left, right = min(p[one, 0], p_end[one, 0]), max(p[one, 0], p_end[one, 0])
-        first_x, last_x = cell_of(left, low[0], size[0]), cell_of(right, low[0], size[0])
-        left, right = min(p[one, 1], p_end[one, 1]), max(p[one, 1], p_end[one, 1])
-        first_y, last_y = cell_of(left, low[1], size[1]), cell_of(right, low[1], size[1])
-        for column in range(first_x, last_x + 1):
-            for line in range(first_y, last_y + 1):
-                for at in range(grid.start[column * CELLS + line], grid.start[column * CELLS + line + 1]):
-                    other = grid.listed[at]
-                    # A pair whose boxes share several cells counts in the first of them only.
-                    if max(first_x, first[other, 0]) != column or max(first_y, first[other, 1]) != line:
-                        continue
-                    s, s_end = side(p, one, q, q_end, other), side(p_end, one, q, q_end, other)
-                    t, t_end = side(q, other, p, p_end, one), side(q_end, other, p, p_end, one)
-                    if (s >= 0) == (s_end >= 0) or (t >= 0) == (t_end >= 0):
-                        continue
-                    at_p, at_q = s / (s - s_end), t / (t - t_end)
-                    height = p[one, 2] + at_p * (p_end[one, 2] - p[one, 2]) - q[other, 2]
-                    if height - at_q * (q_end[other, 2] - q[other, 2]) > 0:
-                        if count < len(segment):
-                            segment[count], edge[count], sign[count] = one, other, -1 if s_end > s else 1
-                        count += 1
-    return count
+        low_x, high_x = min(p[one, 0], p_end[one, 0]), max(p[one, 0], p_end[one, 0])
+        low_y, high_y = min(p[one, 1], p_end[one, 1]), max(p[one, 1], p_end[one, 1])
+        node, high_z = min(1, num), max(p[one, 2], p_end[one, 2])
+        while node:
+            is_met = overlaps(curtains.boxes, node, low_x, low_y, -np.inf, high_x, high_y, high_z)
+            other = curtains.order[node - num] if is_met and node >= num else -1
+            node = onward(node, num, is_met)
+            if other < 0:
+                continue
+            s, s_end = side(p, one, q, q_end, other), side(p_end, one, q, q_end, other)
+            t, t_end = side(q, other, p, p_end, one), side(q_end, other, p, p_end, one)
+            if (s >= 0) == (s_end >= 0) or (t >= 0) == (t_end >= 0):
+                continue
+            at_p, at_q = s / (s - s_end), t / (t - t_end)
+            height = p[one, 2] + at_p * (p_end[one, 2] - p[one, 2]) - q[other, 2]
+            if height - at_q * (q_end[other, 2] - q[other, 2]) > 0:
+                for k in range(curtains.first[other], curtains.first[other + 1]):
+                    found[path[one], curtains.loop[k]] += -curtains.times[k] if s_end > s else curtains.times[k]
 
 
 class Handles:
@@ -246,28 +199,29 @@ class Handles:
     def __init__(
         self, vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops | None = None, push: float = ROUNDING
     ):
-        self.surface = surface or surface_loops(faces)
-        num = len(self.surface.generator)
-        self.genus = num // 2
-        tail, head, number = self.surface.steps()
+        self.surface = surface or surface_loops(faces if _has_handles(faces) else faces[:0])
+        loops = self.surface.loops
+        self.genus = len(loops) // 2
+        number = np.repeat(np.arange(len(loops)), np.array([len(loop) for loop in loops], dtype=np.int64))
+        tail = np.array([vertex for loop in loops for vertex in loop], dtype=np.int64)
+        head = np.array([vertex for loop in loops for vertex in [*loop[1:], loop[0]]], dtype=np.int64)
         # Loops share most of their edges: each edge is tested once.
         ends, edge = np.unique(np.sort(np.stack([tail, head], axis=1), axis=1), axis=0, return_inverse=True)
-        sign = np.where(tail == ends[edge.ravel(), 0], 1, -1) if len(tail) else tail
-        times = sparse.coo_matrix((sign, (edge.ravel(), number)), shape=(len(ends), num))
-        self._times = times.tocsr()  # (K, 2g) how often each loop runs along each edge
-        self.weight = np.random.default_rng(SEED).integers(1, 2**30, size=num)
-        self._value = self._times @ self.weight
+        sign = np.where(tail == ends[edge.ravel(), 0], 1, -1)
+        times = sparse.csr_matrix((sign, (edge.ravel(), number)), shape=(len(ends), len(loops)))
         # Lengths are fractions of the extent, so that no square overflows or underflows.
         self._low = vertices.min(axis=0)
         self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
         placed = (vertices - self._low) / self._extent
-        if num:  # loops lie outside the surface, as a pinned node lies on it; normals cost most of the time
+        if loops:  # they lie outside the surface, as a pinned node lies on it; normals cost most of the time
             placed += push * unit(vertex_normals(placed, faces))
-        self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
-
-    @cached_property
-    def _grid(self) -> Grid:
-        return grid_of(self._tail[:, :2], self._head[:, :2])
+        tail, head = _turned(placed[ends[:, 0]]), _turned(placed[ends[:, 1]])
+        boxes, order = tree_of(np.minimum(tail, head), np.maximum(tail, head))
+        first, loop = times.indptr.astype(np.int64), times.indices.astype(np.int64)
+        self._each = Curtains(tail, head, boxes, order, first, loop, times.data)
+        value = times @ np.random.default_rng(SEED).integers(1, 2**30, size=len(loops))
+        rank = np.arange(len(ends) + 1)
+        self._combined = self._each._replace(first=rank, loop=np.zeros_like(rank), times=value)
 
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
@@ -275,33 +229,24 @@ class Handles:
         Along a closed curve inside, the classes add up to zero if it goes around no handle. If it goes around one, the
         sum is zero with a probability of 10^-9.
         """
-        segment, edge, sign = self._crossings(a, b)
-        found = np.zeros(len(a), dtype=np.int64)
-        np.add.at(found, segment, sign * self._value[edge])
-        return found
+        return self._sums(a, b, np.arange(len(a)), self._combined, 1)[:, 0]
 
     def linking(self, a: np.ndarray, b: np.ndarray, path: np.ndarray | None = None) -> np.ndarray:
         """The parts (E, 2g) of segments from a (E, 3) to b (E, 3) in the linking numbers with the surface's loops, or,
         if ``path`` (E,) is the number of the path that each belongs to, of each path."""
-        segment, edge, sign = self._crossings(a, b)
-        row, num = (segment, len(a)) if path is None else (path[segment], int(path.max()) + 1)
-        crossed: Any = sparse.csr_matrix((sign, (row, edge)), shape=(num, len(self._tail)))
-        return (crossed @ self._times).astype(np.int32).toarray()
+        return self._sums(a, b, np.arange(len(a)) if path is None else path, self._each, 2 * self.genus)
 
-    def _crossings(self, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Crossings of segments from a (E, 3) to b (E, 3) with curtains: the segment, the edge that sweeps the curtain,
-        and the sign, (k,) each.
+    def _sums(self, a: np.ndarray, b: np.ndarray, path: np.ndarray, curtains: Curtains, num: int) -> np.ndarray:
+        found = np.zeros((int(path.max(initial=-1)) + 1, num), dtype=np.int64)
+        add_crossings(*(_turned((points - self._low) / self._extent) for points in (a, b)), path, curtains, found)
+        return found
 
-        Seen along the curtains, a segment crosses an edge if the ends of each are on different sides of the other.
-        Segments that share an end compute the same side for it, so a path through it crosses once or not at all.
-        """
-        found = np.empty((3, CROSSINGS_AT_FIRST * len(a)), dtype=np.int64)
-        if not (len(a) and len(self._tail)):
-            return found[0, :0], found[1, :0], found[2, :0]
-        ends = [_turned((points - self._low) / self._extent) for points in (a, b)]
-        while (count := crossed(*ends, self._tail, self._head, self._grid, *found)) > found.shape[1]:
-            found = np.empty((3, count), dtype=np.int64)
-        return found[0, :count], found[1, :count], found[2, :count]
+
+def _has_handles(faces: np.ndarray) -> bool:
+    """Whether V - E + F of the closed surface is below 2 for a component: quicker than its loops."""
+    num = int(faces.max()) + 1
+    num_components = graphs.labels_of_faces(faces, num).max() + 1  # vertices without a face are components
+    return num - len(faces) // 2 < 2 * num_components - np.count_nonzero(np.bincount(faces.ravel()) == 0)
 
 
 def _turned(points: np.ndarray) -> np.ndarray:

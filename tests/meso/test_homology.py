@@ -5,9 +5,7 @@ import pytest
 from conftest import torus
 from meso_cases import check_classes, loop_class, ring_classes
 
-import msf_jax
 from msf_jax.curve import extraction
-from msf_jax.flow import starting
 from msf_jax.meso import edits
 from msf_jax.meso.meso import Meso
 from msf_jax.topology import graphs
@@ -48,10 +46,3 @@ def test_the_curve_keeps_its_cycle_in_whatever_order_edges_go(seed):
     noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
     found = extraction.extract_curve(noise, meso.rings, meso.classes)
     assert graphs.cycle_count(len(found.nodes), found.edges) == (1, 1)
-
-
-def test_a_run_without_classes_has_its_cycle_and_says_so(monkeypatch):
-    monkeypatch.setattr(starting, "half_edge_classes", lambda *_: None)
-    report = msf_jax.skeletonize(torus(around=24, across=12)).report
-    assert (report.genus, report.cycles, report.loops) == (1, 1, 1)
-    assert any("were not told apart" in note for note in report.notes)

@@ -44,38 +44,38 @@ def test_classes_add_up_along_any_path(seed):
     assert handles.classes(a, b).any() and not handles.classes(a, a).any()
 
 
-@pytest.mark.parametrize("most", [0, 8])
-def test_crossings_with_curtains_are_those_of_all_pairs(monkeypatch, most):
-    """Against every pair of a segment and an edge, also of segments beyond the solid; memory for few is enough."""
-    monkeypatch.setattr(handles_module, "CROSSINGS_AT_FIRST", most)
+def test_crossings_with_curtains_are_those_of_all_pairs():
+    """Against every pair of a segment and an edge, also of segments beyond the solid."""
     vertices, faces, _, _ = theta()
     handles, random = Handles(vertices, faces), np.random.default_rng(3)
     middle, extent = vertices.mean(axis=0), np.ptp(vertices, axis=0).max()
-    a, b = middle + extent * random.uniform(-1, 1, (2, 300, 3))
-    segment, edge, sign = handles._crossings(a, b)
-    p, p_end = (handles_module._turned((ends - handles._low) / handles._extent)[:, None] for ends in (a, b))
-    q, q_end = handles._tail[None], handles._head[None]
-    # p + s (p_end - p) is above q + t (q_end - q): solved by Cramer's rule.
-    (one, other), away = (p_end - p, q_end - q), q - p
-    area = one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0]
-    s = (away[..., 0] * other[..., 1] - away[..., 1] * other[..., 0]) / area
-    t = (away[..., 0] * one[..., 1] - away[..., 1] * one[..., 0]) / area
-    height = p[..., 2] + s * one[..., 2] - q[..., 2] - t * other[..., 2]
-    rows, columns = np.nonzero((s > 0) & (s < 1) & (t > 0) & (t < 1) & (height > 0))
-    expected = {(row, column, -np.sign(area[row, column])) for row, column in zip(rows, columns, strict=True)}
-    found = list(zip(segment, edge, sign, strict=True))
-    assert len(found) == len(expected) > 100 and {(i, j, k) for i, j, k in found} in (
-        expected,
-        {(i, j, -k) for i, j, k in expected},
-    )
-    assert all(len(each) == 0 for each in handles._crossings(a[:0], b[:0]))
+    a, b = middle + extent * random.uniform(-1, 1, (2, 900, 3))
+    outside = vertices + 1e-9 * extent * trimesh.Trimesh(vertices, faces, process=False).vertex_normals
+    loops = [outside[loop] for loop in handles.surface.loops]
+    expected = np.zeros((900, len(loops)), dtype=int)
+    for number, line in enumerate(loops):
+        p, p_end, q, q_end = (ends @ handles_module.TURN.T for ends in (a, b, line, np.roll(line, -1, axis=0)))
+        # p + s (p_end - p) is above q + t (q_end - q): solved by Cramer's rule.
+        (one, other), away = ((p_end - p)[:, None], (q_end - q)[None]), q[None] - p[:, None]
+        area = one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0]
+        s = (away[..., 0] * other[..., 1] - away[..., 1] * other[..., 0]) / area
+        t = (away[..., 0] * one[..., 1] - away[..., 1] * one[..., 0]) / area
+        height = s * one[..., 2] - t * other[..., 2] - away[..., 2]
+        is_crossed = (s > 0) & (s < 1) & (t > 0) & (t < 1) & (height > 0)
+        expected[:, number] = (np.sign(area) * is_crossed).sum(axis=1)
+    found = handles.linking(a, b)
+    assert np.abs(expected).sum() > 100 and (np.array_equal(found, expected) or np.array_equal(found, -expected))
+    path = random.integers(0, 20, 900)
+    summed = [found[path == k].sum(axis=0) for k in range(20)]
+    np.testing.assert_array_equal(handles.linking(a, b, path), summed)
+    assert handles.linking(a[:0], b[:0]).shape == (0, 4) and handles.classes(a[:0], b[:0]).shape == (0,)
 
 
 def test_classes_of_paths_inside_are_those_of_the_surface_beside_them():
     """A path over the surface, pushed in a little, has the class that the flow gives its edges, but for one sign."""
     vertices, faces, _, _ = theta()
     values = half_edge_classes(vertices, faces, surface_loops(faces))
-    edges, generator, lines, _ = surface_loops(faces)
+    edges, lines, _ = surface_loops(faces)
     normals = trimesh.Trimesh(vertices, faces, process=False).vertex_normals
     inner = vertices - 1e-4 * normals
     number = dict(zip(zip(edges.origin.tolist(), edges.target.tolist(), strict=True), values.tolist(), strict=True))
@@ -84,7 +84,7 @@ def test_classes_of_paths_inside_are_those_of_the_surface_beside_them():
         onward = np.roll(line, -1)
         flow = sum(number[edge] for edge in zip(line, onward.tolist(), strict=True))
         ratio.add((flow, int(handles.classes(inner[line], inner[onward]).sum())))
-    assert len(generator) == 4 and sum(flow != 0 for flow, _ in ratio) >= 2
+    assert len(lines) == 4 and sum(flow != 0 for flow, _ in ratio) >= 2
     signs = {np.sign(flow) * np.sign(own) for flow, own in ratio if flow}
     assert len(signs) == 1 and all(flow == own * int(next(iter(signs))) for flow, own in ratio)
 

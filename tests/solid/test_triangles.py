@@ -6,7 +6,8 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.solid.enclosure import Enclosure, boxes, point_triangle_distance2, tree_of
+from msf_jax.solid.enclosure import Enclosure, boxes, point_triangle_distance2
+from msf_jax.solid.geometry import tree_of
 
 lattice = st.integers(-2, 2).map(float)  # few values, so that points coincide, and lie on lines, edges and faces
 
