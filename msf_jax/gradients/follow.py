@@ -36,8 +36,8 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     Args:
         skeleton: of a run, also after `Skeleton.prune`, `resample` and `smooth`, or read from an ``.npz`` file. Or its
             padded ``binding``: then nodes and radii are padded by rows of zeros; see ``binding.node_mask``.
-        vertices: (V, 3), in the order of the mesh that the run was given, and in its units. For a binding V may be
-            any number up to its capacity, ``binding.num_vertices``.
+        vertices: (V, 3), in the order and the units of the mesh of the run. For a binding V may be any number up to
+            its capacity, ``binding.num_vertices``.
 
     Returns:
         The nodes and radii: exact distances to the moved mesh, negative for a node outside. Signs are right unless the
@@ -175,8 +175,8 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None) -> Batch:
     """Curves of many meshes as one batch: ``jax.vmap(msf_jax.follow)(batch.bindings, batch.vertices)``.
 
     Capacities are those of the largest mesh and the largest curve, so stack meshes of similar size; see
-    ``skeleton.binding.capacity``. In padding, nodes, radii and gradients are zero. Padding does not change other rows.
-    Real numbers are float64 if JAX has it enabled, else float32.
+    ``skeleton.binding.capacity``. In padding, nodes, radii and gradients are zero, and it changes no other row. Real
+    numbers are float64 if JAX has it enabled, else float32.
 
     Args:
         skeletons: of runs, at least one; as `msf_jax.follow` takes them.

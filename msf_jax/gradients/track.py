@@ -49,15 +49,13 @@ class TrackedFrame:
         number: of the frame, from 0.
         nodes: (N, 3), in the mesh's units; NaN for ``vanished`` nodes.
         radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN for ``vanished``.
-        inside: fraction of the curve's length that is inside. NaN if nodes have ``vanished``: then nothing else is
-            checked.
+        inside: fraction of the curve's length inside. NaN if nodes have ``vanished``: then nothing else is checked.
         vanished: (k,) nodes whose cross-section no longer exists.
-        overlaps: (k,) nodes whose winding number is above 1, and higher than in the mesh of the run: another part of
-            the solid has moved there.
+        overlaps: (k,) nodes whose winding number is above 1, and higher than in the mesh of the run.
         changed: (k,) nodes whose ball has shrunk by more than half, or of which a vertex has moved away by more than a
             radius: a limb has grown there, or was crushed.
         crossings: number of pairs of faces that cross although they are far apart along the surface.
-        loops: number of the curve's loops that no longer go around a handle of their own. Both are 0 if the mesh of the
+        loops: number of loops that go around no handle of their own any more; as ``crossings``, 0 if the mesh of the
             run crossed itself.
     """
 
@@ -135,8 +133,7 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
     """The ``skeleton`` in every mesh of a sequence: an animation, a 4-D scan, an ensemble. It makes no run.
 
     Args:
-        skeleton: of a mesh with the same faces as all ``frames``, usually the first of them; as `msf_jax.follow`
-            takes it.
+        skeleton: of a mesh with the same faces as all ``frames``, usually the first; as `msf_jax.follow` takes it.
         frames: at least one; each (V, 3) vertices, or a mesh as `msf_jax.skeletonize` takes it: a path, an object with
             vertices and faces, a pair of them.
         progress: show a progress bar on standard error, if that is a terminal.
