@@ -15,14 +15,13 @@ middle of two faces.
 """
 
 import itertools
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 from scipy import optimize, sparse
 from scipy.sparse import linalg
 
-from msf_jax.limbs.levels import Levels, levels
+from msf_jax.limbs.levels import levels
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
@@ -40,7 +39,6 @@ WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ri
 STEADY = 0.9  # of the next ring's length: so long is one around a flat part of a limb, a foot; in a corner 0.89
 EVEN = 0.95  # of the next ring's length: so long is one of an even tube
 PLANE_END = 0.95  # length of the mean normal of an end that is a plane, or nearly; 1 / 2 for half a ball
-HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
@@ -52,11 +50,10 @@ MOST_LINES = 200  # that are tried of a solid without a direction
 
 class LimbAxis(NamedTuple):
     """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
-    of the limb's area and length. reach: so far from its end, by d, is a hole across the limb, infinite without one."""
+    of the limb's area and length."""
 
     places: np.ndarray
     width: float
-    reach: float
 
 
 def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array, np.ndarray]:
@@ -135,62 +132,24 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     longest = max(float(away.max()), 1e-300)
     width = float(triangle_areas(x[local]).sum()) / (2 * np.pi * longest)
     found = levels(x, local, away, min(RING_SPACING * width, longest / RINGS), 0.5)
-    end, step = int(away.argmin()), found.step
-    # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
-    # as the flanges of a beam, are left out.
-    rings, whole, is_split = [], NEAR_END, False
-    for ring in _rings_from(found, int(found.piece[end])):
-        rings.append(ring)
-        beside = np.setdiff1d(np.flatnonzero(found.above == found.above[ring]), rings)
-        beside = beside[found.perimeter[beside] > HALF * found.perimeter[rings[-1]]]
-        # A limb ends where it splits into two that meet again: beside a hole through it.
-        before = _before_split(found, rings, beside)
-        if before > NEAR_END + 1:
-            rings, is_split = rings[: before + 1], True  # with one that is left out
-            break
-        whole = len(rings) if len(beside) and len(rings) <= 4 * NEAR_END else whole
-    # The last one is at the base, or beside a hole. It counts where all others are in a hole in the end.
-    middles = _held_in(shape, found.centre[rings], found.size[rings], whole)
-    is_inside = shape.clearance(middles) > TOUCHING * found.size[rings]
-    if len(rings) > 3 and is_inside[:-1].any():
-        # A hole across a limb can be narrower than rings are apart. Then the middle of one of them is in it.
-        is_across = ~is_inside & (np.cumsum(is_inside & (np.arange(len(rings)) >= whole)) > 0)
-        is_split |= bool(is_across[:-1].any())
-        rings = rings[: int(is_across[:-1].argmax()) if is_across[:-1].any() else -1]
-    middles = middles[: len(rings)]
-    whole = max(whole, _cut_off(x, local, away, middles, found.perimeter[rings], step))
-    own = found.normal[rings], found.perimeter[rings], found.size[rings]
-    reach = (len(rings) + 0.5) * step if is_split else np.inf
-    return LimbAxis(to_end(shape, middles, *own, whole, step, min(DEEP * width, longest)), width, reach)
-
-
-def _rings_from(found: Levels, piece: int) -> Iterator[int]:
-    """The longest ring at which another piece begins upon ``piece``, and so on, from piece to piece."""
+    # From the piece with the end on, over the longest ring of each piece. The last one, at the base, leans aside.
+    rings, piece = list[int](), int(found.piece[away.argmin()])
     while len(above := np.flatnonzero(found.below == piece)):
-        ring = int(above[found.perimeter[above].argmax()])
-        yield ring
-        piece = int(found.above[ring])
+        rings.append(int(above[found.perimeter[above].argmax()]))
+        piece = int(found.above[rings[-1]])
+    rings = rings[: max(len(rings) - 1, 3)]
+    normal, perimeter, size = found.normal[rings], found.perimeter[rings], found.size[rings]
+    middles = _held_in(shape, found.centre[rings], size)
+    first = max(NEAR_END, _cut_off(x, local, away, middles, perimeter, found.step))
+    deep = min(DEEP * width, longest)
+    return LimbAxis(to_end(shape, middles, normal, perimeter, size, first, found.step, deep), width)
 
 
-def _before_split(found: Levels, rings: list[int], beside: np.ndarray) -> int:
-    """How many of ``rings``, one upon another, are below the piece that they and the rings ``beside`` (b,), which end
-    in one piece, come from; -1 if they come from no common piece."""
-    number = {int(found.below[ring]): place for place, ring in enumerate(rings)}
-    piece, seen = [int(found.below[ring]) for ring in beside], set()
-    while piece:
-        if (here := piece.pop()) in number:
-            return number[here]
-        if here not in seen:
-            seen.add(here)
-            piece += found.below[found.above == here].tolist()
-    return -1
-
-
-def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int) -> np.ndarray:
-    """The ``middles`` (k, 3) of rings of that ``size`` (k,), from ``whole`` on, in the material of an angle or channel:
+def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """The ``middles`` (k, 3) of rings of that ``size`` (k,), but of the first, in the material of an angle or channel:
     see `sections.held_in`. Those that are outside, most of them, say how the limb runs. That of a bent ring can be in
     a flange."""
-    row = np.arange(min(whole, len(middles) - 1), len(middles))
+    row = np.arange(min(NEAR_END, len(middles) - 1), len(middles))
     out = row[~shape.contains(middles[row])]
     if 2 * len(out) <= len(row):  # those are in a hole in the end
         return middles
@@ -244,11 +203,6 @@ def centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.
     return np.where(is_better[:, None], found.centroid, places)
 
 
-def _apart(middles: np.ndarray, following: np.ndarray) -> np.ndarray:
-    """(k,) how far each of ``middles`` (k, 3) is from that with the number ``following`` (k,)."""
-    return np.linalg.norm(middles[following] - middles, axis=1)
-
-
 def to_end(
     shape: Enclosure,
     middles: np.ndarray,
@@ -266,9 +220,6 @@ def to_end(
     it, is shorter than the one half a step on, and one in a hole in the end is not inside."""
     ball, last = shape.clearance(middles), len(middles) - 1
     following = np.minimum(np.arange(1, last + 2), last)
-    # On triangles that are longer than the limb is wide, many rings crowd in a corner of the end.
-    while (is_crowded := (following < last) & (_apart(middles, following) < HALF * step)).any():
-        following = following + is_crowded
     growing, part = perimeter / np.maximum(perimeter[following], 1e-300), ball / np.maximum(size, 1e-300)
     # Their middles are beside those of the limb, and have smaller balls. So have those of a flat part of it, a foot.
     is_deep = part >= WHOLE * min(float(np.median(part)), 1.0)

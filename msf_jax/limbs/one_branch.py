@@ -167,9 +167,8 @@ def choose(
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of a solid (see `LimbTree.limbs`).
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
-    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A leaf behind a
-    hole across the limb is not at its end. A limb that only stands out, has no leaf, and is filled by a
-    ball of the curve gets none: it is the outer side of an elbow.
+    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A limb that
+    only stands out, has no leaf, and is filled by a ball of the curve gets none: it is the outer side of an elbow.
     """
     leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
     ball, axes = shape.approximate_clearance(vertices)[0], list[LimbAxis]()
@@ -184,7 +183,7 @@ def choose(
         is_end = is_held[leaves[mine]] & is_near_end(time, limb.area, limb.region, foot[mine])
         order = np.lexsort((away, ~is_end))
         axis = tree.axis(shape, limbs, number - 1)
-        first = mine[order[away[order] < axis.reach][:1]]
+        first = mine[order[:1]]
         near = int((np.linalg.norm(vertices - limb.place, axis=1) - ball).argmin())
         far = np.linalg.norm(tree.shape.vertices[limb.region] - vertices[near], axis=1)
         if not len(first) and limb.detail > 0 and ball[near] >= TOUCHES * far.max():
