@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.meso import ring_tables, surgery
-from msf_jax.meso.complex import Complex
+from msf_jax.meso.complex import Complex, cut_discs
 from msf_jax.meso.edits import edge_lengths, shortest_first
 
 
@@ -74,6 +74,8 @@ def _curve_of(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.nda
     nodes = np.stack([total / count for total in sums], axis=1)
     left = np.stack([a, b], axis=1)
     if complex_.has_classes:  # the complex lists its remaining edges, without those that were opened
-        left = complex_.edges()
+        left, value = complex_.edges()
+        length = np.linalg.norm(np.subtract(*nodes[node_of_meso[left.T]]), axis=1)
+        left = left[cut_discs(len(root), left, value, shortest_first(*left.T, length, 1e-3))]
     ends = np.sort(node_of_meso[left], axis=1)
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)

@@ -7,6 +7,7 @@ would pinch a loop that the curve must keep waits until no other merge is left.
 import numpy as np
 
 from msf_jax.meso import ring_tables
+from msf_jax.topology import graphs
 
 
 class Complex:
@@ -72,7 +73,7 @@ class Complex:
         """Remove a face, with the first of ``edges`` that has no other face. False if no edge has a face.
 
         This removes faces whose three edges all close cycles. If every edge has several faces, a face of the first edge
-        is removed. Cycles that bound a disc in the solid may remain; the curve's first pass over loops cuts them.
+        is removed. `cut_discs` removes cycles that bound a disc in the solid.
         """
         closed = None
         for u, v in edges:
@@ -94,10 +95,11 @@ class Complex:
             self.apexes[x][y].discard(z)
             self.apexes[y][x].discard(z)
 
-    def edges(self) -> np.ndarray:
-        """The ends (E, 2) of every remaining edge; no edges if there are no classes."""
-        found = [(u, v) for u, classes in enumerate(self.classes) for v in classes if u < v]
-        return np.array(found, dtype=np.int64).reshape(-1, 2)
+    def edges(self) -> tuple[np.ndarray, np.ndarray]:
+        """The ends (E, 2) of every remaining edge, and its class; no edges if there are no classes."""
+        found = [(u, v, value) for u, classes in enumerate(self.classes) for v, value in classes.items() if u < v]
+        left = np.array(found, dtype=np.int64).reshape(-1, 3)
+        return left[:, :2], left[:, 2]
 
     def _pinches(self, u: int, v: int) -> bool:
         """Whether the class of a loop u -> v -> x -> u is not zero."""
@@ -113,3 +115,17 @@ class Complex:
             if x != u:
                 self.classes[u].setdefault(x, own + value)
                 self.classes[x].setdefault(u, -self.classes[u][x])
+
+
+def cut_discs(num: int, edges: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """Which ``edges`` (E, 2) of class ``value``, of ``num`` vertices, stay if each cycle is cut whose class is zero, or
+    the sum of those of up to three others that come before it in the ``order``."""
+    stays = np.ones(len(edges), dtype=bool)
+    closing, around, _ = graphs.cycles(num, edges, value, np.argsort(order))
+    known, sums = {0}, {0}  # classes of cycles, and sums of two of them
+    for edge, one in zip(closing.tolist(), around.tolist(), strict=True):
+        stays[edge] = not any(one - other in sums for other in known)
+        if stays[edge]:
+            known |= {one, -one}
+            sums |= {other + sign * one for other in known for sign in (-1, 1)}
+    return stays
