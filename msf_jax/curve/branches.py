@@ -19,6 +19,7 @@ WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
 CHUNK = 100  # nodes of a branch at a time that are held against the others: a table of them stays in the cache
 UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
 STIFFEST = 1e5  # limit on the stiffness
+CLEAR, MARGIN = 1.0, 0.4  # radii of a ball: the distance of a limb beside it that is on its own; a width of that
 FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 
 
@@ -292,17 +293,36 @@ def sizes(
     return found
 
 
-def clear_of_junctions(
-    x: np.ndarray, paths: list[BranchPath], degree: np.ndarray, size: np.ndarray, zone: float, margin: float
+def clear_of_others(
+    x: np.ndarray, paths: list[BranchPath], tangent: np.ndarray, size: np.ndarray, ball: np.ndarray
 ) -> np.ndarray:
-    """(N,) a smooth step: 0 within about ``zone`` times a junction's ``size``, 1 beyond, over a width of ``margin``."""
-    clear = np.where(degree > 2, 0.0, 1.0)
-    for nodes, _, _, _ in paths:
-        along = arc_length(x[nodes])
-        for end, distance in ((nodes[0], along), (nodes[-1], along[-1] - along)):
-            if degree[end] > 2:
-                t = np.clip((distance / max(size[end], 1e-300) - zone) / margin + 0.5, 0, 1)
-                clear[nodes[1:-1]] *= (t * t * (3 - 2 * t))[1:-1]
+    """(N,) a smooth step: 0 at nodes where several limbs are one, 1 where a limb is on its own.
+
+    A node's disc, of the limb's ``size`` (N,) and across its ``tangent`` (N, 3), is its own if no ball, of radius
+    ``ball`` (N,), of a junction or of another branch is near: by `CLEAR` radii of that ball, over a width of `MARGIN`.
+    """
+    branch = np.full(len(x), -1)  # of a junction none, and so it is beside all of its branches
+    for number, (nodes, *_) in enumerate(paths):
+        branch[nodes] = number
+    ends, count = np.unique(np.concatenate([path.nodes[[0, -1]] for path in paths]), return_counts=True)
+    is_loop = np.isin(ends, [path.nodes[0] for path in paths if path.is_loop])
+    branch[ends[(count > 1) & ~is_loop]] = -1
+    clear = np.ones(len(x))
+    octave = np.floor(np.log2(np.maximum(ball, RESOLUTION))).astype(np.int64)
+    for level in np.unique(octave):  # balls of about one size at a time: far from small ones, none is asked for
+        others = np.flatnonzero(octave == level)
+        reach = size + (CLEAR + MARGIN / 2) * 2.0 ** (level + 1)
+        near = spatial.KDTree(x[others]).query_ball_point(x, reach)
+        i = np.repeat(np.arange(len(x)), np.fromiter(map(len, near), np.int64, len(x)))
+        j = others[np.concatenate([*near, np.empty(0)]).astype(np.int64)]
+        is_beside = (branch[i] != branch[j]) | (branch[i] < 0)
+        i, j = i[is_beside], j[is_beside]
+        away = x[j] - x[i]
+        height = np.einsum("pi,pi->p", away, tangent[i])
+        aside = np.linalg.norm(away - height[:, None] * tangent[i], axis=1)
+        gap = np.hypot(height, np.maximum(aside - size[i], 0.0)) / np.maximum(ball[j], RESOLUTION)
+        t = np.clip((gap - CLEAR) / MARGIN + 0.5, 0.0, 1.0)
+        np.minimum.at(clear, i, t * t * (3 - 2 * t))
     return clear
 
 

@@ -49,7 +49,6 @@ CENTRING_ROUNDS = 6  # limit on the rounds of a centring: in sheets, where it en
 TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
-ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
 FOLDED = 1e-3  # limb sizes, of two for a straight branch: a shorter chord has no direction, as the branch runs back
 LOPSIDED, STEEP = 1.6, 8  # section radius over size at which a section of a loop counts half; exponent of that ratio
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
@@ -166,14 +165,12 @@ def centre(
     is_far: bool = True,
     budget: Budget | None = None,
     handles: Handles | None = None,
-    is_aside: np.ndarray | None = None,
 ) -> np.ndarray:
     """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
 
     ``is_far`` says that the curve is not near the middle yet: the first round then ignores distances to centroids.
-    Sections of the nodes ``is_aside`` (N,) do not count: their middles are not those of the limb; default none. Steps
-    keep the rule of `take_steps`, with the ``handles`` of the solid, default those of ``shape``. When ``budget``, which
-    other calls may share, is spent, there is one round only.
+    Steps keep the rule of `take_steps`, with the ``handles`` of the solid, default those of ``shape``. When ``budget``,
+    which other calls may share, is spent, there is one round only.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
@@ -186,7 +183,7 @@ def centre(
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
     at = places_of(shape, x)
     size = at.clearance.copy()
-    limbs = LimbSections(shape, x, edges, paths, is_held if is_aside is None else is_held | is_aside, budget)
+    limbs = LimbSections(shape, x, edges, paths, is_held, budget)
     before = np.zeros_like(x)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
@@ -258,7 +255,7 @@ class LimbSections:
         chord = measures.chords(x, self.paths, size)
         ahead = chord @ x
         tangent = unit(ahead)
-        clear = measures.clear_of_junctions(x, self.paths, self.degree, size, ZONE, MARGIN)
+        clear = measures.clear_of_others(x, self.paths, tangent, size, clearance)
         is_across = np.linalg.norm(ahead, axis=1) > FOLDED * size
         limb = np.flatnonzero((self.degree > 0) & (clear > 0) & is_across & ~self.is_off & (clearance > 0))
         found = self._cut(x, tangent, size, near, limb)

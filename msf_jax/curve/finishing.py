@@ -26,7 +26,7 @@ MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes 
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 # Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
 ASTRAY = 0.05
-FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
+FIRST_ROUNDS = 2  # rounds of a centring before junctions are sought
 
 
 class Draft(NamedTuple):
@@ -137,7 +137,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contain,
         complete_cycles,
         partial(prune_and_extend, extend=extend),
-        partial(centre_and_merge, centre=centre, hold_leaves=extend),
+        partial(centre_and_meet, centre=centre, hold_leaves=extend),
         *([partial(refine_and_centre, hold_leaves=extend)] if centre else []),
         enforce_topology,
         *([round_corners] if centre else []),
@@ -319,32 +319,24 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
     return reduced(draft._replace(edges=edges), stays, target)
 
 
-def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
+def centre_and_meet(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
     """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
     if centre:
         draft = centre_nodes(draft, job, hold_leaves, FIRST_ROUNDS, is_far=True)
+        draft = intersect_axes(merge_junctions(draft, job), job)
     return merge_junctions(draft, job)
 
 
 def refine_and_centre(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
-    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and the junctions of tubes are where the
-    axes of their branches meet."""
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and junctions are where axes meet: there,
+    sections count anew where a limb is on its own."""
     draft = centre_nodes(refine(draft, job), job, hold_leaves)
     return merge_junctions(intersect_axes(draft, job), job)
 
 
 def intersect_axes(draft: Draft, job: Job) -> Draft:
-    """The junctions of tubes are where the axes of their branches meet, and no others are left."""
-    radii = job.coarse.approximate_clearance(draft.vertices)[0]
-    x, is_held = draft.vertices, draft.is_held
-    trunk, is_aside, is_part = junctions.bulged(x, draft.edges, is_held, radii)
-    if is_aside.any():
-        held, handles = is_held | draft.is_leaf() | ~is_part, job.shape.handles
-        x = centring.centre(
-            job.coarse, x, trunk, held, is_far=False, budget=job.budget, handles=handles, is_aside=is_aside
-        )
-        draft, radii = draft.changed(x), job.coarse.approximate_clearance(x)[0]
-    is_leaf = draft.is_leaf()
+    """Side branches begin in the axis of their trunk, and junctions are where the axes of their branches meet."""
+    is_leaf, radii = draft.is_leaf(), job.coarse.approximate_clearance(draft.vertices)[0]
     draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
     draft = _without_new_ends(draft, is_leaf)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]

@@ -1,5 +1,7 @@
 """Branches of a curve: junctions in one ball, edges in one place, and branches beside each other become one."""
 
+from itertools import pairwise
+
 import manifold3d
 import numpy as np
 import pytest
@@ -105,3 +107,32 @@ def test_points_go_to_the_nearest_node_of_their_own_branch():
     points = np.array([[3.9, 1, 0], [0.1, 1, 0], [0, 3.9, 0], [-1.9, 0, 0], [-1.9, 0, 0]])
     found = branches.nearest_on_branch(nodes, edges, points, np.array([1, 2, 1, 1, 0]))
     assert found.tolist() == [2, 0, 0, 0, 5]
+
+
+def test_a_limb_is_on_its_own_where_no_ball_of_another_branch_is_near():
+    """Against all pairs of nodes, one by one; with a loop, a leaf, balls of very different sizes."""
+    random = np.random.default_rng(4)
+    turn = np.linspace(0, 2 * np.pi, 12, endpoint=False)
+    ring = np.stack([2 * np.cos(turn), 2 * np.sin(turn), 0 * turn], axis=1)
+    arm = np.array([[2 + 0.4 * k, 0, 0.3 * k] for k in range(1, 9)])
+    twig = arm[3] + np.array([[0.1 * k, 0.3 * k, 0] for k in range(1, 6)])
+    x = np.concatenate([ring, arm, twig]) + 0.02 * random.normal(size=(25, 3))
+    edges = np.array(
+        [*((k, (k + 1) % 12) for k in range(12)), (0, 12), *pairwise(range(12, 20)), (15, 20), *pairwise(range(20, 25))]
+    )
+    paths = branches.paths_of(x, edges, np.zeros(25, dtype=bool))
+    tangent = random.normal(size=(25, 3))
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    size, ball = random.uniform(0.05, 0.6, 25), random.uniform(0.02, 1.0, 25)
+    of = [{0, 15}, set(range(1, 12)), {12, 13, 14}, {16, 17, 18, 19}, {20, 21, 22, 23, 24}]
+    found = branches.clear_of_others(x, paths, tangent, size, ball)
+    for i in range(25):
+        least = 1.0
+        for j in range(25):
+            if i != j and not any({i, j} <= group for group in of[1:]):
+                height = float((x[j] - x[i]) @ tangent[i])
+                aside = float(np.linalg.norm(x[j] - x[i] - height * tangent[i]))
+                gap = float(np.hypot(height, max(aside - size[i], 0.0))) / ball[j]
+                t = min(max((gap - branches.CLEAR) / branches.MARGIN + 0.5, 0.0), 1.0)
+                least = min(least, t * t * (3 - 2 * t))
+        assert found[i] == pytest.approx(0.0 if i in of[0] else least, abs=1e-12)

@@ -1,4 +1,6 @@
-"""Junctions of tubes are where the axes of their branches meet."""
+"""Junctions are where the axes of their branches meet, and a side branch begins where its axis meets its trunk."""
+
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -6,6 +8,7 @@ import pytest
 from msf_jax import shapes
 from msf_jax.curve import junctions
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length
 
 
 def ways(degrees):
@@ -42,7 +45,7 @@ def moved(shape, x, edges, is_held=None):
 
 
 def test_the_junction_of_a_narrow_fork_is_where_its_axes_meet():
-    """`AXIS`: it was in front of the crotch, where the ball is half as large."""
+    """It was in front of the crotch, where the ball is half as large."""
     shape, x, edges, chains = fork(30, 2.9)
     assert shape.clearance(x[:1])[0] < 0.6
     found = moved(shape, x, edges)
@@ -75,43 +78,85 @@ def test_the_junction_of_a_wide_fork_is_where_its_axes_meet(degrees, off):
     np.testing.assert_array_equal(found[[20, 60, 100]], x[[20, 60, 100]])  # farther on, branches stay
 
 
-def bend(degrees, below, ball=0.0, num=60):
-    """A solid of two rods that meet at 0, with a ball there, and a curve that turns ``below`` that."""
-    rods = 12 * ways(degrees)
-    mesh = shapes.solid_around(
-        np.array([[0.0, 0, 0], *rods]), np.array([[0, 1], [0, 2]]), np.array([max(ball, 1.0), 1.0, 1.0]), 0.3
-    )
-    line = np.linspace(0, 1, num)[:, None]
-    turn = np.array([0, 0, below])
-    sides = [np.where(line < 0.4, turn + line / 0.4 * (0.4 * rod - turn), line * rod) for rod in rods]
-    x = np.concatenate([sides[0][:0:-1], sides[1]])
-    return (
-        Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)),
-        x,
-        np.stack([np.arange(len(x))] * 2, 1)[:-1] + [0, 1],
-    )
-
-
-@pytest.mark.parametrize(("degrees", "below", "ball"), [(30, 3.0, 0.0), (60, 1.5, 0.0), (60, 1.5, 2.5)])
-def test_an_acute_bend_is_where_its_axes_meet(degrees, below, ball):
-    shape, x, edges = bend(degrees, below, ball)
+def test_rods_that_cross_at_one_place_have_one_junction():
+    """The flow has two, with a stretch between on the bisector, in front of both crotches."""
+    way = np.array([[np.sin(0.35), 0, np.cos(0.35)], [-np.sin(0.35), 0, np.cos(0.35)]])
+    rods = np.concatenate([9 * way, -9 * way])
+    mesh = shapes.solid_around(rods, np.array([[0, 2], [1, 3]]), np.ones(4), 0.3)
+    line, crotch = np.linspace(0, 1, 40)[1:, None], np.array([0, 0, 1.2])
+    legs = [
+        np.where(line < 0.4, end + line / 0.4 * (0.4 * rod - end), line * rod)
+        for end, rod in zip((crotch, crotch, -crotch, -crotch), rods, strict=True)
+    ]
+    x = np.concatenate([[crotch, -crotch], np.linspace(crotch, -crotch, 7)[1:-1], *legs])
+    chains = [np.r_[0, 2:7, 1], *(np.r_[k // 2, 7 + 39 * k + np.arange(39)] for k in range(4))]
+    edges = np.concatenate([np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains])
+    shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
     found = moved(shape, x, edges)
-    assert np.linalg.norm(found, axis=1).min() < 0.2
-    away = np.minimum(*[np.linalg.norm(np.cross(found, way), axis=1) for way in ways(degrees)])
-    assert away.max() < 0.2 and x[:, 2].min() > below - 0.1
-
-
-def test_a_bend_of_a_right_angle_stays():
-    shape, x, edges = bend(100, 0.7)
-    np.testing.assert_array_equal(moved(shape, x, edges), x)
+    assert np.linalg.norm(found[:7], axis=1).max() < 0.15
 
 
 def test_a_branch_on_the_surface_has_no_axis():
     """Of an open part: its nodes have no radius, but for the one at a ball."""
-    x, path = np.arange(6.0)[:, None] * [1.0, 0, 0], np.arange(6)
-    assert junctions._own_stretch(x, path, 0.0, np.array([1.0, 0, 0, 0, 0, 0]), False, True) is None
+    x, edges = np.arange(6.0)[:, None] * [1.0, 0, 0], np.array([*pairwise(range(6))])
+    curve = junctions.Branches(x, edges, np.zeros(6, dtype=bool), np.array([1.0, 0, 0, 0, 0, 0]))
+    assert curve.axis(np.arange(6)) is None
 
 
 def test_a_held_junction_stays():
     shape, x, edges, _ = fork(30, 2.9)
     np.testing.assert_array_equal(moved(shape, x, edges, np.arange(len(x)) == 0), x)
+
+
+def test_the_axis_of_a_side_branch_ends_at_the_first_stretch_of_trunk():
+    """Of a trunk that turns back: it passes the first stretch at a tenth of a radius, and crosses the second."""
+    x = np.array([[4, 0, -6], [4, 0, -1], [4, 0, 0], [4, 0, 1], [4, 0, 6], [0, 0, 6], [0, 0, 1], [0, 0, 0], [0, 0, -6]])
+    x = np.concatenate([x + [0, 0, 0.0], [[4 + k, 0.1, 0] for k in (0.0, 1.0, 2.0, 3.0, 8.0)]])
+    x[:5, 1] = -0.1
+    edges = np.array([*pairwise(range(9)), (2, 9), *pairwise(range(9, 14))])
+    path = np.r_[2, 9:14]
+    side = junctions.Axis(path, arc_length(x[path]), 0.3, 4, np.array([[4.0, 0, 0], [1.0, 0, 0], [0, 0, 0]]))
+    radii, is_trunk = np.where(np.arange(14) < 9, 1.0, 0.3), np.arange(len(edges)) < 8
+    found = junctions.meeting(side, x, edges, is_trunk, radii)
+    assert found is not None and found.edge in (1, 2)
+    np.testing.assert_allclose(found.place, [4, -0.1, 0], atol=1e-9)
+
+
+def side_branch(astray, num=60):
+    """A solid of a trunk of radius 3 along z and a side branch of radius 1 from 0, 45 degrees up, and a curve whose
+    side branch runs along the trunk for ``astray`` before it leaves it."""
+    top = np.array([0, 30, 30])
+    points = np.array([[0, 0, -30], [0, 0, 40], [0, 0, 0], top], dtype=float)
+    mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3]]), np.array([3.0, 3.0, 1.0, 1.0]), 1.0)
+    line = np.linspace(0, 1, num)[:, None]
+    trunk = points[0] + line * (points[1] - points[0])
+    first = int(np.abs(trunk[:, 2] - astray).argmin())
+    leaves = np.array([0, 0.5, 0.5])  # on the side branch's axis, in the trunk
+    legs = np.concatenate(
+        [trunk[first] + line[1:10] / line[9] * (leaves - trunk[first]), leaves + line * (top - leaves)]
+    )
+    chain = np.r_[first, num + np.arange(len(legs))]
+    edges = np.concatenate([np.stack([c[:-1], c[1:]], axis=1) for c in (np.arange(num), chain)])
+    return Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), np.concatenate([trunk, legs]), edges, first
+
+
+@pytest.mark.parametrize("astray", [-8.0, 8.0])
+def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
+    """Wherever it ran along the trunk."""
+    shape, x, edges, first = side_branch(astray)
+    held = np.zeros(len(x), dtype=bool)
+    found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
+    degree = np.bincount(found_edges.ravel())
+    assert (degree > 2).sum() == 1 and degree[first] == 2
+    assert np.linalg.norm(found[degree > 2]) < 0.1
+    assert len(found) == len(x) + 1 and len(found_edges) == len(edges) + 1
+    np.testing.assert_array_equal(found[:60], x[:60])  # the trunk stays
+
+
+def test_a_node_without_edges_is_no_side_branch():
+    """A curve of one node, of a ball. No median is taken of nothing."""
+    with np.errstate(all="raise"):
+        sides, is_trunk = junctions.side_branches(
+            np.zeros((1, 3)), np.empty((0, 2), np.int64), np.zeros(1, bool), np.ones(1)
+        )
+    assert sides == [] and is_trunk.shape == (0,)
