@@ -336,9 +336,8 @@ def refine_and_centre(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
 
 def intersect_axes(draft: Draft, job: Job) -> Draft:
     """Side branches begin in the axis of their trunk, and junctions are where the axes of their branches meet."""
-    is_leaf, radii = draft.is_leaf(), job.coarse.approximate_clearance(draft.vertices)[0]
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
     draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
-    draft = _without_new_ends(draft, is_leaf)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = centring.places_of(job.shape, draft.vertices)
@@ -346,8 +345,8 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
 
 
 def _without_new_ends(draft: Draft, is_leaf: np.ndarray) -> Draft:
-    """The draft without branches that end where no leaf was, of ``is_leaf`` (n,) of its first nodes: an old junction
-    that no branch needs, or what is left of a cycle that was cut."""
+    """The draft without branches that end where no leaf was, of ``is_leaf`` (n,) of its first nodes: what is left of a
+    cycle that was cut."""
     worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
     if (worth[draft.is_leaf()] == np.inf).all():
         return draft

@@ -20,7 +20,7 @@ from numpy.polynomial.polynomial import polyval
 from msf_jax.curve import branches
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, cross, nearest_to_ray, unit
+from msf_jax.solid.geometry import ROUNDING, arc_length, cross, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
@@ -79,7 +79,7 @@ class Branches:
         chosen = int((length >= min(AXIS * size, length.max())).argmax())
         start = min(begin[chosen] + BEGIN * size, end[chosen] - SHORTEST * size)
         row = np.flatnonzero((along >= start) & (along <= min(start + AXIS * size, end[chosen])))
-        if len(row) < 2:
+        if len(row) < 2 or along[row[-1]] - along[row[0]] <= ROUNDING * size:
             return None
         # With u = s / size from the first node on, and back to powers of s.
         power = np.vander((along[row] - along[row[0]]) / size, 3, increasing=True)
@@ -166,7 +166,7 @@ def attached(
     shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with each side branch on a straight line from its axis to where that meets its trunk: nodes (M, 3), new
-    ones last, and edges (E, 2). A new node of the trunk takes it; the old junction stays, and may be a leaf then."""
+    ones last, and edges (E, 2). A new node of the trunk takes it."""
     x, radii = x.copy(), radii.copy()
     sides, is_trunk = side_branches(x, edges, is_held, radii)
     for side in sides:
