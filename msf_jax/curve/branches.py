@@ -312,17 +312,19 @@ def clear_of_others(
     for level in np.unique(octave):  # balls of about one size at a time: far from small ones, none is asked for
         others = np.flatnonzero(octave == level)
         reach = size + (CLEAR + MARGIN / 2) * 2.0 ** (level + 1)
-        near = spatial.KDTree(x[others]).query_ball_point(x, reach)
-        i = np.repeat(np.arange(len(x)), np.fromiter(map(len, near), np.int64, len(x)))
-        j = others[np.concatenate([*near, np.empty(0)]).astype(np.int64)]
-        is_beside = (branch[i] != branch[j]) | (branch[i] < 0)
-        i, j = i[is_beside], j[is_beside]
-        away = x[j] - x[i]
-        height = np.einsum("pi,pi->p", away, tangent[i])
-        aside = np.linalg.norm(away - height[:, None] * tangent[i], axis=1)
-        gap = np.hypot(height, np.maximum(aside - size[i], 0.0)) / np.maximum(ball[j], RESOLUTION)
-        t = np.clip((gap - CLEAR) / MARGIN + 0.5, 0.0, 1.0)
-        np.minimum.at(clear, i, t * t * (3 - 2 * t))
+        tree = spatial.KDTree(x[others])
+        for rows in np.array_split(np.arange(len(x)), len(x) // CHUNK + 1):  # bounds the pairs that are held
+            near = tree.query_ball_point(x[rows], reach[rows])
+            i = np.repeat(rows, np.fromiter(map(len, near), np.int64, len(rows)))
+            j = others[np.concatenate([*near, np.empty(0)]).astype(np.int64)]
+            is_beside = (branch[i] != branch[j]) | (branch[i] < 0)
+            i, j = i[is_beside], j[is_beside]
+            away = x[j] - x[i]
+            height = np.einsum("pi,pi->p", away, tangent[i])
+            aside = np.linalg.norm(away - height[:, None] * tangent[i], axis=1)
+            gap = np.hypot(height, np.maximum(aside - size[i], 0.0)) / np.maximum(ball[j], RESOLUTION)
+            t = np.clip((gap - CLEAR) / MARGIN + 0.5, 0.0, 1.0)
+            np.minimum.at(clear, i, t * t * (3 - 2 * t))
     return clear
 
 

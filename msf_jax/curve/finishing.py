@@ -292,7 +292,7 @@ def complete_cycles(draft: Draft, job: Job) -> Draft:
     x, edges = draft.vertices, draft.edges
     missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
     job.roadmap.num_unsought = 0
-    if missing:
+    if missing > 0:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = handle_loops.completed(job.roadmap, x, edges, missing)
     return draft.changed(x, edges)
@@ -328,8 +328,7 @@ def centre_and_meet(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> 
 
 
 def refine_and_centre(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
-    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and junctions are where axes meet: there,
-    sections count anew where a limb is on its own."""
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and junctions are where axes meet."""
     draft = centre_nodes(refine(draft, job), job, hold_leaves)
     return merge_junctions(intersect_axes(draft, job), job)
 

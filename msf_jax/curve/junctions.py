@@ -20,17 +20,15 @@ from numpy.polynomial.polynomial import polyval
 from msf_jax.curve import branches
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, arc_length, cross, nearest_to_ray, unit
+from msf_jax.solid.geometry import arc_length, cross, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis; triangles as long as it is thick make 0.85
-BEGIN, AXIS, SHORTEST = (
-    1.0,
-    3.0,
-    0.5,
-)  # the stretch that gives an axis: after which length on its own; its length; least
-BENT = 0.05  # against the mean square of distances: weight of the square of a parabola's second coefficient
+BEGIN = 1.0  # of a stretch on its own: the length before the part that gives the axis
+AXIS = 2.0  # the length of that part
+SHORTEST = 0.5  # the least length of such a stretch
+BENT = 0.01  # against the mean square of distances: weight of the square of a parabola's second coefficient
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
 THIN = 0.6  # of its trunk's radius: the largest side branch
@@ -54,11 +52,11 @@ class Axis(NamedTuple):
 class Branches:
     """The branches of a curve ``(x (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) around its nodes.
 
-    paths: from end to end; those with nodes of ``is_held`` (N,), too. usual: the usual radius of each. degree: (N,).
+    paths: of all branches. usual: the usual radius of each. degree: (N,).
     """
 
-    def __init__(self, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray):
-        traced = branches.paths_of(x, edges, is_held)
+    def __init__(self, x: np.ndarray, edges: np.ndarray, radii: np.ndarray):
+        traced = branches.paths_of(x, edges, np.zeros(len(x), dtype=bool))
         self.paths, self.degree = [each.nodes for each in traced], graphs.degrees(len(x), edges)
         self.usual = [usual_radius(path, radii) for path in self.paths]
         self._x, self._radii, self._is_alone = x, radii, np.ones(len(x), dtype=bool)
@@ -77,9 +75,9 @@ class Branches:
         if size <= 0 or length.max(initial=0.0) < SHORTEST * size:
             return None
         chosen = int((length >= min(AXIS * size, length.max())).argmax())
-        start = min(begin[chosen] + BEGIN * size, end[chosen] - SHORTEST * size)
+        start = min(begin[chosen] + BEGIN * size, max(begin[chosen], end[chosen] - size))
         row = np.flatnonzero((along >= start) & (along <= min(start + AXIS * size, end[chosen])))
-        if len(row) < 2 or along[row[-1]] - along[row[0]] <= ROUNDING * size:
+        if not len(row) or along[row[-1]] - along[row[0]] < SHORTEST * size / 2:
             return None
         # With u = s / size from the first node on, and back to powers of s.
         power = np.vander((along[row] - along[row[0]]) / size, 3, increasing=True)
@@ -90,33 +88,35 @@ class Branches:
 
 
 def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
-    """The median radius of the nodes of a branch ``path`` (k,) but for its junction."""
-    return float(np.median(radii[path[1:]]))
+    """The median radius of the nodes within a branch ``path`` (k,); of a single edge, the smaller radius."""
+    return float(np.median(radii[path[1:-1]]) if len(path) > 2 else radii[path].min())
 
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """The nodes (N, 3) with junctions where the lines of their branches meet, and the nodes from there to each branch's
     axis on the way. Where rods cross, the flow has two junctions: if the lines of all branches of both meet, these are
-    at one place, with the stretch between."""
-    x, curve = x.copy(), Branches(x, edges, is_held, radii)
-    at_node: dict[int, list[np.ndarray]] = {}
+    at one place, with the stretch between. A junction stays where a branch has no axis, or a node on the way is held,
+    and where the lines do not meet, unless it is at a wall."""
+    x, curve = x.copy(), Branches(x, edges, radii)
+    at_node: dict[int, list[tuple[np.ndarray, Axis | None]]] = {}
     between: dict[tuple[int, int], list[np.ndarray]] = {}
     for path in curve.paths:
         one, other = int(path[0]), int(path[-1])
-        at_node.setdefault(one, []).append(path)
-        at_node.setdefault(other, []).append(path[::-1])
+        for each in (path, path[::-1]):
+            at_node.setdefault(int(each[0]), []).append((each, curve.axis(each)))
         if one != other and min(curve.degree[one], curve.degree[other]) > 2:
             between.setdefault((min(one, other), max(one, other)), []).append(path)
     groups = [(ends, links[0]) for ends, links in between.items() if len(links) == 1]
+    groups.sort(key=lambda group: arc_length(x[group[1]])[-1])  # the nearest first: the order of nodes does not decide
     groups += [((node, node), np.array([node])) for node in at_node if curve.degree[node] > 2]
     is_done = np.zeros(len(x), dtype=bool)
     for ends, middle in groups:
         if not is_done[list(ends)].any():
-            paths = [path for node in dict.fromkeys(ends) for path in at_node[node]]
+            own = [each for node in dict.fromkeys(ends) for each in at_node[node]]
             if ends[0] != ends[1]:  # without the stretch between
-                paths = [path for path in paths if {int(path[0]), int(path[-1])} != {*ends}]
-            axes = [axis for path in paths if (axis := curve.axis(path)) is not None]
-            if len(axes) == len(paths):
+                own = [each for each in own if {int(each[0][0]), int(each[0][-1])} != {*ends}]
+            axes = [axis for _, axis in own if axis is not None]
+            if len(axes) == len(own):
                 is_done[middle] = _put(shape, x, middle, axes, is_held, radii)
     return x
 
@@ -128,9 +128,11 @@ def _put(
     meet, and those from there to each branch's axis on the way. ``x`` (N, 3) changes only if True is returned."""
     near = np.concatenate([middle, *(each.path[: each.first] for each in axes)])
     meet, off = _nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[near[radii[near].argmax()]])
-    size = np.array([each.size for each in axes])
-    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * size.min()
-    if (off > APART * size).any() and not is_at_wall:  # lines that do not meet tell nothing
+    sizes = np.array([each.size for each in axes])
+    # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
+    # ball is smaller than those of its branches.
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * sizes.min()
+    if (off > APART * sizes).any() and not is_at_wall:
         return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []
     for path, along, size, first, parabola in axes:
@@ -171,15 +173,17 @@ def attached(
     sides, is_trunk = side_branches(x, edges, is_held, radii)
     for side in sides:
         path, first, found = side.path, side.first, meeting(side, x, edges, is_trunk, radii)
-        if found is None or not is_inside(shape, found.place[None], x[path[first]][None])[0]:
+        if found is None:
             continue
         # Branches that begin at one place share its node.
-        nodes = np.intersect1d(edges[is_trunk], np.flatnonzero(np.bincount(edges.ravel()) > 2))
+        nodes = np.setdiff1d(edges[is_trunk][np.bincount(edges.ravel())[edges[is_trunk]] > 2], path)
         away = np.linalg.norm(x[nodes] - found.place, axis=1)
         is_shared, new, meet = bool((away < SHARED * side.size).any()), len(x), found.place
         if is_shared:
             new = int(nodes[away.argmin()])
             meet = x[new]
+        if not is_inside(shape, meet[None], x[path[first]][None])[0]:
+            continue
         x[path[1 : first + 1]] = meet + np.linspace(0, 1, first + 1)[1:, None] * (x[path[first]] - meet)
         gone = np.flatnonzero(_is_first(edges, path)).tolist()
         added, is_added = [[new, int(path[1])]], [bool(is_trunk[gone].any())]
@@ -198,7 +202,7 @@ def side_branches(
 ) -> tuple[list[Axis], np.ndarray]:
     """The axes of the thin side branches, those that fork themselves first; and which ``edges`` (E,) may be a trunk's:
     those of no thin branch that ends in a leaf."""
-    curve = Branches(x, edges, is_held, radii)
+    curve = Branches(x, edges, radii)
     degree = curve.degree
     at_node: dict[int, list[float]] = {}
     for path, size in zip(curve.paths, curve.usual, strict=True):
@@ -235,7 +239,7 @@ def meeting(side: Axis, x: np.ndarray, edges: np.ndarray, is_trunk: np.ndarray, 
     not lead to; ``x`` (N, 3), ``radii`` (N,): nodes. None if it passes all of them, is as thick, leaves the trunk far
     away, or is nearly parallel to it."""
     part = graphs.labels(len(x), *edges[~_is_first(edges, side.path)].T)
-    numbers = np.flatnonzero(is_trunk & (part[edges[:, 0]] != part[side.path[1]]))
+    numbers = np.flatnonzero(is_trunk & (part[edges] != part[side.path[1]]).all(axis=1))
     trunk, start = edges[numbers], side.along[side.first]
     heading = unit(side.parabola[1] + 2 * start * side.parabola[2])
     share, place, off = nearest_to_ray(x[trunk], polyval(start, side.parabola), -heading)

@@ -99,7 +99,7 @@ def test_rods_that_cross_at_one_place_have_one_junction():
 def test_a_branch_on_the_surface_has_no_axis():
     """Of an open part: its nodes have no radius, but for the one at a ball."""
     x, edges = np.arange(6.0)[:, None] * [1.0, 0, 0], np.array([*pairwise(range(6))])
-    curve = junctions.Branches(x, edges, np.zeros(6, dtype=bool), np.array([1.0, 0, 0, 0, 0, 0]))
+    curve = junctions.Branches(x, edges, np.array([1.0, 0, 0, 0, 0, 0]))
     assert curve.axis(np.arange(6)) is None
 
 
