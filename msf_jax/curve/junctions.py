@@ -26,9 +26,8 @@ from msf_jax.topology import graphs
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis; triangles as long as it is thick make 0.85
 BEGIN = 1.0  # of a stretch on its own: the length before the part that gives the axis
-AXIS = 2.0  # the length of that part
-SHORTEST = 0.5  # the least length of such a stretch
-BENT = 0.01  # against the mean square of distances: weight of the square of a parabola's second coefficient
+AXIS = 2.1  # the length of that part
+SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
 THIN = 0.6  # of its trunk's radius: the largest side branch
@@ -79,10 +78,11 @@ class Branches:
         row = np.flatnonzero((along >= start) & (along <= min(start + AXIS * size, end[chosen])))
         if not len(row) or along[row[-1]] - along[row[0]] < SHORTEST * size / 2:
             return None
-        # With u = s / size from the first node on, and back to powers of s.
-        power = np.vander((along[row] - along[row[0]]) / size, 3, increasing=True)
-        matrix = power.T @ power + np.diag([0.0, 0.0, BENT * len(row)])
-        p, d, q = np.linalg.solve(matrix, power.T @ self._x[path[row]]) / size ** np.arange(3)[:, None]
+        # With u = s / size from the first node on, and back to powers of s. A short stretch does not tell its bend.
+        degree = 2 if end[chosen] - start >= AXIS * size and len(row) > 3 else 1
+        power = np.vander((along[row] - along[row[0]]) / size, degree + 1, increasing=True)
+        fit = np.linalg.lstsq(power, self._x[path[row]])[0]
+        p, d, q = np.pad(fit, ((0, 2 - degree), (0, 0))) / size ** np.arange(3)[:, None]
         s = along[row[0]]
         return Axis(path, along, size, int(row[0]), np.stack([p - s * d + s**2 * q, d - 2 * s * q, q]))
 
