@@ -103,12 +103,13 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     for path in curve.paths:
         one, other = int(path[0]), int(path[-1])
         for each in (path, path[::-1]):
-            at_node.setdefault(int(each[0]), []).append((each, curve.axis(each)))
+            if curve.degree[each[0]] > 2:
+                at_node.setdefault(int(each[0]), []).append((each, curve.axis(each)))
         if one != other and min(curve.degree[one], curve.degree[other]) > 2:
             between.setdefault((min(one, other), max(one, other)), []).append(path)
     groups = [(ends, links[0]) for ends, links in between.items() if len(links) == 1]
     groups.sort(key=lambda group: arc_length(x[group[1]])[-1])  # the nearest first: the order of nodes does not decide
-    groups += [((node, node), np.array([node])) for node in at_node if curve.degree[node] > 2]
+    groups += [((node, node), np.array([node])) for node in at_node]
     is_done = np.zeros(len(x), dtype=bool)
     for ends, middle in groups:
         if not is_done[list(ends)].any():
