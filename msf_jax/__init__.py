@@ -16,7 +16,7 @@ _PATHS = ["app.batch", "guide", "metrics", "shapes", "view", "gradients.losses",
 _NAMES = {
     "base.binding": "Binding",
     "base.errors": "ConfigError FlowError Interrupted MeshError",
-    "base.options": "Config CurveOptions FlowOptions PreprocessingOptions SolverOptions read_weights save_weights",
+    "base.options": "Config CurveOptions FlowOptions PreprocessingOptions SolverOptions",
     "device": "Weights",
     "flow.loop": "contract skeletonize",
     "flow.programs": "cache_compilations",

@@ -15,8 +15,6 @@ from msf_jax.base.options import CurveOptions as CurveOptions
 from msf_jax.base.options import FlowOptions as FlowOptions
 from msf_jax.base.options import PreprocessingOptions as PreprocessingOptions
 from msf_jax.base.options import SolverOptions as SolverOptions
-from msf_jax.base.options import read_weights as read_weights
-from msf_jax.base.options import save_weights as save_weights
 from msf_jax.device import Weights as Weights  # importing `device` registers it as a pytree
 from msf_jax.flow.loop import contract as contract
 from msf_jax.flow.loop import skeletonize as skeletonize

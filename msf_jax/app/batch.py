@@ -189,7 +189,7 @@ def work(job: BatchJob) -> None:
     row: Row = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
     try:
         with jax.enable_x64(is_double):  # of this thread: a worker of a cluster may have others
-            mesh = shaping.scaled(reading.read(job.source, finite=repair is None))
+            mesh = shaping.scaled(reading.read(job.source))
             row["vertices"] = len(mesh[0])
             skeleton = shaping.shaped(msf_jax.skeletonize(mesh, weights, config, repair=repair or False))
             content = export.writer_for(job.target)(skeleton, mesh)

@@ -16,8 +16,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import shtab
-
 from msf_jax.app.parser import REPAIRS, configured, shaping_of, whole_parser
 from msf_jax.base.clock import held_interrupts
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
@@ -43,8 +41,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         if arguments.command is None:
             parser.print_help()
-        elif arguments.command == "completion":
-            print(shtab.complete(parser, arguments.shell))
         else:
             with held_interrupts():
                 import trimesh  # noqa: F401
@@ -91,7 +87,7 @@ def _curve_of(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndar
     from msf_jax.meshes import checking, reading
 
     weights, config = configured(arguments)
-    mesh = shaping_of(arguments).scaled(reading.read(arguments.mesh, finite=not arguments.repair))
+    mesh = shaping_of(arguments).scaled(reading.read(arguments.mesh))
     accepted = checking.prepare(mesh, REPAIRS[arguments.repair])
     _start_jax(arguments)
     from msf_jax.flow.loop import skeletonize

@@ -4,10 +4,8 @@ import argparse
 import math
 from typing import Any
 
-import shtab
-
 from msf_jax.app.shaping import Shaping
-from msf_jax.base.options import SYSTEMS, Config, Weights, read_weights
+from msf_jax.base.options import SYSTEMS, Config, Weights
 from msf_jax.base.version import VERSION
 from msf_jax.skeleton.formats import export
 
@@ -72,11 +70,6 @@ print the report of a saved curve
 
 example:
   msf-jax report hand.swc""",
-    "completion": """\
-print a script with which the shell completes commands and options
-
-example, for bash:
-  msf-jax completion bash > ~/.local/share/bash-completion/completions/msf-jax""",
 }
 
 
@@ -93,17 +86,17 @@ def whole_parser() -> argparse.ArgumentParser:
     }
     one, page, demo, many, series = (added[name] for name in ("skeletonize", "view", "demo", "batch", "track"))
     for each, suffix in ((one, ".swc"), (page, ".html")):
-        _add_path(each, "mesh", metavar="IN", help=MESH)
-        _add_path(each, "-o", "--output", metavar="OUT", help=f"{CURVES}, .png or .html (default: IN with {suffix})")
-    _add_path(demo, "-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
-    _add_path(many, "folder", metavar="IN_DIR", help="where the meshes are")
-    _add_path(many, "output", metavar="OUT_DIR", help="where curves and manifest.csv go")
+        each.add_argument("mesh", metavar="IN", help=MESH)
+        each.add_argument("-o", "--output", metavar="OUT", help=f"{CURVES}, .png or .html (default: IN with {suffix})")
+    demo.add_argument("-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
+    many.add_argument("folder", metavar="IN_DIR", help="where the meshes are")
+    many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go")
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
     many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
     many.add_argument("--retry", action="store_true", help="try failed meshes again")
-    _add_path(series, "mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz")
-    _add_path(series, "folder", metavar="FRAMES", help="where the meshes are")
-    _add_path(series, "-o", "--output", metavar="OUT_DIR", required=True, help="where curves and frames.csv go")
+    series.add_argument("mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz")
+    series.add_argument("folder", metavar="FRAMES", help="where the meshes are")
+    series.add_argument("-o", "--output", metavar="OUT_DIR", required=True, help="where curves and frames.csv go")
     for each in (many, series):
         each.add_argument("--format", default=".swc", metavar="SUFFIX", help=CURVES)
     for each in (one, page, many):
@@ -113,14 +106,8 @@ def whole_parser() -> argparse.ArgumentParser:
     for each in (one, page, demo, many, series):
         each.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
         each.add_argument("-q", "--quiet", action="store_true", help="no progress bar and no report")
-    _add_path(added["report"], "curve", metavar="CURVE", help=f"a saved curve: {export.HOLD_REPORT}")
-    added["completion"].add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="the kind of shell")
+    added["report"].add_argument("curve", metavar="CURVE", help=f"a saved curve: {export.HOLD_REPORT}")
     return parser
-
-
-def _add_path(parser: argparse.ArgumentParser, *names: str, **options: Any) -> None:
-    """An argument for which the shell completes paths, by an attribute that shtab reads."""
-    parser.add_argument(*names, **options).complete = shtab.FILE  # pyright: ignore[reportAttributeAccessIssue]
 
 
 def _add_settings(parser: argparse.ArgumentParser) -> None:
@@ -134,7 +121,6 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         "the run", "Lengths are fractions of the bounding box's diagonal. Of w_L, w_H and w_M, only the ratios matter."
     )
     flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
-    flow.add_argument("--weights", metavar="FILE", help="of Tuned.save or save_weights; options replace single weights")
     flow.add_argument(
         "--max-iterations", type=int, metavar="N", help=f"the largest number (default: {defaults.max_iterations})"
     )
@@ -157,8 +143,8 @@ def configured(arguments: argparse.Namespace) -> tuple[Weights, Config]:
     names = ("max_iterations", "max_seconds", "coarsen", "least_slenderness", "detail", "evaluate")
     given = {name: value for name, value in vars(arguments).items() if value is not None}
     config = Config.named(arguments.system, **{name: given[name] for name in names if name in given})
-    weights = config.default_weights() if arguments.weights is None else read_weights(arguments.weights)
-    return Weights(**{name: given.get(name, value) for name, value in vars(weights).items()}), config
+    usual = vars(config.default_weights())
+    return Weights(**{name: given.get(name, value) for name, value in usual.items()}), config
 
 
 def _add_shaping(parser: argparse.ArgumentParser) -> None:

@@ -48,7 +48,7 @@ def run(
     try:
         for number, path in enumerate(tqdm(paths, desc="track", unit="frame", disable=None if progress else True)):
             try:
-                mesh = reading.read(path, finite=not skeleton.report.repairs)
+                mesh = reading.read(path)
                 frame = tracker.frame(number, mesh)
             except MeshError as error:
                 raise MeshError(f"{path.name!r}: {error}") from error

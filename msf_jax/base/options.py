@@ -5,20 +5,16 @@ depends on a `Config` only through its `StepSettings`.
 """
 
 import dataclasses
-import json
 import math
 import numbers
-import os
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.writing import write_whole
 
 SMOOTH = 1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by 2e-3 of an objective
 TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
@@ -27,7 +23,6 @@ LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # value
 POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
 FACTORED = "factored"  # the preconditioner that the host factorises
 SOLVED_BY = ("jacobi", FACTORED)  # values of ``SolverOptions.preconditioner``
-FORMAT = "msf_jax weights"  # marks a file of weights
 
 
 @dataclass(frozen=True)
@@ -85,37 +80,6 @@ def is_traced(value: Any) -> bool:
     """Whether ``value`` is a tracer of JAX."""
     jax = sys.modules.get("jax")  # if JAX was not imported, there are no tracers
     return jax is not None and isinstance(value, jax.core.Tracer)
-
-
-def save_weights(weights: Weights, path: str | os.PathLike[str]) -> None:
-    """Write ``weights`` to a JSON file, atomically: numbers, or lists with one for each vertex of the mesh."""
-    values = {name: np.asarray(value, dtype=np.float64) for name, value in vars(weights).items()}
-    if not all(np.isfinite(value).all() for value in values.values()):
-        raise ConfigError("a weight is not finite: expected numbers")
-    content = {"format": FORMAT, "version": 1, "weights": {name: value.tolist() for name, value in values.items()}}
-    write_whole(path, json.dumps(content, indent=1) + "\n")
-
-
-def read_weights(path: str | os.PathLike[str]) -> Weights:
-    """The weights in a file that `save_weights` or `Tuned.save` wrote.
-
-    Raises:
-        ConfigError: the file is of another kind; the message says what was found.
-        OSError: the file cannot be read.
-    """
-    name = Path(path).name
-    if Path(path).exists() and not Path(path).is_file():  # reading a pipe would wait
-        raise ConfigError(f"{name!r} is not a regular file: expected a file that save_weights wrote")
-    try:
-        content = json.loads(Path(path).read_text("utf-8"))
-        if content["format"] != FORMAT or content["version"] != 1:
-            raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
-        values = {key: np.array(value, dtype=np.float64) for key, value in content["weights"].items()}
-        if max(value.ndim for value in values.values()) > 1:
-            raise ValueError("a weight is neither a number nor a list of numbers")
-        return Weights(**{key: value if value.ndim else float(value) for key, value in values.items()})
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise ConfigError(f"{name!r} has no weights ({error}): expected a file that save_weights wrote") from error
 
 
 def number(default: float | None, low: float, high: float) -> Any:

@@ -230,7 +230,7 @@ class Tracker:
     def _vertices_of(self, given: Any) -> Any:
         if isinstance(given, np.ndarray | jax.Array) or (isinstance(given, list | tuple) and len(given) != 2):
             return given
-        vertices, faces = reading.read(given, finite=not self.skeleton.report.repairs)
+        vertices, faces = reading.read(given)
         if self.faces is not None and not np.array_equal(_sorted(faces), self.faces):
             raise MeshError(f"its {len(faces)} faces are not those of the mesh that the skeleton was made from")
         return vertices

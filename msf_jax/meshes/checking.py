@@ -114,7 +114,7 @@ def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
         ConfigError: ``repair`` is none of True, False, "join" and a `Repair`.
     """
     wanted = as_repair(repair)
-    vertices, faces = read(mesh, finite=wanted is None)
+    vertices, faces = read(mesh)
     if wanted is None:
         return _checked(vertices, faces)
     done = repaired(vertices, faces, wanted)
@@ -135,9 +135,9 @@ def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
         vertex_of_input=target,
         input_of_vertex=source,
         is_made=is_made,
-        strays=done.given[target < 0],
+        strays=vertices[target < 0],
         repairs=done.repairs + checked.repairs,
-        given=(done.given, faces),
+        given=(vertices, faces),
         rims=done.rims,
         num_left_out=done.num_left_out,
     )

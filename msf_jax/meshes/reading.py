@@ -52,7 +52,7 @@ MeshLike = str | os.PathLike[str] | tuple[ArrayLike, ArrayLike] | HasTriangles |
 """What functions take as a mesh: a path, an object with triangles, or ``(vertices (V, 3), faces (F, 3))``."""
 
 
-def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
+def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a mesh, as `skeletonize` reads it.
 
     Args:
@@ -62,17 +62,6 @@ def read_mesh(mesh: "MeshLike") -> tuple[np.ndarray, np.ndarray]:
 
     Returns:
         Copies. Ids of vertices, as in ``mesh_map`` and ``pins``, are rows of these vertices.
-
-    Raises:
-        MeshError: there is no such file, or it has no triangle mesh.
-    """
-    return read(mesh, finite=False)
-
-
-def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
-
-    With ``finite``, all vertices must be finite; else `repair` has to place them.
 
     Raises:
         MeshError: there is no such file, it has no triangle mesh, or the arrays have the wrong shape or values.
@@ -93,7 +82,10 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
             f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
             "(a trimesh.Trimesh), a pyvista.PolyData, or a pair (vertices, faces)"
         )
-    return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
+    return _as_vertices(vertices), _as_faces(faces, len(vertices))
+
+
+read_mesh = read  # its public name
 
 
 def readable_suffixes() -> list[str]:
@@ -151,7 +143,7 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
     if isinstance(mesh, trimesh.Trimesh):
         return [mesh.copy(include_cache=True)]
     if not isinstance(mesh, str | os.PathLike):
-        return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
+        return [trimesh.Trimesh(*read(mesh), process=False)]
     path = Path(mesh)
     if not path.is_file():  # opening a pipe would block, and a device may have no end
         raise MeshError(f"{str(path)!r} is no file: check the path")
@@ -200,11 +192,9 @@ def _meshes_of(path: Path, suffix: str) -> list[trimesh.Trimesh]:
 
 def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     """The meshes of a scene; unlike `trimesh.Scene.dump`, it keeps their normals."""
-    size = {name: len(mesh.faces) for name, mesh in scene.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
-    unpacking.check_shown(len(shown), sum(size.get(name, 0) for name, _ in shown), sum(size.values()))
-    copies = [(scene.geometry[name].copy(include_cache=True), transform) for name, transform in shown if name in size]
-    return [part.apply_transform(transform) for part, transform in copies]
+    copies = [(scene.geometry[name].copy(include_cache=True), transform) for name, transform in shown]
+    return [part.apply_transform(transform) for part, transform in copies if isinstance(part, trimesh.Trimesh)]
 
 
 def has_normals(mesh: trimesh.Trimesh) -> bool:
@@ -221,7 +211,7 @@ def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
         )
 
 
-def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
+def _as_vertices(vertices: Any) -> np.ndarray:
     if is_traced(vertices):
         raise MeshError(traced("vertices", "msf_jax.follow"))
     try:
@@ -236,12 +226,10 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if len(array) == 0:
         raise MeshError("the mesh is empty: it has no vertices")
     bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
-    if len(bad) and finite:
-        raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
-    sound = array[np.isfinite(array).all(axis=1)]
+    if len(bad):
+        raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them")
     with np.errstate(over="ignore"):
-        extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
-    largest = float(np.abs(sound).max(initial=0.0))
+        extent, largest = float(np.ptp(array, axis=0).max()), float(np.abs(array).max())
     if 0 < extent < SMALLEST_EXTENT or largest > 1 / SMALLEST_EXTENT:
         raise MeshError(
             f"the mesh has an extent of {extent:.3g}, and coordinates up to {largest:.3g}: expected an extent of "
@@ -259,7 +247,10 @@ def _as_faces(faces: Any, num_vertices: int) -> np.ndarray:
         raise MeshError("the mesh has no faces: expected a closed triangle mesh, not a point cloud or a set of lines")
     if array.ndim != 2 or array.shape[1] != 3:
         raise MeshError(f"the faces have shape {array.shape}: expected (F, 3): triangulate the mesh")
-    if not (np.issubdtype(array.dtype, np.integer) or _is_whole(array)):
+    is_whole = np.issubdtype(array.dtype, np.integer)
+    if np.issubdtype(array.dtype, np.floating):
+        is_whole = bool((np.isfinite(array) & (array == np.round(array))).all())
+    if not is_whole:
         raise MeshError(f"the faces are {array.dtype}, not whole numbers: expected vertex indices from 0")
     array = array.astype(np.int64)
     bad = np.flatnonzero(((array < 0) | (array >= num_vertices)).any(axis=1))
@@ -269,10 +260,6 @@ def _as_faces(faces: Any, num_vertices: int) -> np.ndarray:
             + (" (are they counted from 1?)" if array.min() == 1 and array.max() == num_vertices else "")
         )
     return array
-
-
-def _is_whole(array: np.ndarray) -> bool:
-    return np.issubdtype(array.dtype, np.floating) and bool((np.isfinite(array) & (array == np.round(array))).all())
 
 
 def count(found: np.ndarray, one: str, many: str) -> str:

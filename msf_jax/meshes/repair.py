@@ -1,6 +1,6 @@
 """Repair on request: from any list of triangles to closed, oriented, manifold surfaces, with every change counted.
 
-The steps are: place vertices that are not finite between their neighbours; weld coincident vertices at open edges;
+The steps are: weld coincident vertices at open edges;
 remove degenerate and duplicate faces, and internal walls; orient faces consistently; separate sheets that share an edge
 or a vertex; fill holes without new vertices; remove pieces without volume. Each vertex of the result is one of the
 caller's, so that weights, pins and gradients apply to it, except those of an extruded rim (see `holes`).
@@ -76,8 +76,8 @@ class Repaired(NamedTuple):
 
     vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. is_made: (V,) new vertices of an extruded
     rim, whose source is the vertex of the rim. vertex_of_given: (V_in,) the new vertex for each given one, or -1.
-    given: (V_in, 3) the given vertices, all finite. repairs: the changes, a sentence each. rims: the given vertices
-    around each filled hole. num_left_out: pieces beyond ``most_parts``.
+    repairs: the changes, a sentence each. rims: the given vertices around each filled hole. num_left_out: pieces beyond
+    ``most_parts``.
     """
 
     vertices: np.ndarray
@@ -85,25 +85,23 @@ class Repaired(NamedTuple):
     source: np.ndarray
     is_made: np.ndarray
     vertex_of_given: np.ndarray
-    given: np.ndarray
     repairs: tuple[str, ...]
     rims: tuple[np.ndarray, ...]
     num_left_out: int
 
 
 def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
-    """Repair ``vertices`` (V, 3), which may be NaN or infinite, and ``faces`` (F, 3), whose indices are in range.
+    """Repair ``vertices`` (V, 3) and ``faces`` (F, 3), whose indices are in range.
 
     Raises:
-        MeshError: nothing is left, or no vertex is finite.
+        MeshError: nothing is left.
     """
     repairs: list[str] = []
 
     def note(sentence: str, num: int, one: str) -> None:
         if num:
             many = "vertices" if one == "vertex" else f"{one}s"
-            words = {"was": "was", "its": "its"} if num == 1 else {"was": "were", "its": "their"}
-            repairs.append(sentence.format(f"{num} {one if num == 1 else many}", **words))
+            repairs.append(sentence.format(f"{num} {one if num == 1 else many}", was="was" if num == 1 else "were"))
 
     def without_doubles(faces: np.ndarray) -> np.ndarray:
         """The faces without those that have a corner twice, and with one of several with the same three corners."""
@@ -114,9 +112,7 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
         note("left out {} that {was} there already", len(faces) - len(first), "face")
         return faces[first]
 
-    given, num_placed = placed_between_neighbours(vertices, faces)
-    note("placed {} that {was} not finite between {its} neighbours", num_placed, "vertex")
-    faces = without_doubles(faces)
+    given, faces = vertices, without_doubles(faces)
     welded = np.arange(len(given))
     corners = given[faces.ravel()].reshape(-1, 3, 3)
     diagonal = float(np.linalg.norm(np.ptp(corners.reshape(-1, 3), axis=0))) if len(faces) else 0.0
@@ -170,7 +166,6 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
         source=source,
         is_made=is_made[used],
         vertex_of_given=first[welded],
-        given=given,
         repairs=tuple(repairs),
         rims=rims,
         num_left_out=list(left_out.values())[-1],
@@ -180,32 +175,6 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
 def has_corner_twice(faces: np.ndarray) -> np.ndarray:
     """(F,) whether a face of ``faces`` (F, 3) has the same corner twice."""
     return (faces == np.roll(faces, 1, axis=1)).any(axis=1)
-
-
-def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
-    """Place vertices that are not finite at the mean of their neighbours in faces, starting at finite neighbours.
-
-    Those without a finite neighbour go to the mean of all. Returns all vertices, and how many in a face were placed.
-    """
-    is_bad = np.logical_not(np.isfinite(vertices).all(axis=1))
-    if not is_bad.any():
-        return vertices, 0
-    if is_bad.all():
-        raise MeshError("no vertex is finite: expected coordinates")
-    vertices, is_left, num = vertices.copy(), is_bad.copy(), len(vertices)
-    onward = faces[:, [1, 2, 0]]
-    beside = graphs.weighted(num, np.concatenate([faces, onward]).T.ravel(), np.concatenate([onward, faces]).T.ravel())
-    vertices[is_left] = 0.0
-    while is_left.any():
-        known = (~is_left).astype(float)
-        count = beside @ known
-        now = is_left & (count > 0)
-        if not now.any():
-            vertices[is_left] = vertices[~is_left].mean(axis=0)
-            break
-        vertices[now] = (beside @ (vertices * known[:, None]))[now] / count[now, None]
-        is_left &= ~now
-    return vertices, int(np.sum(is_bad[np.unique(faces)]))
 
 
 def _rim(faces: np.ndarray) -> np.ndarray:

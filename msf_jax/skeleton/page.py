@@ -67,7 +67,7 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
 def _surfaces(skeleton: "Skeleton", mesh: "MeshLike | None", middle: np.ndarray) -> list[Any]:
     """The mesh in grey, if it is known. The legend shows and hides it."""
     if mesh is not None:
-        vertices, faces = reading.read(mesh, finite=False)
+        vertices, faces = reading.read(mesh)
         if len(skeleton.mesh_map):
             reading.check_map(skeleton.mesh_map, len(vertices))
     elif skeleton.source is not None:

@@ -562,7 +562,7 @@ class Skeleton:
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
-        vertices, faces = reading.read(mesh, finite=False)
+        vertices, faces = reading.read(mesh)
         reading.check_map(self.mesh_map, len(vertices))
         every, branch_of_node = self.branches, np.full(len(self.vertices), -1)
         for number, one in reversed(list(enumerate(every))):  # a junction has the first of its branches

@@ -6,7 +6,6 @@ nothing, and the replay of one tape is the run at any weights. There gradients m
 """
 
 import numbers
-import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -19,7 +18,7 @@ import numpy as np
 from tqdm import tqdm
 
 from msf_jax.base.errors import ConfigError, FlowError
-from msf_jax.base.options import Config, Weights, save_weights
+from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
 from msf_jax.flow.loop import checked_options
 from msf_jax.flow.state import Flow
@@ -68,10 +67,6 @@ class Tuned:
     trajectory: tuple[TuningStep, ...]
     reason: str
     of_defaults: float = np.nan
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the best weights to a JSON file, for ``msf-jax skeletonize --weights`` and `msf_jax.read_weights`."""
-        save_weights(self.weights, path)
 
     def __repr__(self) -> str:
         return (

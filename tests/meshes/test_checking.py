@@ -175,7 +175,7 @@ def test_garbage_with_a_known_suffix_is_refused_by_name(tmp_path: Path, content)
 def test_vertices_that_are_not_finite_are_counted_and_located(value):
     vertices, faces = pair(torus())
     vertices[[3, 17], [0, 2]] = value
-    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite", "repair=True")
+    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite")
     vertices, faces = pair(torus())
     vertices[5, 1] = value
     assert_says(refusal((vertices, faces)), "1 vertex (5) is not finite")

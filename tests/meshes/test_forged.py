@@ -14,7 +14,7 @@ from conftest import blob
 from file_cases import glb
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, Tape
+from msf_jax import Config, ConfigError, MeshError
 from msf_jax.app.cli import main
 from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
@@ -23,45 +23,36 @@ from msf_jax.skeleton.skeleton import curve_of
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
-    """A tape and a curve of one mesh, as arrays by name."""
-    folder, arrays = tmp_path_factory.mktemp("written"), {}
-    flow = msf_jax.contract(blob(5, 2), config=Config(max_iterations=3))
-    flow.tape.save(folder / "tape.npz")
-    flow.skeleton.save(folder / "skeleton.npz")
-    for kind in ("tape", "skeleton"):
-        with np.load(folder / f"{kind}.npz") as file:
-            arrays[kind] = dict(file)
-    return arrays
+    """A curve, as arrays by name."""
+    path = tmp_path_factory.mktemp("written") / "skeleton.npz"
+    msf_jax.skeletonize(blob(5, 2), config=Config(max_iterations=3)).save(path)
+    with np.load(path) as file:
+        return dict(file)
 
 
 @pytest.mark.parametrize(
-    ("kind", "name", "change"),
+    ("name", "change"),
     [
-        ("tape", "parts/0/stretches/0/left", lambda a: np.full_like(a, np.nan)),
-        ("tape", "parts/0/tetrahedron", lambda a: -1 - a),
-        ("tape", "node_of_vertex", lambda a: a + 10**6),
-        ("tape", "edges", lambda a: a.astype(float)),
-        ("tape", "is_inside", lambda a: a[:-1]),
-        ("skeleton", "mesh_map", lambda a: a.astype(float)),
-        ("skeleton", "radii", lambda a: -1 - a),
-        ("skeleton", "edges", lambda a: a[1:]),
-        ("skeleton", "areas", lambda a: a * np.nan),
-        ("skeleton", "surface_faces", lambda a: a[:0]),
-        ("skeleton", "surface_vertices", lambda a: np.ones_like(a)),
+        ("mesh_map", lambda a: a.astype(float)),
+        ("radii", lambda a: -1 - a),
+        ("edges", lambda a: a[1:]),
+        ("areas", lambda a: a * np.nan),
+        ("surface_faces", lambda a: a[:0]),
+        ("surface_vertices", lambda a: np.ones_like(a)),
     ],
 )
-def test_altered_arrays_are_refused(written, tmp_path, kind, name, change):
+def test_altered_arrays_are_refused(written, tmp_path, name, change):
     """Types, shapes, ranges and indices; and places of arrays that are before the file."""
-    path, load = tmp_path / "file.npz", Tape.load if kind == "tape" else msf_jax.read_curve
-    np.savez(path, **written[kind])
-    load(path)
+    path = tmp_path / "file.npz"
+    np.savez(path, **written)
+    msf_jax.read_curve(path)
     content = path.read_bytes()
-    np.savez(path, **written[kind] | {name: change(written[kind][name])})
+    np.savez(path, **written | {name: change(written[name])})
     for forged in (path.read_bytes(), content[:100] + content[2000:]):
         path.write_bytes(forged)
         # The tests turn NumPy's warnings into errors; users see only warnings.
-        with np.errstate(all="ignore"), pytest.raises(ConfigError, match=f"is no {kind}, or a damaged one"):
-            load(path)
+        with np.errstate(all="ignore"), pytest.raises(ConfigError, match="is no skeleton, or a damaged one"):
+            msf_jax.read_curve(path)
 
 
 @pytest.mark.parametrize(
@@ -122,14 +113,14 @@ def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_pa
     ("says", "place", "change"),
     [
         ("has no bufferView, and so no data", "accessors", {"bufferView": None}),
-        (r"accessor \d has \d+ bytes: expected 800000000", "accessors", {"count": 200_000_000}),
-        ("ends after its buffer", "bufferViews", {"byteLength": 10**6}),
-        (r"buffer 0 has \d+ bytes: expected 4000000000", "buffers", {"byteLength": 4_000_000_000}),
+        (r"its accessors have \d+ bytes, but its buffers", "accessors", {"count": 200_000_000}),
+        (r"its views have \d+ bytes, but its buffers", "bufferViews", {"byteLength": 10**9}),
+        ("-1' for a count", "accessors", {"bufferView": -1}),
         ("-1' for a count", "accessors", {"count": -1}),
         ("30000 instances", "nodes", {}),
     ],
 )
-def test_gltf_has_bytes_behind_its_numbers_before_it_is_loaded(tmp_path, monkeypatch, says, place, change):
+def test_gltf_asks_for_no_more_than_its_bytes_before_it_is_loaded(tmp_path, monkeypatch, says, place, change):
     def forge(document):
         if place == "nodes":
             document["nodes"] = [{"mesh": 0}] * 30_000
@@ -157,15 +148,14 @@ def test_a_lack_of_memory_while_a_file_is_read_is_an_error_of_the_mesh(tmp_path,
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
 def test_a_pipe_is_no_file(tmp_path):
     """Nobody writes to it, so that reading it would never end."""
-    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc", "x.json", "weights")]
+    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc", "x.json")]
     for path in paths:
         os.mkfifo(path)
-    script = "import sys; from msf_jax.app.cli import main; a, *b, c = sys.argv[1:]\n"
-    script += "codes = [main(['skeletonize', a]), *(main(['report', each]) for each in b)]\n"
-    script += "sys.exit([*codes, main(['view', a, '-o', 'a.html', '--weights', c])] != [2] * 5)"
+    script = "import sys; from msf_jax.app.cli import main; a, *b = sys.argv[1:]\n"
+    script += "sys.exit([main(['skeletonize', a]), *(main(['report', each]) for each in b)] != [2] * 4)"
     done = subprocess.run([sys.executable, "-c", script, *paths], capture_output=True, text=True, timeout=120)
-    says = "is a pipe or a device|is no file|is not a regular file"
-    assert done.returncode == 0 and len(re.findall(says, done.stderr)) == 5, done.stderr
+    says = "is a pipe or a device|is no file"
+    assert done.returncode == 0 and len(re.findall(says, done.stderr)) == 4, done.stderr
 
 
 def test_escapes_are_not_sent_to_the_terminal(tmp_path, capsys):

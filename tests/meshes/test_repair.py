@@ -76,26 +76,6 @@ def test_many_vertices_in_one_place_are_welded_in_little_memory():
     assert len(found.vertices) == len(vertices)
 
 
-@pytest.mark.slow
-def test_a_tape_of_a_mesh_with_nan_knows_it_again(tmp_path):
-    broken = VERTICES.copy()
-    broken[17] = np.nan
-    run = msf_jax.contract((broken, FACES), config=Config(max_iterations=2), repair=True)
-    run.tape.save(tmp_path / "run.npz")
-    assert msf_jax.Tape.load(tmp_path / "run.npz", (broken, FACES)).mesh_id == run.tape.mesh_id
-
-
-def test_vertices_that_are_not_finite_go_between_their_neighbours():
-    broken = VERTICES.copy()
-    broken[5], broken[600] = np.nan, np.inf
-    found = checking.prepare((broken, FACES), True)
-    assert_sound(found, len(VERTICES))
-    assert found.repairs == ("placed 2 vertices that were not finite between their neighbours",)
-    around = np.unique(FACES[(FACES == 600).any(axis=1)])
-    expected = VERTICES[around[around != 600]].mean(axis=0)
-    np.testing.assert_allclose(found.vertices[600], expected, atol=1e-12)
-
-
 def test_small_parts_are_kept_unless_asked():
     crumb = faults.box()
     mesh = faults.joined((VERTICES, FACES), (crumb[0] * 0.01 + 3, crumb[1]))
@@ -156,7 +136,7 @@ def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():
     vertices, faces = faults.topology_variants()["many holes"]
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=4), repair=True)
     assert run.tape.vertices.shape == vertices.shape
-    run.tape.check((vertices, faces))
+    np.testing.assert_array_equal(run.tape.vertices, vertices)
     nodes = np.asarray(msf_jax.replay(run.tape, run.weights))
     assert np.abs(nodes - run.curve.vertices).max() < 1e-9
 

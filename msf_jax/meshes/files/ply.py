@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.meshes.files.text import MARKS, decoded, lines_of, triangulated
+from msf_jax.meshes.files.text import decoded, lines_of, triangulated
 
-HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
+HEADER = re.compile(rb"\A(?:\xef\xbb\xbf)?(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)
 KINDS = "char uchar short ushort int uint float double int8 uint8 int16 uint16 int32 uint32 float32 float64"
 TYPES: dict[str, str] = dict(zip(KINDS.split(), 2 * ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"], strict=True))
 WIDEST = 256  # numbers in a row that are read by column
@@ -33,7 +33,6 @@ def mesh(content: bytes) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         ValueError: it is no PLY, or is damaged; the message says where.
     """
-    content = decoded(content).encode() if content.startswith(tuple(MARKS)) else content
     head = HEADER.match(content)
     if head is None:
         raise ValueError("it does not begin with ply, or its header has no end_header")

@@ -23,7 +23,7 @@ def solids(content: bytes) -> list[np.ndarray]:
     expected = HEADER_BYTES + num * ROW.itemsize
     if len(content) >= HEADER_BYTES and len(content) == expected:
         return [np.frombuffer(content, ROW, offset=HEADER_BYTES)["corners"].astype(np.float64)] if num else []
-    if b"\0" in content and content[:2] not in (b"\xff\xfe", b"\xfe\xff"):
+    if b"\0" in content:
         raise ValueError(f"it is cut off, or no STL: {num} triangles need {expected} bytes, it has {len(content)}")
     text = decoded(content)
     pieces = re.split(r"^[ \t]*endsolid\b.*$", text, flags=ONE_LINE)

@@ -6,7 +6,6 @@ of the file. Here polygons are cut into triangles: a quad by the shorter of the 
 of more corners by ear clipping.
 """
 
-import codecs
 import re
 
 import numpy as np
@@ -14,29 +13,19 @@ import numpy as np
 from msf_jax.meshes.holes import lid_of
 
 OFF_HEADER = re.compile(r"\s*(?:ST)?C?N?OFF\b(?!\s*BINARY)", re.IGNORECASE)
-MARKS = {  # encoding of each byte-order mark; UTF-32's begins as UTF-16's, so it is first
-    codecs.BOM_UTF8: "utf-8",
-    codecs.BOM_UTF32_LE: "utf-32-le",
-    codecs.BOM_UTF32_BE: "utf-32-be",
-    codecs.BOM_UTF16_LE: "utf-16-le",
-    codecs.BOM_UTF16_BE: "utf-16-be",
-}
 MeshArrays = tuple[np.ndarray, np.ndarray]
 
 
 def decoded(content: bytes) -> str:
-    """The text in ``content``: as its byte-order mark says, else UTF-8, else Latin-1.
+    """The text in ``content``: UTF-8, with or without a byte-order mark, else Latin-1.
 
     Raises:
         ValueError: it is no text; the message says what it has.
     """
-    for mark, encoding in MARKS.items():
-        if content.startswith(mark):
-            return content[len(mark) :].decode(encoding)
     if b"\0" in content:
-        raise ValueError("it is no text, or UTF-16 without a byte-order mark: save it as UTF-8")
+        raise ValueError("it is no text, or UTF-16: save it as UTF-8")
     try:
-        return content.decode()
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return content.decode("latin-1")  # only comments and names can differ: numbers are ASCII
 

@@ -47,7 +47,7 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     """
     name = Path(path).name
     if name.lower().endswith(".npz"):
-        with archive.reading(path, KIND, FORMAT_VERSION, "save the skeleton anew") as (_, arrays):
+        with archive.reading(path, KIND, FORMAT_VERSION, "save the skeleton anew") as arrays:
             return Skeleton(**_of_arrays(arrays))
     suffix = next((suffix for suffix in READERS if name.lower().endswith(suffix)), None)
     if suffix is None:

@@ -154,7 +154,7 @@ def npz(skeleton: "Skeleton") -> bytes:
         if source.input_of_vertex is not None:
             arrays["input_of_vertex"] = source.input_of_vertex
     arrays["report"] = np.array(json.dumps(skeleton.report.to_dict()))
-    return archive.packed(KIND, FORMAT_VERSION, {}, arrays)
+    return archive.packed(KIND, FORMAT_VERSION, arrays)
 
 
 def plain_json(skeleton: "Skeleton") -> str:

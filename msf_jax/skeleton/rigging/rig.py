@@ -114,7 +114,7 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
     """See `Skeleton.rig`."""
     if names is not None and names not in STANDARDS:
         raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(STANDARDS)}")
-    vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh, finite=False)
+    vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh)
     reading.check_map(skeleton.mesh_map, len(vertices))
     nodes, edges, node = skeleton.vertices, skeleton.edges, skeleton.mesh_map
     vertices = np.where(np.isfinite(vertices).all(axis=1, keepdims=True), vertices, nodes[node])
