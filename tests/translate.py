@@ -37,7 +37,7 @@ OPTIONS: dict[str, Any] = {
 MODULES = (
     "msf_jax.solid.handles",
     "msf_jax.solid.kernels",
-    "msf_jax.solid.walks",
+    "msf_jax.solid.sections",
     "msf_jax.limbs.fronts",
     "msf_jax.limbs.levels",
     "msf_jax.limbs.tree",

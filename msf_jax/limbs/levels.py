@@ -117,7 +117,7 @@ def measure_rings(points: Points, segments: Rows, ring: Ints, sums: Points) -> N
     area vector; and one of its points."""
     for row in range(len(segments)):
         a, b, own = points[segments[row, 0]], points[segments[row, 1]], sums[ring[segments[row, 0]]]
-        length = norm(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+        length = norm((b[0] - a[0], b[1] - a[1], b[2] - a[2]))
         own[0] += length
         for i in range(3):
             own[1 + i] += length * ((a[i] + b[i]) / 2)
@@ -130,7 +130,7 @@ def measure_rings(points: Points, segments: Rows, ring: Ints, sums: Points) -> N
         ax, ay, az = a[0] - own[1], a[1] - own[2], a[2] - own[3]
         bx, by, bz = b[0] - own[1], b[1] - own[2], b[2] - own[3]
         x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        area = norm(x, y, z)
+        area = norm((x, y, z))
         own[4] += area
         for i in range(3):
             own[5 + i] += area * ((a[i] + b[i] + own[1 + i]) / 3)

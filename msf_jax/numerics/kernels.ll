@@ -1,4 +1,5 @@
 ; Made of the kernels by `python -m tests.translate`: edit those.
+@0 = internal unnamed_addr constant [3 x double] [double 1.500000e+00, double 4.500000e+00, double 1.350000e+01], align 8
 declare i64 @llvm.smin.i64(i64, i64)
 define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
@@ -47,46 +48,46 @@ define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_u
   %45 = getelementptr i8, ptr %0, i64 216
   %46 = load i64, ptr %45, align 8
   %47 = icmp slt i64 %4, 1
-  br i1 %47, label %283, label %48
+  br i1 %47, label %265, label %48
 48:
   %49 = icmp eq i64 %30, 0
   %50 = tail call i64 @llvm.smin.i64(i64 %30, i64 1)
-  br i1 %49, label %283, label %51
+  br i1 %49, label %265, label %51
 51:
   %52 = shl i64 %36, 3
   %53 = shl i64 %40, 3
-  br label %161
+  br label %150
 54:
-  %55 = phi i64 [ %50, %161 ], [ %160, %159 ]
+  %55 = phi i64 [ %50, %150 ], [ %149, %148 ]
   %56 = icmp slt i64 %55, 0
   %57 = select i1 %56, i64 %24, i64 0
   %58 = add i64 %57, %55
   %59 = mul i64 %58, %26
   %60 = getelementptr double, ptr %22, i64 %59
   %61 = load double, ptr %60, align 8
-  %62 = fcmp ogt double %61, %173
+  %62 = fcmp ogt double %61, %172
   br i1 %62, label %89, label %63
 63:
   %64 = shl i64 %59, 3
   %65 = getelementptr i8, ptr %22, i64 %64
   %66 = getelementptr i8, ptr %65, i64 8
   %67 = load double, ptr %66, align 8
-  %68 = fcmp ogt double %67, %181
+  %68 = fcmp ogt double %67, %174
   br i1 %68, label %89, label %69
 69:
   %70 = getelementptr i8, ptr %65, i64 16
   %71 = load double, ptr %70, align 8
-  %72 = fcmp ogt double %71, %187
+  %72 = fcmp ogt double %71, %176
   br i1 %72, label %89, label %73
 73:
   %74 = getelementptr i8, ptr %65, i64 24
   %75 = load double, ptr %74, align 8
-  %76 = fcmp olt double %75, %171
+  %76 = fcmp olt double %75, %168
   br i1 %76, label %89, label %77
 77:
   %78 = getelementptr i8, ptr %65, i64 32
   %79 = load double, ptr %78, align 8
-  %80 = fcmp olt double %79, %179
+  %80 = fcmp olt double %79, %170
   br i1 %80, label %89, label %81
 81:
   %82 = icmp slt i64 %55, %30
@@ -98,2032 +99,1278 @@ define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_u
   br label %89
 87:
   %88 = shl nsw i64 %55, 1
-  br label %156
+  br label %145
 89:
   %90 = phi i64 [ %86, %83 ], [ -1, %69 ], [ -1, %73 ], [ -1, %77 ], [ -1, %63 ], [ -1, %54 ]
   %91 = add nsw i64 %55, 1
   %92 = and i64 %55, 1
   %93 = icmp eq i64 %92, 0
-  br i1 %93, label %198, label %94
+  br i1 %93, label %182, label %94
 94:
   %95 = phi i64 [ %96, %94 ], [ %91, %89 ]
   %96 = ashr i64 %95, 1
   %97 = and i64 %95, 2
   %98 = icmp eq i64 %97, 0
-  br i1 %98, label %94, label %198
+  br i1 %98, label %94, label %182
 99:
-  %100 = fcmp oge double %236, 0.000000e+00
-  %101 = fcmp ult double %241, 0.000000e+00
+  %100 = fcmp oge double %218, 0.000000e+00
+  %101 = fcmp ult double %223, 0.000000e+00
   %102 = xor i1 %100, %101
-  br i1 %102, label %156, label %103
+  br i1 %102, label %145, label %103
 103:
-  %104 = fsub double %222, %229
-  %105 = fdiv double %222, %104
-  %106 = fsub double %236, %241
-  %107 = fdiv double %236, %106
-  %108 = load double, ptr %194, align 8
-  %109 = load double, ptr %195, align 8
-  %110 = fsub double %109, %108
-  %111 = fmul double %105, %110
-  %112 = fadd double %108, %111
-  %113 = shl i64 %207, 3
-  %114 = getelementptr i8, ptr %14, i64 %113
-  %115 = getelementptr i8, ptr %114, i64 16
-  %116 = load double, ptr %115, align 8
-  %117 = fsub double %112, %116
-  %118 = shl i64 %204, 3
-  %119 = getelementptr i8, ptr %18, i64 %118
-  %120 = getelementptr i8, ptr %119, i64 16
-  %121 = load double, ptr %120, align 8
-  %122 = fsub double %121, %116
-  %123 = fmul double %107, %122
-  %124 = fcmp ogt double %117, %123
-  br i1 %124, label %245, label %153
-125:
-  %126 = phi i64 [ %151, %125 ], [ %254, %252 ]
-  %127 = phi i64 [ %128, %125 ], [ %247, %252 ]
-  %128 = add i64 %127, 1
-  %129 = load i64, ptr %197, align 8
-  %130 = icmp slt i64 %127, 0
-  %131 = select i1 %130, i64 %52, i64 0
-  %132 = getelementptr i8, ptr %34, i64 %131
-  %133 = shl i64 %127, 3
-  %134 = getelementptr i8, ptr %132, i64 %133
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp slt i64 %129, 0
-  %137 = select i1 %136, i64 %44, i64 0
-  %138 = add i64 %137, %129
-  %139 = icmp slt i64 %135, 0
-  %140 = select i1 %139, i64 %46, i64 0
-  %141 = mul i64 %138, %46
-  %142 = getelementptr i64, ptr %42, i64 %141
-  %143 = getelementptr i64, ptr %142, i64 %135
-  %144 = getelementptr i64, ptr %143, i64 %140
-  %145 = load i64, ptr %144, align 8
-  %146 = select i1 %130, i64 %53, i64 0
-  %147 = getelementptr i8, ptr %38, i64 %146
-  %148 = getelementptr i8, ptr %147, i64 %133
-  %149 = load i64, ptr %148, align 8
-  %150 = add nsw i64 %149, %145
-  store i64 %150, ptr %144, align 8
-  %151 = add i64 %126, -1
-  %152 = icmp samesign ugt i64 %151, 1
-  br i1 %152, label %125, label %153
-153:
-  br i1 %200, label %154, label %159
-154:
-  %155 = icmp eq i64 %4, %163
-  br i1 %155, label %283, label %161
-156:
-  %157 = phi i64 [ %88, %87 ], [ %201, %198 ], [ %201, %203 ], [ %201, %99 ]
-  %158 = icmp eq i64 %157, 0
-  br i1 %158, label %154, label %159
-159:
-  %160 = phi i64 [ %199, %153 ], [ %157, %156 ]
+  %104 = fsub double %208, %213
+  %105 = fdiv double %208, %104
+  %106 = fsub double %218, %223
+  %107 = fdiv double %218, %106
+  %108 = fmul double %177, %105
+  %109 = fadd double %159, %108
+  %110 = fsub double %109, %194
+  %111 = fsub double %201, %194
+  %112 = fmul double %111, %107
+  %113 = fcmp ogt double %110, %112
+  br i1 %113, label %227, label %142
+114:
+  %115 = phi i64 [ %140, %114 ], [ %236, %234 ]
+  %116 = phi i64 [ %117, %114 ], [ %229, %234 ]
+  %117 = add i64 %116, 1
+  %118 = load i64, ptr %181, align 8
+  %119 = icmp slt i64 %116, 0
+  %120 = select i1 %119, i64 %52, i64 0
+  %121 = getelementptr i8, ptr %34, i64 %120
+  %122 = shl i64 %116, 3
+  %123 = getelementptr i8, ptr %121, i64 %122
+  %124 = load i64, ptr %123, align 8
+  %125 = icmp slt i64 %118, 0
+  %126 = select i1 %125, i64 %44, i64 0
+  %127 = add i64 %126, %118
+  %128 = icmp slt i64 %124, 0
+  %129 = select i1 %128, i64 %46, i64 0
+  %130 = mul i64 %127, %46
+  %131 = getelementptr i64, ptr %42, i64 %130
+  %132 = getelementptr i64, ptr %131, i64 %124
+  %133 = getelementptr i64, ptr %132, i64 %129
+  %134 = load i64, ptr %133, align 8
+  %135 = select i1 %119, i64 %53, i64 0
+  %136 = getelementptr i8, ptr %38, i64 %135
+  %137 = getelementptr i8, ptr %136, i64 %122
+  %138 = load i64, ptr %137, align 8
+  %139 = add nsw i64 %138, %134
+  store i64 %139, ptr %133, align 8
+  %140 = add i64 %115, -1
+  %141 = icmp samesign ugt i64 %140, 1
+  br i1 %141, label %114, label %142
+142:
+  br i1 %184, label %143, label %148
+143:
+  %144 = icmp eq i64 %4, %152
+  br i1 %144, label %265, label %150
+145:
+  %146 = phi i64 [ %88, %87 ], [ %185, %182 ], [ %185, %187 ], [ %185, %99 ]
+  %147 = icmp eq i64 %146, 0
+  br i1 %147, label %143, label %148
+148:
+  %149 = phi i64 [ %183, %142 ], [ %146, %145 ]
   br label %54
-161:
-  %162 = phi i64 [ %163, %154 ], [ 0, %51 ]
-  %163 = add nuw nsw i64 %162, 1
-  %164 = mul i64 %162, %6
-  %165 = getelementptr double, ptr %2, i64 %164
+150:
+  %151 = phi i64 [ %152, %143 ], [ 0, %51 ]
+  %152 = add nuw nsw i64 %151, 1
+  %153 = mul i64 %151, %6
+  %154 = getelementptr double, ptr %2, i64 %153
+  %155 = load double, ptr %154, align 8
+  %156 = getelementptr i8, ptr %154, i64 8
+  %157 = load double, ptr %156, align 8
+  %158 = getelementptr i8, ptr %154, i64 16
+  %159 = load double, ptr %158, align 8
+  %160 = mul i64 %151, %10
+  %161 = getelementptr double, ptr %8, i64 %160
+  %162 = load double, ptr %161, align 8
+  %163 = getelementptr i8, ptr %161, i64 8
+  %164 = load double, ptr %163, align 8
+  %165 = getelementptr i8, ptr %161, i64 16
   %166 = load double, ptr %165, align 8
-  %167 = mul i64 %162, %10
-  %168 = getelementptr double, ptr %8, i64 %167
-  %169 = load double, ptr %168, align 8
-  %170 = fcmp olt double %169, %166
-  %171 = select i1 %170, double %169, double %166
-  %172 = fcmp ogt double %169, %166
-  %173 = select i1 %172, double %169, double %166
-  %174 = getelementptr i8, ptr %165, i64 8
-  %175 = load double, ptr %174, align 8
-  %176 = getelementptr i8, ptr %168, i64 8
-  %177 = load double, ptr %176, align 8
-  %178 = fcmp olt double %177, %175
-  %179 = select i1 %178, double %177, double %175
-  %180 = fcmp ogt double %177, %175
-  %181 = select i1 %180, double %177, double %175
-  %182 = getelementptr i8, ptr %165, i64 16
-  %183 = load double, ptr %182, align 8
-  %184 = getelementptr i8, ptr %168, i64 16
-  %185 = load double, ptr %184, align 8
-  %186 = fcmp ogt double %185, %183
-  %187 = select i1 %186, double %185, double %183
-  %188 = shl i64 %164, 3
-  %189 = getelementptr i8, ptr %2, i64 %188
-  %190 = getelementptr i8, ptr %189, i64 8
-  %191 = shl i64 %167, 3
-  %192 = getelementptr i8, ptr %8, i64 %191
-  %193 = getelementptr i8, ptr %192, i64 8
-  %194 = getelementptr i8, ptr %189, i64 16
-  %195 = getelementptr i8, ptr %192, i64 16
-  %196 = shl i64 %162, 3
-  %197 = getelementptr i8, ptr %12, i64 %196
+  %167 = fcmp olt double %162, %155
+  %168 = select i1 %167, double %162, double %155
+  %169 = fcmp olt double %164, %157
+  %170 = select i1 %169, double %164, double %157
+  %171 = fcmp ogt double %162, %155
+  %172 = select i1 %171, double %162, double %155
+  %173 = fcmp ogt double %164, %157
+  %174 = select i1 %173, double %164, double %157
+  %175 = fcmp ogt double %166, %159
+  %176 = select i1 %175, double %166, double %159
+  %177 = fsub double %166, %159
+  %178 = fsub double %162, %155
+  %179 = fsub double %164, %157
+  %180 = shl i64 %151, 3
+  %181 = getelementptr i8, ptr %12, i64 %180
   br label %54
-198:
-  %199 = phi i64 [ %91, %89 ], [ %96, %94 ]
-  %200 = icmp slt i64 %199, 2
-  %201 = select i1 %200, i64 0, i64 %199
-  %202 = icmp slt i64 %90, 0
-  br i1 %202, label %156, label %203
-203:
-  %204 = mul i64 %90, %20
-  %205 = getelementptr double, ptr %18, i64 %204
-  %206 = load double, ptr %205, align 8
-  %207 = mul i64 %90, %16
-  %208 = getelementptr double, ptr %14, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = fsub double %206, %209
-  %211 = getelementptr i8, ptr %205, i64 8
-  %212 = load double, ptr %211, align 8
-  %213 = getelementptr i8, ptr %208, i64 8
-  %214 = load double, ptr %213, align 8
-  %215 = fsub double %212, %214
-  %216 = load double, ptr %190, align 8
-  %217 = fsub double %216, %214
-  %218 = fmul double %210, %217
-  %219 = load double, ptr %189, align 8
-  %220 = fsub double %219, %209
-  %221 = fmul double %215, %220
-  %222 = fsub double %218, %221
-  %223 = load double, ptr %193, align 8
-  %224 = fsub double %223, %214
-  %225 = fmul double %210, %224
-  %226 = load double, ptr %192, align 8
-  %227 = fsub double %226, %209
-  %228 = fmul double %215, %227
-  %229 = fsub double %225, %228
-  %230 = fsub double %226, %219
-  %231 = fsub double %223, %216
-  %232 = fsub double %214, %216
-  %233 = fmul double %232, %230
-  %234 = fsub double %209, %219
-  %235 = fmul double %234, %231
-  %236 = fsub double %233, %235
-  %237 = fsub double %212, %216
-  %238 = fmul double %237, %230
-  %239 = fsub double %206, %219
-  %240 = fmul double %239, %231
-  %241 = fsub double %238, %240
-  %242 = fcmp oge double %222, 0.000000e+00
-  %243 = fcmp ult double %229, 0.000000e+00
-  %244 = xor i1 %242, %243
-  br i1 %244, label %156, label %99
-245:
-  %246 = getelementptr i64, ptr %32, i64 %90
+182:
+  %183 = phi i64 [ %91, %89 ], [ %96, %94 ]
+  %184 = icmp slt i64 %183, 2
+  %185 = select i1 %184, i64 0, i64 %183
+  %186 = icmp slt i64 %90, 0
+  br i1 %186, label %145, label %187
+187:
+  %188 = mul i64 %90, %16
+  %189 = getelementptr double, ptr %14, i64 %188
+  %190 = load double, ptr %189, align 8
+  %191 = getelementptr i8, ptr %189, i64 8
+  %192 = load double, ptr %191, align 8
+  %193 = getelementptr i8, ptr %189, i64 16
+  %194 = load double, ptr %193, align 8
+  %195 = mul i64 %90, %20
+  %196 = getelementptr double, ptr %18, i64 %195
+  %197 = load double, ptr %196, align 8
+  %198 = getelementptr i8, ptr %196, i64 8
+  %199 = load double, ptr %198, align 8
+  %200 = getelementptr i8, ptr %196, i64 16
+  %201 = load double, ptr %200, align 8
+  %202 = fsub double %197, %190
+  %203 = fsub double %157, %192
+  %204 = fmul double %203, %202
+  %205 = fsub double %199, %192
+  %206 = fsub double %155, %190
+  %207 = fmul double %206, %205
+  %208 = fsub double %204, %207
+  %209 = fsub double %164, %192
+  %210 = fmul double %209, %202
+  %211 = fsub double %162, %190
+  %212 = fmul double %211, %205
+  %213 = fsub double %210, %212
+  %214 = fsub double %192, %157
+  %215 = fmul double %178, %214
+  %216 = fsub double %190, %155
+  %217 = fmul double %179, %216
+  %218 = fsub double %215, %217
+  %219 = fsub double %199, %157
+  %220 = fmul double %178, %219
+  %221 = fsub double %197, %155
+  %222 = fmul double %179, %221
+  %223 = fsub double %220, %222
+  %224 = fcmp oge double %208, 0.000000e+00
+  %225 = fcmp ult double %213, 0.000000e+00
+  %226 = xor i1 %224, %225
+  br i1 %226, label %145, label %99
+227:
+  %228 = getelementptr i64, ptr %32, i64 %90
+  %229 = load i64, ptr %228, align 8
+  %230 = getelementptr i8, ptr %228, i64 8
+  %231 = load i64, ptr %230, align 8
+  %232 = sub i64 %231, %229
+  %233 = icmp slt i64 %232, 1
+  br i1 %233, label %142, label %234
+234:
+  %235 = fcmp ogt double %213, %208
+  %236 = add nuw i64 %232, 1
+  br i1 %235, label %237, label %114
+237:
+  %238 = phi i64 [ %263, %237 ], [ %236, %234 ]
+  %239 = phi i64 [ %240, %237 ], [ %229, %234 ]
+  %240 = add i64 %239, 1
+  %241 = load i64, ptr %181, align 8
+  %242 = icmp slt i64 %239, 0
+  %243 = select i1 %242, i64 %52, i64 0
+  %244 = getelementptr i8, ptr %34, i64 %243
+  %245 = shl i64 %239, 3
+  %246 = getelementptr i8, ptr %244, i64 %245
   %247 = load i64, ptr %246, align 8
-  %248 = getelementptr i8, ptr %246, i64 8
-  %249 = load i64, ptr %248, align 8
-  %250 = sub i64 %249, %247
-  %251 = icmp slt i64 %250, 1
-  br i1 %251, label %153, label %252
-252:
-  %253 = fcmp ogt double %229, %222
-  %254 = add nuw i64 %250, 1
-  br i1 %253, label %255, label %125
-255:
-  %256 = phi i64 [ %281, %255 ], [ %254, %252 ]
-  %257 = phi i64 [ %258, %255 ], [ %247, %252 ]
-  %258 = add i64 %257, 1
-  %259 = load i64, ptr %197, align 8
-  %260 = icmp slt i64 %257, 0
-  %261 = select i1 %260, i64 %52, i64 0
-  %262 = getelementptr i8, ptr %34, i64 %261
-  %263 = shl i64 %257, 3
-  %264 = getelementptr i8, ptr %262, i64 %263
-  %265 = load i64, ptr %264, align 8
-  %266 = icmp slt i64 %259, 0
-  %267 = select i1 %266, i64 %44, i64 0
-  %268 = add i64 %267, %259
-  %269 = icmp slt i64 %265, 0
-  %270 = select i1 %269, i64 %46, i64 0
-  %271 = mul i64 %268, %46
-  %272 = getelementptr i64, ptr %42, i64 %271
-  %273 = getelementptr i64, ptr %272, i64 %265
-  %274 = getelementptr i64, ptr %273, i64 %270
-  %275 = load i64, ptr %274, align 8
-  %276 = select i1 %260, i64 %53, i64 0
-  %277 = getelementptr i8, ptr %38, i64 %276
-  %278 = getelementptr i8, ptr %277, i64 %263
-  %279 = load i64, ptr %278, align 8
-  %280 = sub i64 %275, %279
-  store i64 %280, ptr %274, align 8
-  %281 = add i64 %256, -1
-  %282 = icmp samesign ugt i64 %281, 1
-  br i1 %282, label %255, label %153
-283:
-  ret i64 0
-}
-define internal fastcc void @0(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr {
-  %10 = icmp slt i64 %8, 0
-  %11 = select i1 %10, i64 %5, i64 0
-  %12 = add i64 %11, %8
-  %13 = mul i64 %7, %6
-  %14 = mul i64 %13, %12
-  %15 = getelementptr double, ptr %4, i64 %14
-  %16 = load double, ptr %15, align 8
-  %17 = getelementptr i8, ptr %15, i64 8
-  %18 = load double, ptr %17, align 8
-  %19 = getelementptr i8, ptr %15, i64 16
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr double, ptr %4, i64 %7
-  %22 = getelementptr double, ptr %21, i64 %14
-  %23 = load double, ptr %22, align 8
-  %24 = fsub double %23, %16
-  %25 = getelementptr i8, ptr %22, i64 8
-  %26 = load double, ptr %25, align 8
-  %27 = fsub double %26, %18
-  %28 = getelementptr i8, ptr %22, i64 16
-  %29 = load double, ptr %28, align 8
-  %30 = fsub double %29, %20
-  %31 = fsub double %1, %16
-  %32 = fsub double %2, %18
-  %33 = fsub double %3, %20
-  %34 = fmul double %24, %24
-  %35 = fmul double %30, %30
-  %36 = fadd double %34, %35
-  %37 = fmul double %27, %27
-  %38 = fadd double %37, %36
-  %39 = fcmp ogt double %38, 0.000000e+00
-  br i1 %39, label %42, label %53
-40:
-  %41 = phi double [ %151, %137 ], [ %151, %170 ], [ %216, %207 ]
-  store double %41, ptr %0, align 8
-  ret void
-42:
-  %43 = fmul double %31, %24
-  %44 = fmul double %33, %30
-  %45 = fadd double %43, %44
-  %46 = fmul double %32, %27
-  %47 = fadd double %46, %45
-  %48 = fdiv double %47, %38
-  %49 = fcmp olt double %48, 0.000000e+00
-  %50 = select i1 %49, double 0.000000e+00, double %48
-  %51 = fcmp ogt double %50, 1.000000e+00
-  %52 = select i1 %51, double 1.000000e+00, double %50
-  br label %53
-53:
-  %54 = phi double [ 0.000000e+00, %9 ], [ %52, %42 ]
-  %55 = fmul double %24, %54
-  %56 = fsub double %31, %55
-  %57 = fmul double %27, %54
-  %58 = fsub double %32, %57
-  %59 = fmul double %30, %54
-  %60 = fsub double %33, %59
-  %61 = fmul double %56, %56
-  %62 = fmul double %60, %60
-  %63 = fadd double %61, %62
-  %64 = fmul double %58, %58
-  %65 = fadd double %64, %63
-  %66 = fcmp olt double %65, 0x7FF0000000000000
-  %67 = select i1 %66, double %65, double 0x7FF0000000000000
-  %68 = shl i64 %7, 4
-  %69 = getelementptr i8, ptr %4, i64 %68
-  %70 = getelementptr double, ptr %69, i64 %14
-  %71 = load double, ptr %70, align 8
-  %72 = fsub double %71, %23
-  %73 = getelementptr i8, ptr %70, i64 8
-  %74 = load double, ptr %73, align 8
-  %75 = fsub double %74, %26
-  %76 = getelementptr i8, ptr %70, i64 16
-  %77 = load double, ptr %76, align 8
-  %78 = fsub double %77, %29
-  %79 = fsub double %1, %23
-  %80 = fsub double %2, %26
-  %81 = fsub double %3, %29
-  %82 = fmul double %72, %72
-  %83 = fmul double %78, %78
-  %84 = fadd double %82, %83
-  %85 = fmul double %75, %75
-  %86 = fadd double %85, %84
-  %87 = fcmp ogt double %86, 0.000000e+00
-  br i1 %87, label %88, label %99
-88:
-  %89 = fmul double %79, %72
-  %90 = fmul double %81, %78
-  %91 = fadd double %89, %90
-  %92 = fmul double %80, %75
-  %93 = fadd double %92, %91
-  %94 = fdiv double %93, %86
-  %95 = fcmp olt double %94, 0.000000e+00
-  %96 = select i1 %95, double 0.000000e+00, double %94
-  %97 = fcmp ogt double %96, 1.000000e+00
-  %98 = select i1 %97, double 1.000000e+00, double %96
-  br label %99
-99:
-  %100 = phi double [ 0.000000e+00, %53 ], [ %98, %88 ]
-  %101 = fmul double %72, %100
-  %102 = fsub double %79, %101
-  %103 = fmul double %75, %100
-  %104 = fsub double %80, %103
-  %105 = fmul double %78, %100
-  %106 = fsub double %81, %105
-  %107 = fmul double %102, %102
-  %108 = fmul double %106, %106
-  %109 = fadd double %107, %108
-  %110 = fmul double %104, %104
-  %111 = fadd double %110, %109
-  %112 = fcmp olt double %111, %67
-  %113 = select i1 %112, double %111, double %67
-  %114 = fsub double %16, %71
-  %115 = fsub double %18, %74
-  %116 = fsub double %20, %77
-  %117 = fsub double %1, %71
-  %118 = fsub double %2, %74
-  %119 = fsub double %3, %77
-  %120 = fmul double %114, %114
-  %121 = fmul double %116, %116
-  %122 = fadd double %120, %121
-  %123 = fmul double %115, %115
-  %124 = fadd double %123, %122
-  %125 = fcmp ogt double %124, 0.000000e+00
-  br i1 %125, label %126, label %137
-126:
-  %127 = fmul double %117, %114
-  %128 = fmul double %119, %116
-  %129 = fadd double %127, %128
-  %130 = fmul double %118, %115
-  %131 = fadd double %130, %129
-  %132 = fdiv double %131, %124
-  %133 = fcmp olt double %132, 0.000000e+00
-  %134 = select i1 %133, double 0.000000e+00, double %132
-  %135 = fcmp ogt double %134, 1.000000e+00
-  %136 = select i1 %135, double 1.000000e+00, double %134
-  br label %137
-137:
-  %138 = phi double [ 0.000000e+00, %99 ], [ %136, %126 ]
-  %139 = fmul double %114, %138
-  %140 = fsub double %117, %139
-  %141 = fmul double %115, %138
-  %142 = fsub double %118, %141
-  %143 = fmul double %116, %138
-  %144 = fsub double %119, %143
-  %145 = fmul double %140, %140
-  %146 = fmul double %144, %144
-  %147 = fadd double %145, %146
-  %148 = fmul double %142, %142
-  %149 = fadd double %148, %147
-  %150 = fcmp olt double %149, %113
-  %151 = select i1 %150, double %149, double %113
-  %152 = fsub double %71, %16
-  %153 = fsub double %74, %18
-  %154 = fsub double %77, %20
-  %155 = fmul double %27, %154
-  %156 = fmul double %30, %153
-  %157 = fsub double %155, %156
-  %158 = fmul double %30, %152
-  %159 = fmul double %24, %154
-  %160 = fsub double %158, %159
-  %161 = fmul double %24, %153
-  %162 = fmul double %27, %152
-  %163 = fsub double %161, %162
-  %164 = fmul double %157, %157
-  %165 = fmul double %163, %163
-  %166 = fadd double %165, %164
-  %167 = fmul double %160, %160
-  %168 = fadd double %167, %166
-  %169 = fcmp ogt double %168, 0.000000e+00
-  br i1 %169, label %170, label %40
-170:
-  %171 = fmul double %32, %154
-  %172 = fmul double %33, %153
-  %173 = fsub double %171, %172
-  %174 = fmul double %33, %152
-  %175 = fmul double %31, %154
-  %176 = fsub double %174, %175
-  %177 = fmul double %31, %153
-  %178 = fmul double %32, %152
-  %179 = fsub double %177, %178
-  %180 = fmul double %173, %157
-  %181 = fmul double %179, %163
-  %182 = fadd double %181, %180
-  %183 = fmul double %176, %160
-  %184 = fadd double %183, %182
-  %185 = fmul double %33, %27
-  %186 = fmul double %32, %30
-  %187 = fsub double %185, %186
-  %188 = fmul double %31, %30
-  %189 = fmul double %33, %24
-  %190 = fsub double %188, %189
-  %191 = fmul double %32, %24
-  %192 = fmul double %31, %27
-  %193 = fsub double %191, %192
-  %194 = fmul double %187, %157
-  %195 = fmul double %193, %163
-  %196 = fadd double %195, %194
-  %197 = fmul double %190, %160
-  %198 = fadd double %197, %196
-  %199 = fdiv double %184, %168
-  %200 = fdiv double %198, %168
-  %201 = fcmp oge double %199, 0.000000e+00
-  %202 = fcmp oge double %200, 0.000000e+00
-  %203 = fadd double %199, %200
-  %204 = fcmp ole double %203, 1.000000e+00
-  %205 = and i1 %202, %204
-  %206 = select i1 %201, i1 %205, i1 false
-  br i1 %206, label %207, label %40
-207:
-  %208 = fmul double %31, %157
-  %209 = fmul double %33, %163
-  %210 = fadd double %209, %208
-  %211 = fmul double %32, %160
-  %212 = fadd double %211, %210
-  %213 = fmul double %212, %212
-  %214 = fdiv double %213, %168
-  %215 = fcmp olt double %214, %151
-  %216 = select i1 %215, double %214, double %151
-  br label %40
-}
-define noundef i64 @msf_jax.solid.kernels.distances2(ptr readonly %0) local_unnamed_addr {
-  %2 = alloca double, align 8
-  %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr i8, ptr %0, i64 8
-  %5 = load i64, ptr %4, align 8
-  %6 = getelementptr i8, ptr %0, i64 16
-  %7 = load i64, ptr %6, align 8
-  %8 = shl i64 %7, 3
-  %9 = getelementptr i8, ptr %0, i64 24
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr i8, ptr %0, i64 32
-  %12 = load i64, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 40
-  %14 = load i64, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 48
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 56
-  %18 = load ptr, ptr %17, align 8
-  %19 = icmp slt i64 %5, 1
-  br i1 %19, label %36, label %20
-20:
-  %21 = getelementptr i8, ptr %3, i64 16
-  br label %22
-22:
-  %23 = phi ptr [ %21, %20 ], [ %34, %22 ]
-  %24 = phi i64 [ 0, %20 ], [ %30, %22 ]
-  %25 = getelementptr i8, ptr %23, i64 -16
-  %26 = load double, ptr %25, align 8
-  %27 = getelementptr i8, ptr %23, i64 -8
-  %28 = load double, ptr %27, align 8
-  %29 = load double, ptr %23, align 8
-  call fastcc void @0(ptr nonnull %2, double %26, double %28, double %29, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %24)
-  %30 = add nuw nsw i64 %24, 1
-  %31 = load double, ptr %2, align 8
-  %32 = shl i64 %24, 3
-  %33 = getelementptr i8, ptr %18, i64 %32
-  store double %31, ptr %33, align 8
-  %34 = getelementptr i8, ptr %23, i64 %8
-  %35 = icmp eq i64 %5, %30
-  br i1 %35, label %36, label %22
-36:
+  %248 = icmp slt i64 %241, 0
+  %249 = select i1 %248, i64 %44, i64 0
+  %250 = add i64 %249, %241
+  %251 = icmp slt i64 %247, 0
+  %252 = select i1 %251, i64 %46, i64 0
+  %253 = mul i64 %250, %46
+  %254 = getelementptr i64, ptr %42, i64 %253
+  %255 = getelementptr i64, ptr %254, i64 %247
+  %256 = getelementptr i64, ptr %255, i64 %252
+  %257 = load i64, ptr %256, align 8
+  %258 = select i1 %242, i64 %53, i64 0
+  %259 = getelementptr i8, ptr %38, i64 %258
+  %260 = getelementptr i8, ptr %259, i64 %245
+  %261 = load i64, ptr %260, align 8
+  %262 = sub i64 %257, %261
+  store i64 %262, ptr %256, align 8
+  %263 = add i64 %238, -1
+  %264 = icmp samesign ugt i64 %263, 1
+  br i1 %264, label %237, label %142
+265:
   ret i64 0
 }
 define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed_addr {
-  %2 = alloca double, align 8
-  %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr i8, ptr %0, i64 8
-  %5 = load i64, ptr %4, align 8
-  %6 = getelementptr i8, ptr %0, i64 16
-  %7 = load i64, ptr %6, align 8
-  %8 = getelementptr i8, ptr %0, i64 64
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr i8, ptr %0, i64 72
-  %11 = load i64, ptr %10, align 8
-  %12 = getelementptr i8, ptr %0, i64 80
-  %13 = load i64, ptr %12, align 8
-  %14 = getelementptr i8, ptr %0, i64 88
-  %15 = load i64, ptr %14, align 8
-  %16 = getelementptr i8, ptr %0, i64 112
-  %17 = load ptr, ptr %16, align 8
-  %18 = getelementptr i8, ptr %0, i64 120
-  %19 = load i64, ptr %18, align 8
-  %20 = getelementptr i8, ptr %0, i64 128
-  %21 = load i64, ptr %20, align 8
-  %22 = getelementptr i8, ptr %0, i64 136
-  %23 = load ptr, ptr %22, align 8
-  %24 = getelementptr i8, ptr %0, i64 144
-  %25 = load i64, ptr %24, align 8
-  %26 = getelementptr i8, ptr %0, i64 152
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr i8, ptr %0, i64 168
-  %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr i8, ptr %0, i64 176
-  %31 = load i64, ptr %30, align 8
-  %32 = getelementptr i8, ptr %0, i64 184
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr i8, ptr %0, i64 192
-  %35 = load i64, ptr %34, align 8
-  %36 = getelementptr i8, ptr %0, i64 200
-  %37 = load i8, ptr %36, align 8
-  %38 = getelementptr i8, ptr %0, i64 208
-  %39 = load ptr, ptr %38, align 8
-  %40 = getelementptr i8, ptr %0, i64 224
-  %41 = load ptr, ptr %40, align 8
-  %42 = icmp slt i64 %5, 1
-  br i1 %42, label %180, label %43
-43:
-  %44 = icmp eq i8 %37, 0
-  br label %45
-45:
-  %46 = phi i64 [ %47, %174 ], [ 0, %43 ]
-  %47 = add nuw nsw i64 %46, 1
-  %48 = mul i64 %46, %7
-  %49 = getelementptr double, ptr %3, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = getelementptr i8, ptr %49, i64 8
-  %52 = load double, ptr %51, align 8
-  %53 = getelementptr i8, ptr %49, i64 16
-  %54 = load double, ptr %53, align 8
-  %55 = getelementptr i64, ptr %27, i64 %46
-  %56 = load i64, ptr %55, align 8
-  %57 = icmp slt i64 %56, 0
-  %58 = select i1 %57, i64 %31, i64 0
-  %59 = getelementptr i64, ptr %29, i64 %56
-  %60 = getelementptr i64, ptr %59, i64 %58
-  %61 = load i64, ptr %60, align 8
-  br i1 %44, label %62, label %69
-62:
-  %63 = icmp slt i64 %56, -1
-  %64 = select i1 %63, i64 %31, i64 0
-  %65 = getelementptr i8, ptr %59, i64 8
-  %66 = getelementptr i64, ptr %65, i64 %64
-  %67 = load i64, ptr %66, align 8
-  %68 = icmp slt i64 %61, %67
-  br i1 %68, label %69, label %174
-69:
-  %70 = phi i64 [ 0, %62 ], [ 1, %45 ]
-  %71 = icmp slt i64 %56, -1
-  %72 = select i1 %71, i64 %31, i64 0
-  %73 = getelementptr i8, ptr %59, i64 8
-  %74 = getelementptr i64, ptr %73, i64 %72
-  %75 = load i64, ptr %74, align 8
-  br label %76
-76:
-  %77 = phi i64 [ %25, %69 ], [ %169, %166 ]
-  %78 = phi double [ 0x7FF0000000000000, %69 ], [ %170, %166 ]
-  %79 = phi i64 [ %70, %69 ], [ %168, %166 ]
-  %80 = phi i64 [ %61, %69 ], [ %167, %166 ]
-  %81 = icmp slt i64 %80, %75
-  br i1 %81, label %82, label %89
-82:
-  %83 = icmp slt i64 %80, 0
-  %84 = select i1 %83, i64 %35, i64 0
-  %85 = getelementptr i64, ptr %33, i64 %80
-  %86 = getelementptr i64, ptr %85, i64 %84
-  %87 = load i64, ptr %86, align 8
-  %88 = add nsw i64 %80, 1
-  br label %153
-89:
-  %90 = icmp slt i64 %79, 0
-  %91 = select i1 %90, i64 %19, i64 0
-  %92 = add i64 %91, %79
-  %93 = mul i64 %92, %21
-  %94 = getelementptr double, ptr %17, i64 %93
-  %95 = load double, ptr %94, align 8
-  %96 = fsub double %95, %50
-  %97 = getelementptr i8, ptr %94, i64 24
-  %98 = load double, ptr %97, align 8
-  %99 = fsub double %50, %98
-  %100 = fcmp ogt double %99, %96
-  %101 = select i1 %100, double %99, double %96
-  %102 = fcmp olt double %101, 0.000000e+00
-  %103 = select i1 %102, double 0.000000e+00, double %101
-  %104 = getelementptr i8, ptr %94, i64 8
-  %105 = load double, ptr %104, align 8
-  %106 = fsub double %105, %52
-  %107 = getelementptr i8, ptr %94, i64 32
-  %108 = load double, ptr %107, align 8
-  %109 = fsub double %52, %108
-  %110 = fcmp ogt double %109, %106
-  %111 = select i1 %110, double %109, double %106
-  %112 = fcmp olt double %111, 0.000000e+00
-  %113 = select i1 %112, double 0.000000e+00, double %111
-  %114 = getelementptr i8, ptr %94, i64 16
-  %115 = load double, ptr %114, align 8
-  %116 = fsub double %115, %54
-  %117 = getelementptr i8, ptr %94, i64 40
-  %118 = load double, ptr %117, align 8
-  %119 = fsub double %54, %118
-  %120 = fcmp ogt double %119, %116
-  %121 = select i1 %120, double %119, double %116
-  %122 = fcmp olt double %121, 0.000000e+00
-  %123 = select i1 %122, double 0.000000e+00, double %121
-  %124 = fmul double %103, %103
-  %125 = fmul double %113, %113
-  %126 = fadd double %124, %125
-  %127 = fmul double %123, %123
-  %128 = fadd double %126, %127
-  %129 = fmul double %78, 0x3FF000000044B830
-  %130 = fcmp ugt double %128, %129
-  br i1 %130, label %139, label %131
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 64
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 88
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 112
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 120
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 128
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 136
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 144
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 152
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 168
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 176
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 184
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 192
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 208
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 224
+  %34 = load ptr, ptr %33, align 8
+  %35 = icmp slt i64 %4, 1
+  br i1 %35, label %376, label %36
+36:
+  %37 = getelementptr i8, ptr %0, i64 200
+  %38 = load i8, ptr %37, align 1
+  %39 = getelementptr i8, ptr %0, i64 80
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp eq i8 %38, 0
+  %42 = mul i64 %40, %10
+  %43 = shl i64 %10, 4
+  br label %359
+44:
+  %45 = icmp slt i64 %370, -1
+  %46 = select i1 %45, i64 %26, i64 0
+  %47 = getelementptr i8, ptr %373, i64 8
+  %48 = getelementptr i64, ptr %47, i64 %46
+  %49 = load i64, ptr %48, align 8
+  %50 = icmp slt i64 %375, %49
+  br i1 %50, label %51, label %353
+51:
+  %52 = phi i64 [ 0, %44 ], [ 1, %359 ]
+  %53 = icmp slt i64 %370, -1
+  %54 = select i1 %53, i64 %26, i64 0
+  %55 = getelementptr i8, ptr %373, i64 8
+  %56 = getelementptr i64, ptr %55, i64 %54
+  %57 = load i64, ptr %56, align 8
+  br label %58
+58:
+  %59 = phi i64 [ %20, %51 ], [ %348, %345 ]
+  %60 = phi double [ 0x7FF0000000000000, %51 ], [ %349, %345 ]
+  %61 = phi i64 [ %52, %51 ], [ %347, %345 ]
+  %62 = phi i64 [ %375, %51 ], [ %346, %345 ]
+  %63 = icmp slt i64 %62, %57
+  br i1 %63, label %64, label %71
+64:
+  %65 = icmp slt i64 %62, 0
+  %66 = select i1 %65, i64 %30, i64 0
+  %67 = getelementptr i64, ptr %28, i64 %62
+  %68 = getelementptr i64, ptr %67, i64 %66
+  %69 = load i64, ptr %68, align 8
+  %70 = add nsw i64 %62, 1
+  br label %135
+71:
+  %72 = icmp slt i64 %61, 0
+  %73 = select i1 %72, i64 %14, i64 0
+  %74 = add i64 %73, %61
+  %75 = mul i64 %74, %16
+  %76 = getelementptr double, ptr %12, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = fsub double %77, %364
+  %79 = getelementptr i8, ptr %76, i64 24
+  %80 = load double, ptr %79, align 8
+  %81 = fsub double %364, %80
+  %82 = fcmp ogt double %81, %78
+  %83 = select i1 %82, double %81, double %78
+  %84 = fcmp olt double %83, 0.000000e+00
+  %85 = select i1 %84, double 0.000000e+00, double %83
+  %86 = getelementptr i8, ptr %76, i64 8
+  %87 = load double, ptr %86, align 8
+  %88 = fsub double %87, %366
+  %89 = getelementptr i8, ptr %76, i64 32
+  %90 = load double, ptr %89, align 8
+  %91 = fsub double %366, %90
+  %92 = fcmp ogt double %91, %88
+  %93 = select i1 %92, double %91, double %88
+  %94 = fcmp olt double %93, 0.000000e+00
+  %95 = select i1 %94, double 0.000000e+00, double %93
+  %96 = getelementptr i8, ptr %76, i64 16
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %97, %368
+  %99 = getelementptr i8, ptr %76, i64 40
+  %100 = load double, ptr %99, align 8
+  %101 = fsub double %368, %100
+  %102 = fcmp ogt double %101, %98
+  %103 = select i1 %102, double %101, double %98
+  %104 = fcmp olt double %103, 0.000000e+00
+  %105 = select i1 %104, double 0.000000e+00, double %103
+  %106 = fmul double %85, %85
+  %107 = fmul double %95, %95
+  %108 = fadd double %106, %107
+  %109 = fmul double %105, %105
+  %110 = fadd double %108, %109
+  %111 = fmul double %60, 0x3FF000000044B830
+  %112 = fcmp ugt double %110, %111
+  br i1 %112, label %121, label %113
+113:
+  %114 = icmp slt i64 %61, %20
+  br i1 %114, label %119, label %115
+115:
+  %116 = sub nsw i64 %61, %20
+  %117 = getelementptr i64, ptr %18, i64 %116
+  %118 = load i64, ptr %117, align 8
+  br label %121
+119:
+  %120 = shl nsw i64 %61, 1
+  br label %345
+121:
+  %122 = phi i64 [ %118, %115 ], [ -1, %71 ]
+  %123 = add nsw i64 %61, 1
+  %124 = and i64 %61, 1
+  %125 = icmp eq i64 %124, 0
+  br i1 %125, label %131, label %126
+126:
+  %127 = phi i64 [ %128, %126 ], [ %123, %121 ]
+  %128 = ashr i64 %127, 1
+  %129 = and i64 %127, 2
+  %130 = icmp eq i64 %129, 0
+  br i1 %130, label %126, label %131
 131:
-  %132 = icmp slt i64 %79, %25
-  br i1 %132, label %137, label %133
-133:
-  %134 = sub nsw i64 %79, %25
-  %135 = getelementptr i64, ptr %23, i64 %134
-  %136 = load i64, ptr %135, align 8
-  br label %139
-137:
-  %138 = shl nsw i64 %79, 1
-  br label %166
-139:
-  %140 = phi i64 [ %136, %133 ], [ -1, %89 ]
-  %141 = add nsw i64 %79, 1
-  %142 = and i64 %79, 1
-  %143 = icmp eq i64 %142, 0
-  br i1 %143, label %149, label %144
-144:
-  %145 = phi i64 [ %146, %144 ], [ %141, %139 ]
-  %146 = ashr i64 %145, 1
-  %147 = and i64 %145, 2
-  %148 = icmp eq i64 %147, 0
-  br i1 %148, label %144, label %149
-149:
-  %150 = phi i64 [ %141, %139 ], [ %146, %144 ]
-  %151 = icmp sgt i64 %150, 1
-  %152 = select i1 %151, i64 %150, i64 0
-  br label %153
-153:
-  %154 = phi i64 [ %79, %82 ], [ %152, %149 ]
-  %155 = phi i64 [ %87, %82 ], [ %140, %149 ]
-  %156 = phi i64 [ %88, %82 ], [ %80, %149 ]
-  %157 = icmp sgt i64 %155, -1
-  br i1 %157, label %158, label %166
-158:
-  call fastcc void @0(ptr nonnull %2, double %50, double %52, double %54, ptr readonly %9, i64 %11, i64 %13, i64 %15, i64 %155)
-  %159 = load double, ptr %2, align 8
-  %160 = fcmp olt double %159, %78
-  br i1 %160, label %165, label %161
-161:
-  %162 = fcmp oeq double %159, %78
-  %163 = icmp slt i64 %155, %77
-  %164 = select i1 %162, i1 %163, i1 false
-  br i1 %164, label %165, label %166
-165:
-  br label %166
-166:
-  %167 = phi i64 [ %156, %165 ], [ %156, %153 ], [ %156, %161 ], [ %80, %137 ]
-  %168 = phi i64 [ %154, %165 ], [ %154, %153 ], [ %154, %161 ], [ %138, %137 ]
-  %169 = phi i64 [ %155, %165 ], [ %77, %153 ], [ %77, %161 ], [ %77, %137 ]
-  %170 = phi double [ %159, %165 ], [ %78, %153 ], [ %78, %161 ], [ %78, %137 ]
-  %171 = icmp ne i64 %168, 0
-  %172 = icmp slt i64 %167, %75
-  %173 = select i1 %171, i1 true, i1 %172
-  br i1 %173, label %76, label %174
-174:
-  %175 = phi i64 [ %25, %62 ], [ %169, %166 ]
-  %176 = phi double [ 0x7FF0000000000000, %62 ], [ %170, %166 ]
-  %177 = getelementptr double, ptr %39, i64 %46
-  store double %176, ptr %177, align 8
-  %178 = getelementptr i64, ptr %41, i64 %46
-  store i64 %175, ptr %178, align 8
-  %179 = icmp eq i64 %5, %47
-  br i1 %179, label %180, label %45
-180:
+  %132 = phi i64 [ %123, %121 ], [ %128, %126 ]
+  %133 = icmp sgt i64 %132, 1
+  %134 = select i1 %133, i64 %132, i64 0
+  br label %135
+135:
+  %136 = phi i64 [ %61, %64 ], [ %134, %131 ]
+  %137 = phi i64 [ %69, %64 ], [ %122, %131 ]
+  %138 = phi i64 [ %70, %64 ], [ %62, %131 ]
+  %139 = icmp sgt i64 %137, -1
+  br i1 %139, label %140, label %345
+140:
+  %141 = mul i64 %42, %137
+  %142 = getelementptr double, ptr %8, i64 %141
+  %143 = load double, ptr %142, align 8
+  %144 = getelementptr i8, ptr %142, i64 8
+  %145 = load double, ptr %144, align 8
+  %146 = getelementptr i8, ptr %142, i64 16
+  %147 = load double, ptr %146, align 8
+  %148 = getelementptr double, ptr %142, i64 %10
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr i8, ptr %148, i64 8
+  %151 = load double, ptr %150, align 8
+  %152 = getelementptr i8, ptr %148, i64 16
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr i8, ptr %142, i64 %43
+  %155 = load double, ptr %154, align 8
+  %156 = getelementptr i8, ptr %154, i64 8
+  %157 = load double, ptr %156, align 8
+  %158 = getelementptr i8, ptr %154, i64 16
+  %159 = load double, ptr %158, align 8
+  %160 = fsub double %364, %143
+  %161 = fsub double %366, %145
+  %162 = fsub double %368, %147
+  %163 = fsub double %149, %143
+  %164 = fsub double %151, %145
+  %165 = fsub double %153, %147
+  %166 = fmul double %163, %163
+  %167 = fmul double %165, %165
+  %168 = fadd double %166, %167
+  %169 = fmul double %164, %164
+  %170 = fadd double %169, %168
+  %171 = fcmp ogt double %170, 0.000000e+00
+  br i1 %171, label %172, label %183
+172:
+  %173 = fmul double %160, %163
+  %174 = fmul double %162, %165
+  %175 = fadd double %173, %174
+  %176 = fmul double %161, %164
+  %177 = fadd double %176, %175
+  %178 = fdiv double %177, %170
+  %179 = fcmp olt double %178, 0.000000e+00
+  %180 = select i1 %179, double 0.000000e+00, double %178
+  %181 = fcmp ogt double %180, 1.000000e+00
+  %182 = select i1 %181, double 1.000000e+00, double %180
+  br label %183
+183:
+  %184 = phi double [ 0.000000e+00, %140 ], [ %182, %172 ]
+  %185 = fmul double %163, %184
+  %186 = fsub double %160, %185
+  %187 = fmul double %164, %184
+  %188 = fsub double %161, %187
+  %189 = fmul double %165, %184
+  %190 = fsub double %162, %189
+  %191 = fsub double %364, %149
+  %192 = fsub double %366, %151
+  %193 = fsub double %368, %153
+  %194 = fsub double %155, %149
+  %195 = fsub double %157, %151
+  %196 = fsub double %159, %153
+  %197 = fmul double %194, %194
+  %198 = fmul double %196, %196
+  %199 = fadd double %197, %198
+  %200 = fmul double %195, %195
+  %201 = fadd double %200, %199
+  %202 = fcmp ogt double %201, 0.000000e+00
+  br i1 %202, label %203, label %214
+203:
+  %204 = fmul double %191, %194
+  %205 = fmul double %193, %196
+  %206 = fadd double %204, %205
+  %207 = fmul double %192, %195
+  %208 = fadd double %207, %206
+  %209 = fdiv double %208, %201
+  %210 = fcmp olt double %209, 0.000000e+00
+  %211 = select i1 %210, double 0.000000e+00, double %209
+  %212 = fcmp ogt double %211, 1.000000e+00
+  %213 = select i1 %212, double 1.000000e+00, double %211
+  br label %214
+214:
+  %215 = phi double [ 0.000000e+00, %183 ], [ %213, %203 ]
+  %216 = fmul double %194, %215
+  %217 = fsub double %191, %216
+  %218 = fmul double %195, %215
+  %219 = fsub double %192, %218
+  %220 = fmul double %196, %215
+  %221 = fsub double %193, %220
+  %222 = fsub double %364, %155
+  %223 = fsub double %366, %157
+  %224 = fsub double %368, %159
+  %225 = fsub double %143, %155
+  %226 = fsub double %145, %157
+  %227 = fsub double %147, %159
+  %228 = fmul double %225, %225
+  %229 = fmul double %227, %227
+  %230 = fadd double %228, %229
+  %231 = fmul double %226, %226
+  %232 = fadd double %231, %230
+  %233 = fcmp ogt double %232, 0.000000e+00
+  br i1 %233, label %234, label %245
+234:
+  %235 = fmul double %222, %225
+  %236 = fmul double %224, %227
+  %237 = fadd double %235, %236
+  %238 = fmul double %223, %226
+  %239 = fadd double %238, %237
+  %240 = fdiv double %239, %232
+  %241 = fcmp olt double %240, 0.000000e+00
+  %242 = select i1 %241, double 0.000000e+00, double %240
+  %243 = fcmp ogt double %242, 1.000000e+00
+  %244 = select i1 %243, double 1.000000e+00, double %242
+  br label %245
+245:
+  %246 = phi double [ 0.000000e+00, %214 ], [ %244, %234 ]
+  %247 = fmul double %225, %246
+  %248 = fsub double %222, %247
+  %249 = fmul double %226, %246
+  %250 = fsub double %223, %249
+  %251 = fmul double %227, %246
+  %252 = fsub double %224, %251
+  %253 = fmul double %186, %186
+  %254 = fmul double %190, %190
+  %255 = fadd double %253, %254
+  %256 = fmul double %188, %188
+  %257 = fadd double %256, %255
+  %258 = fmul double %217, %217
+  %259 = fmul double %221, %221
+  %260 = fadd double %258, %259
+  %261 = fmul double %219, %219
+  %262 = fadd double %261, %260
+  %263 = fmul double %248, %248
+  %264 = fmul double %252, %252
+  %265 = fadd double %263, %264
+  %266 = fmul double %250, %250
+  %267 = fadd double %266, %265
+  %268 = fcmp olt double %262, %257
+  %269 = select i1 %268, double %262, double %257
+  %270 = fcmp olt double %267, %269
+  %271 = select i1 %270, double %267, double %269
+  %272 = fsub double %155, %143
+  %273 = fsub double %157, %145
+  %274 = fsub double %159, %147
+  %275 = fmul double %164, %274
+  %276 = fmul double %165, %273
+  %277 = fsub double %275, %276
+  %278 = fmul double %165, %272
+  %279 = fmul double %163, %274
+  %280 = fsub double %278, %279
+  %281 = fmul double %163, %273
+  %282 = fmul double %164, %272
+  %283 = fsub double %281, %282
+  %284 = fmul double %277, %277
+  %285 = fmul double %283, %283
+  %286 = fadd double %285, %284
+  %287 = fmul double %280, %280
+  %288 = fadd double %287, %286
+  %289 = fcmp ogt double %288, 0.000000e+00
+  br i1 %289, label %290, label %337
+290:
+  %291 = fmul double %161, %274
+  %292 = fmul double %162, %273
+  %293 = fsub double %291, %292
+  %294 = fmul double %162, %272
+  %295 = fmul double %160, %274
+  %296 = fsub double %294, %295
+  %297 = fmul double %160, %273
+  %298 = fmul double %161, %272
+  %299 = fsub double %297, %298
+  %300 = fmul double %293, %277
+  %301 = fmul double %299, %283
+  %302 = fadd double %301, %300
+  %303 = fmul double %296, %280
+  %304 = fadd double %303, %302
+  %305 = fdiv double %304, %288
+  %306 = fmul double %162, %164
+  %307 = fmul double %161, %165
+  %308 = fsub double %306, %307
+  %309 = fmul double %160, %165
+  %310 = fmul double %162, %163
+  %311 = fsub double %309, %310
+  %312 = fmul double %161, %163
+  %313 = fmul double %160, %164
+  %314 = fsub double %312, %313
+  %315 = fmul double %308, %277
+  %316 = fmul double %314, %283
+  %317 = fadd double %316, %315
+  %318 = fmul double %311, %280
+  %319 = fadd double %318, %317
+  %320 = fdiv double %319, %288
+  %321 = fcmp oge double %305, 0.000000e+00
+  %322 = fcmp oge double %320, 0.000000e+00
+  %323 = fadd double %305, %320
+  %324 = fcmp ole double %323, 1.000000e+00
+  %325 = and i1 %322, %324
+  %326 = select i1 %321, i1 %325, i1 false
+  br i1 %326, label %327, label %337
+327:
+  %328 = fmul double %160, %277
+  %329 = fmul double %162, %283
+  %330 = fadd double %329, %328
+  %331 = fmul double %161, %280
+  %332 = fadd double %331, %330
+  %333 = fmul double %332, %332
+  %334 = fdiv double %333, %288
+  %335 = fcmp olt double %334, %271
+  %336 = select i1 %335, double %334, double %271
+  br label %337
+337:
+  %338 = phi double [ %271, %245 ], [ %271, %290 ], [ %336, %327 ]
+  %339 = fcmp olt double %338, %60
+  br i1 %339, label %344, label %340
+340:
+  %341 = fcmp oeq double %338, %60
+  %342 = icmp slt i64 %137, %59
+  %343 = select i1 %341, i1 %342, i1 false
+  br i1 %343, label %344, label %345
+344:
+  br label %345
+345:
+  %346 = phi i64 [ %138, %344 ], [ %138, %135 ], [ %138, %340 ], [ %62, %119 ]
+  %347 = phi i64 [ %136, %344 ], [ %136, %135 ], [ %136, %340 ], [ %120, %119 ]
+  %348 = phi i64 [ %137, %344 ], [ %59, %135 ], [ %59, %340 ], [ %59, %119 ]
+  %349 = phi double [ %338, %344 ], [ %60, %135 ], [ %60, %340 ], [ %60, %119 ]
+  %350 = icmp ne i64 %347, 0
+  %351 = icmp slt i64 %346, %57
+  %352 = select i1 %350, i1 true, i1 %351
+  br i1 %352, label %58, label %353
+353:
+  %354 = phi i64 [ %20, %44 ], [ %348, %345 ]
+  %355 = phi double [ 0x7FF0000000000000, %44 ], [ %349, %345 ]
+  %356 = getelementptr double, ptr %32, i64 %360
+  store double %355, ptr %356, align 8
+  %357 = getelementptr i64, ptr %34, i64 %360
+  store i64 %354, ptr %357, align 8
+  %358 = icmp eq i64 %4, %361
+  br i1 %358, label %376, label %359
+359:
+  %360 = phi i64 [ %361, %353 ], [ 0, %36 ]
+  %361 = add nuw nsw i64 %360, 1
+  %362 = mul i64 %360, %6
+  %363 = getelementptr double, ptr %2, i64 %362
+  %364 = load double, ptr %363, align 8
+  %365 = getelementptr i8, ptr %363, i64 8
+  %366 = load double, ptr %365, align 8
+  %367 = getelementptr i8, ptr %363, i64 16
+  %368 = load double, ptr %367, align 8
+  %369 = getelementptr i64, ptr %22, i64 %360
+  %370 = load i64, ptr %369, align 8
+  %371 = icmp slt i64 %370, 0
+  %372 = select i1 %371, i64 %26, i64 0
+  %373 = getelementptr i64, ptr %24, i64 %370
+  %374 = getelementptr i64, ptr %373, i64 %372
+  %375 = load i64, ptr %374, align 8
+  br i1 %41, label %44, label %51
+376:
   ret i64 0
 }
-define internal fastcc void @1(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, ptr readonly %6, i64 %7, i64 %8, i64 %9, ptr readonly %10, i64 %11, i64 %12, ptr readonly %13, i64 %14) unnamed_addr {
-  %16 = mul i64 %9, %8
-  %17 = shl i64 %9, 4
-  br label %18
-18:
-  %19 = phi i64 [ %167, %176 ], [ 0, %15 ]
-  %20 = phi i64 [ %177, %176 ], [ 1, %15 ]
-  %21 = mul i64 %20, %12
-  %22 = getelementptr double, ptr %10, i64 %21
-  %23 = load double, ptr %22, align 8
-  %24 = fcmp ogt double %23, %1
-  br i1 %24, label %165, label %25
-25:
-  %26 = phi i64 [ %161, %156 ], [ %21, %18 ]
-  %27 = phi i64 [ %157, %156 ], [ %20, %18 ]
-  %28 = shl i64 %26, 3
-  %29 = getelementptr i8, ptr %10, i64 %28
-  %30 = getelementptr i8, ptr %29, i64 8
-  %31 = load double, ptr %30, align 8
-  %32 = fcmp ogt double %31, %2
-  br i1 %32, label %165, label %33
-33:
-  %34 = getelementptr i8, ptr %29, i64 24
-  %35 = load double, ptr %34, align 8
-  %36 = fcmp olt double %35, %1
-  br i1 %36, label %165, label %37
-37:
-  %38 = getelementptr i8, ptr %29, i64 32
-  %39 = load double, ptr %38, align 8
-  %40 = fcmp olt double %39, %2
-  br i1 %40, label %165, label %41
-41:
-  %42 = getelementptr i8, ptr %29, i64 40
-  %43 = load double, ptr %42, align 8
-  %44 = fcmp uge double %43, %3
-  br i1 %44, label %45, label %165
-45:
-  %46 = icmp slt i64 %27, %14
-  br i1 %46, label %156, label %180
-47:
-  %48 = fcmp oeq double %220, 0.000000e+00
-  br i1 %48, label %49, label %55
-49:
-  %50 = fcmp olt double %215, 0.000000e+00
-  br i1 %50, label %55, label %51
-51:
-  %52 = fcmp oeq double %215, 0.000000e+00
-  br i1 %52, label %53, label %55
-53:
-  %54 = fcmp ogt double %210, 0.000000e+00
-  br label %55
-55:
-  %56 = phi i1 [ true, %180 ], [ true, %49 ], [ %54, %53 ], [ false, %51 ], [ false, %47 ]
-  %57 = xor i1 %198, %56
-  %58 = xor i1 %57, true
-  %59 = zext i1 %58 to i64
-  %60 = fneg double %220
-  %61 = select i1 %198, double %220, double %60
-  %62 = fadd double %61, 0.000000e+00
-  %63 = shl i64 %187, 3
-  %64 = getelementptr i8, ptr %6, i64 %63
-  %65 = getelementptr i8, ptr %64, i64 16
-  %66 = load double, ptr %65, align 8
-  %67 = fmul double %61, %66
-  %68 = fadd double %67, 0.000000e+00
-  %69 = getelementptr i64, ptr %191, i64 %189
-  %70 = load i64, ptr %69, align 8
-  %71 = icmp slt i64 %197, %70
-  %72 = select i1 %71, i64 0, i64 2
-  %73 = select i1 %71, i64 2, i64 0
-  %74 = mul i64 %72, %9
-  %75 = getelementptr double, ptr %6, i64 %74
-  %76 = getelementptr double, ptr %75, i64 %187
-  %77 = load double, ptr %76, align 8
-  %78 = mul i64 %73, %9
-  %79 = getelementptr double, ptr %6, i64 %78
-  %80 = getelementptr double, ptr %79, i64 %187
-  %81 = load double, ptr %80, align 8
-  %82 = fsub double %77, %81
-  %83 = getelementptr i8, ptr %76, i64 8
-  %84 = load double, ptr %83, align 8
-  %85 = getelementptr i8, ptr %80, i64 8
-  %86 = load double, ptr %85, align 8
-  %87 = fsub double %84, %86
-  %88 = fsub double %2, %86
-  %89 = fmul double %82, %88
-  %90 = fsub double %1, %81
-  %91 = fmul double %90, %87
-  %92 = fsub double %89, %91
-  %93 = fcmp ogt double %92, 0.000000e+00
-  br i1 %93, label %102, label %94
-94:
-  %95 = fcmp oeq double %92, 0.000000e+00
-  br i1 %95, label %96, label %102
-96:
-  %97 = fcmp olt double %87, 0.000000e+00
-  br i1 %97, label %102, label %98
-98:
-  %99 = fcmp oeq double %87, 0.000000e+00
-  br i1 %99, label %100, label %102
-100:
-  %101 = fcmp ogt double %82, 0.000000e+00
-  br label %102
-102:
-  %103 = phi i1 [ true, %55 ], [ true, %96 ], [ %101, %100 ], [ false, %98 ], [ false, %94 ]
-  %104 = xor i1 %71, %103
-  %105 = xor i1 %104, true
-  %106 = zext i1 %105 to i64
-  %107 = add nuw nsw i64 %106, %59
-  %108 = fneg double %92
-  %109 = select i1 %71, double %92, double %108
-  %110 = fadd double %62, %109
-  %111 = getelementptr double, ptr %188, i64 %9
-  %112 = getelementptr i8, ptr %111, i64 16
-  %113 = load double, ptr %112, align 8
-  %114 = fmul double %109, %113
-  %115 = fadd double %68, %114
-  %116 = icmp slt i64 %70, %194
-  %117 = select i1 %116, i64 %9, i64 0
-  %118 = getelementptr double, ptr %6, i64 %117
-  %119 = getelementptr double, ptr %118, i64 %187
-  %120 = load double, ptr %119, align 8
-  %121 = select i1 %116, i64 0, i64 %9
-  %122 = getelementptr double, ptr %6, i64 %121
-  %123 = getelementptr double, ptr %122, i64 %187
-  %124 = load double, ptr %123, align 8
-  %125 = fsub double %120, %124
-  %126 = getelementptr i8, ptr %119, i64 8
-  %127 = load double, ptr %126, align 8
-  %128 = getelementptr i8, ptr %123, i64 8
-  %129 = load double, ptr %128, align 8
-  %130 = fsub double %127, %129
-  %131 = fsub double %2, %129
-  %132 = fmul double %125, %131
-  %133 = fsub double %1, %124
-  %134 = fmul double %133, %130
-  %135 = fsub double %132, %134
-  %136 = fcmp ogt double %135, 0.000000e+00
-  br i1 %136, label %222, label %137
-137:
-  %138 = fcmp oeq double %135, 0.000000e+00
-  br i1 %138, label %139, label %222
-139:
-  %140 = fcmp olt double %130, 0.000000e+00
-  br i1 %140, label %222, label %141
-141:
-  %142 = fcmp oeq double %130, 0.000000e+00
-  br i1 %142, label %143, label %222
-143:
-  %144 = fcmp ogt double %125, 0.000000e+00
-  br label %222
-145:
-  %146 = icmp sge i64 %70, %194
-  %147 = xor i1 %146, %223
-  %148 = zext i1 %147 to i64
-  %149 = add nuw nsw i64 %107, %148
-  %150 = icmp eq i64 %149, 3
-  %151 = icmp eq i64 %149, 0
-  %152 = zext i1 %150 to i64
-  %153 = sext i1 %151 to i64
-  %154 = add i64 %19, %152
-  %155 = add i64 %154, %153
-  br label %165
-156:
-  %157 = shl nsw i64 %27, 1
-  %158 = icmp slt i64 %27, 0
-  %159 = select i1 %158, i64 %11, i64 0
-  %160 = add i64 %159, %157
-  %161 = mul i64 %160, %12
-  %162 = getelementptr double, ptr %10, i64 %161
-  %163 = load double, ptr %162, align 8
-  %164 = fcmp ogt double %163, %1
-  br i1 %164, label %165, label %25
-165:
-  %166 = phi i64 [ %27, %145 ], [ %27, %222 ], [ %20, %18 ], [ %27, %41 ], [ %27, %37 ], [ %27, %33 ], [ %27, %25 ], [ %157, %156 ]
-  %167 = phi i64 [ %155, %145 ], [ %19, %222 ], [ %19, %18 ], [ %19, %25 ], [ %19, %33 ], [ %19, %37 ], [ %19, %41 ], [ %19, %156 ]
-  %168 = add nsw i64 %166, 1
-  %169 = and i64 %166, 1
-  %170 = icmp eq i64 %169, 0
-  br i1 %170, label %176, label %171
-171:
-  %172 = phi i64 [ %173, %171 ], [ %168, %165 ]
-  %173 = ashr i64 %172, 1
-  %174 = and i64 %172, 2
-  %175 = icmp eq i64 %174, 0
-  br i1 %175, label %171, label %176
-176:
-  %177 = phi i64 [ %168, %165 ], [ %173, %171 ]
-  %178 = icmp sgt i64 %177, 1
-  br i1 %178, label %18, label %179
-179:
-  store i64 %167, ptr %0, align 8
-  ret void
-180:
-  %181 = sub nsw i64 %27, %14
-  %182 = getelementptr i64, ptr %13, i64 %181
-  %183 = load i64, ptr %182, align 8
-  %184 = icmp slt i64 %183, 0
-  %185 = select i1 %184, i64 %7, i64 0
-  %186 = add i64 %185, %183
-  %187 = mul i64 %16, %186
-  %188 = getelementptr double, ptr %6, i64 %187
-  %189 = select i1 %184, i64 %5, i64 0
-  %190 = mul i64 %183, 24
-  %191 = getelementptr i8, ptr %4, i64 %190
-  %192 = getelementptr i8, ptr %191, i64 8
-  %193 = getelementptr i64, ptr %192, i64 %189
-  %194 = load i64, ptr %193, align 8
-  %195 = getelementptr i8, ptr %191, i64 16
-  %196 = getelementptr i64, ptr %195, i64 %189
-  %197 = load i64, ptr %196, align 8
-  %198 = icmp slt i64 %194, %197
-  %199 = zext i1 %198 to i64
-  %200 = shl i64 %9, %199
-  %201 = getelementptr double, ptr %6, i64 %200
-  %202 = getelementptr double, ptr %201, i64 %187
-  %203 = load double, ptr %202, align 8
-  %204 = xor i1 %198, true
-  %205 = zext i1 %204 to i64
-  %206 = shl i64 %9, %205
-  %207 = getelementptr double, ptr %6, i64 %206
-  %208 = getelementptr double, ptr %207, i64 %187
-  %209 = load double, ptr %208, align 8
-  %210 = fsub double %203, %209
-  %211 = getelementptr i8, ptr %202, i64 8
-  %212 = load double, ptr %211, align 8
-  %213 = getelementptr i8, ptr %208, i64 8
-  %214 = load double, ptr %213, align 8
-  %215 = fsub double %212, %214
-  %216 = fsub double %2, %214
-  %217 = fmul double %210, %216
-  %218 = fsub double %1, %209
-  %219 = fmul double %218, %215
-  %220 = fsub double %217, %219
-  %221 = fcmp ogt double %220, 0.000000e+00
-  br i1 %221, label %55, label %47
-222:
-  %223 = phi i1 [ true, %102 ], [ true, %139 ], [ %144, %143 ], [ false, %141 ], [ false, %137 ]
-  %224 = fneg double %135
-  %225 = select i1 %116, double %135, double %224
-  %226 = getelementptr i8, ptr %188, i64 %17
-  %227 = getelementptr i8, ptr %226, i64 16
-  %228 = load double, ptr %227, align 8
-  %229 = fmul double %225, %228
-  %230 = fadd double %115, %229
-  %231 = fadd double %110, %225
-  %232 = freeze double %231
-  %233 = fcmp une double %232, 0.000000e+00
-  %234 = fdiv double %230, %232
-  %235 = select i1 %233, double %234, double %230
-  %236 = getelementptr i8, ptr %29, i64 16
-  %237 = load double, ptr %236, align 8
-  %238 = fcmp ogt double %237, %235
-  %239 = select i1 %238, double %237, double %235
-  %240 = fcmp olt double %43, %239
-  %241 = select i1 %240, double %43, double %239
-  %242 = fcmp ogt double %241, %3
-  br i1 %242, label %145, label %165
-}
 define noundef i64 @msf_jax.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {
-  %2 = alloca i64, align 8
-  %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr i8, ptr %0, i64 8
-  %5 = load i64, ptr %4, align 8
-  %6 = getelementptr i8, ptr %0, i64 16
-  %7 = load i64, ptr %6, align 8
-  %8 = shl i64 %7, 3
-  %9 = getelementptr i8, ptr %0, i64 48
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr i8, ptr %0, i64 56
-  %12 = load i64, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 64
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 72
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 48
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 64
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 72
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 88
   %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 80
-  %18 = load i64, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 88
+  %17 = getelementptr i8, ptr %0, i64 112
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 120
   %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 112
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 120
-  %24 = load i64, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 128
+  %21 = getelementptr i8, ptr %0, i64 128
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 136
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 144
   %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 136
+  %27 = getelementptr i8, ptr %0, i64 152
   %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 144
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 152
-  %32 = load ptr, ptr %31, align 8
-  %33 = icmp slt i64 %5, 1
-  br i1 %33, label %50, label %34
-34:
-  %35 = getelementptr i8, ptr %3, i64 16
-  br label %36
-36:
-  %37 = phi ptr [ %35, %34 ], [ %48, %36 ]
-  %38 = phi i64 [ 0, %34 ], [ %44, %36 ]
-  %39 = getelementptr i8, ptr %37, i64 -16
-  %40 = load double, ptr %39, align 8
-  %41 = getelementptr i8, ptr %37, i64 -8
-  %42 = load double, ptr %41, align 8
-  %43 = load double, ptr %37, align 8
-  store i64 0, ptr %2, align 8
-  call fastcc void @1(ptr nonnull %2, double %40, double %42, double %43, ptr readonly %10, i64 %12, ptr readonly %14, i64 %16, i64 %18, i64 %20, ptr readonly %22, i64 %24, i64 %26, ptr readonly %28, i64 %30)
-  %44 = add nuw nsw i64 %38, 1
-  %45 = load i64, ptr %2, align 8
-  %46 = shl i64 %38, 3
-  %47 = getelementptr i8, ptr %32, i64 %46
-  store i64 %45, ptr %47, align 8
-  %48 = getelementptr i8, ptr %37, i64 %8
-  %49 = icmp eq i64 %5, %44
-  br i1 %49, label %50, label %36
+  %29 = icmp slt i64 %4, 1
+  br i1 %29, label %274, label %30
+30:
+  %31 = getelementptr i8, ptr %0, i64 80
+  %32 = load i64, ptr %31, align 8
+  %33 = mul i64 %32, %16
+  %34 = shl i64 %16, 4
+  br label %192
+35:
+  %36 = add nuw nsw i64 %193, 1
+  %37 = icmp eq i64 %36, %4
+  br i1 %37, label %274, label %192
+38:
+  %39 = phi i64 [ %174, %169 ], [ %207, %204 ]
+  %40 = phi i64 [ %170, %169 ], [ %206, %204 ]
+  %41 = shl i64 %39, 3
+  %42 = getelementptr i8, ptr %18, i64 %41
+  %43 = getelementptr i8, ptr %42, i64 8
+  %44 = load double, ptr %43, align 8
+  %45 = fcmp ogt double %44, %198
+  br i1 %45, label %178, label %46
+46:
+  %47 = getelementptr i8, ptr %42, i64 24
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp olt double %48, %196
+  br i1 %49, label %178, label %50
 50:
+  %51 = getelementptr i8, ptr %42, i64 32
+  %52 = load double, ptr %51, align 8
+  %53 = fcmp olt double %52, %198
+  br i1 %53, label %178, label %54
+54:
+  %55 = getelementptr i8, ptr %42, i64 40
+  %56 = load double, ptr %55, align 8
+  %57 = fcmp uge double %56, %200
+  br i1 %57, label %58, label %178
+58:
+  %59 = icmp slt i64 %40, %26
+  br i1 %59, label %169, label %211
+60:
+  %61 = fcmp oeq double %251, 0.000000e+00
+  br i1 %61, label %62, label %68
+62:
+  %63 = fcmp olt double %246, 0.000000e+00
+  br i1 %63, label %68, label %64
+64:
+  %65 = fcmp oeq double %246, 0.000000e+00
+  br i1 %65, label %66, label %68
+66:
+  %67 = fcmp ogt double %241, 0.000000e+00
+  br label %68
+68:
+  %69 = phi i1 [ true, %211 ], [ true, %62 ], [ %67, %66 ], [ false, %64 ], [ false, %60 ]
+  %70 = xor i1 %229, %69
+  %71 = xor i1 %70, true
+  %72 = zext i1 %71 to i64
+  %73 = fneg double %251
+  %74 = select i1 %229, double %251, double %73
+  %75 = fadd double %74, 0.000000e+00
+  %76 = shl i64 %218, 3
+  %77 = getelementptr i8, ptr %12, i64 %76
+  %78 = getelementptr i8, ptr %77, i64 16
+  %79 = load double, ptr %78, align 8
+  %80 = fmul double %74, %79
+  %81 = fadd double %80, 0.000000e+00
+  %82 = getelementptr i64, ptr %222, i64 %220
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp slt i64 %228, %83
+  %85 = select i1 %84, i64 0, i64 2
+  %86 = select i1 %84, i64 2, i64 0
+  %87 = mul i64 %85, %16
+  %88 = getelementptr double, ptr %12, i64 %87
+  %89 = getelementptr double, ptr %88, i64 %218
+  %90 = load double, ptr %89, align 8
+  %91 = mul i64 %86, %16
+  %92 = getelementptr double, ptr %12, i64 %91
+  %93 = getelementptr double, ptr %92, i64 %218
+  %94 = load double, ptr %93, align 8
+  %95 = fsub double %90, %94
+  %96 = getelementptr i8, ptr %89, i64 8
+  %97 = load double, ptr %96, align 8
+  %98 = getelementptr i8, ptr %93, i64 8
+  %99 = load double, ptr %98, align 8
+  %100 = fsub double %97, %99
+  %101 = fsub double %198, %99
+  %102 = fmul double %95, %101
+  %103 = fsub double %196, %94
+  %104 = fmul double %103, %100
+  %105 = fsub double %102, %104
+  %106 = fcmp ogt double %105, 0.000000e+00
+  br i1 %106, label %115, label %107
+107:
+  %108 = fcmp oeq double %105, 0.000000e+00
+  br i1 %108, label %109, label %115
+109:
+  %110 = fcmp olt double %100, 0.000000e+00
+  br i1 %110, label %115, label %111
+111:
+  %112 = fcmp oeq double %100, 0.000000e+00
+  br i1 %112, label %113, label %115
+113:
+  %114 = fcmp ogt double %95, 0.000000e+00
+  br label %115
+115:
+  %116 = phi i1 [ true, %68 ], [ true, %109 ], [ %114, %113 ], [ false, %111 ], [ false, %107 ]
+  %117 = xor i1 %84, %116
+  %118 = xor i1 %117, true
+  %119 = zext i1 %118 to i64
+  %120 = add nuw nsw i64 %119, %72
+  %121 = fneg double %105
+  %122 = select i1 %84, double %105, double %121
+  %123 = fadd double %75, %122
+  %124 = getelementptr double, ptr %219, i64 %16
+  %125 = getelementptr i8, ptr %124, i64 16
+  %126 = load double, ptr %125, align 8
+  %127 = fmul double %122, %126
+  %128 = fadd double %81, %127
+  %129 = icmp slt i64 %83, %225
+  %130 = select i1 %129, i64 %16, i64 0
+  %131 = getelementptr double, ptr %12, i64 %130
+  %132 = getelementptr double, ptr %131, i64 %218
+  %133 = load double, ptr %132, align 8
+  %134 = select i1 %129, i64 0, i64 %16
+  %135 = getelementptr double, ptr %12, i64 %134
+  %136 = getelementptr double, ptr %135, i64 %218
+  %137 = load double, ptr %136, align 8
+  %138 = fsub double %133, %137
+  %139 = getelementptr i8, ptr %132, i64 8
+  %140 = load double, ptr %139, align 8
+  %141 = getelementptr i8, ptr %136, i64 8
+  %142 = load double, ptr %141, align 8
+  %143 = fsub double %140, %142
+  %144 = fsub double %198, %142
+  %145 = fmul double %138, %144
+  %146 = fsub double %196, %137
+  %147 = fmul double %146, %143
+  %148 = fsub double %145, %147
+  %149 = fcmp ogt double %148, 0.000000e+00
+  br i1 %149, label %253, label %150
+150:
+  %151 = fcmp oeq double %148, 0.000000e+00
+  br i1 %151, label %152, label %253
+152:
+  %153 = fcmp olt double %143, 0.000000e+00
+  br i1 %153, label %253, label %154
+154:
+  %155 = fcmp oeq double %143, 0.000000e+00
+  br i1 %155, label %156, label %253
+156:
+  %157 = fcmp ogt double %138, 0.000000e+00
+  br label %253
+158:
+  %159 = xor i1 %129, %254
+  %160 = xor i1 %159, true
+  %161 = zext i1 %160 to i64
+  %162 = add nuw nsw i64 %120, %161
+  %163 = icmp eq i64 %162, 3
+  %164 = icmp eq i64 %162, 0
+  %165 = zext i1 %163 to i64
+  %166 = sext i1 %164 to i64
+  %167 = add i64 %205, %165
+  %168 = add i64 %167, %166
+  store i64 %168, ptr %203, align 8
+  br label %178
+169:
+  %170 = shl nsw i64 %40, 1
+  %171 = icmp slt i64 %40, 0
+  %172 = select i1 %171, i64 %20, i64 0
+  %173 = add i64 %172, %170
+  %174 = mul i64 %173, %22
+  %175 = getelementptr double, ptr %18, i64 %174
+  %176 = load double, ptr %175, align 8
+  %177 = fcmp ogt double %176, %196
+  br i1 %177, label %178, label %38
+178:
+  %179 = phi i64 [ %40, %253 ], [ %40, %158 ], [ %206, %204 ], [ %40, %54 ], [ %40, %50 ], [ %40, %46 ], [ %40, %38 ], [ %170, %169 ]
+  %180 = phi i64 [ %205, %253 ], [ %168, %158 ], [ %205, %204 ], [ %205, %38 ], [ %205, %46 ], [ %205, %50 ], [ %205, %54 ], [ %205, %169 ]
+  %181 = add nsw i64 %179, 1
+  %182 = and i64 %179, 1
+  %183 = icmp eq i64 %182, 0
+  br i1 %183, label %189, label %184
+184:
+  %185 = phi i64 [ %186, %184 ], [ %181, %178 ]
+  %186 = ashr i64 %185, 1
+  %187 = and i64 %185, 2
+  %188 = icmp eq i64 %187, 0
+  br i1 %188, label %184, label %189
+189:
+  %190 = phi i64 [ %181, %178 ], [ %186, %184 ]
+  %191 = icmp sgt i64 %190, 1
+  br i1 %191, label %204, label %35
+192:
+  %193 = phi i64 [ 0, %30 ], [ %36, %35 ]
+  %194 = mul i64 %193, %6
+  %195 = getelementptr double, ptr %2, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = getelementptr i8, ptr %195, i64 8
+  %198 = load double, ptr %197, align 8
+  %199 = getelementptr i8, ptr %195, i64 16
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr i64, ptr %28, i64 %193
+  store i64 0, ptr %201, align 8
+  %202 = shl i64 %193, 3
+  %203 = getelementptr i8, ptr %28, i64 %202
+  br label %204
+204:
+  %205 = phi i64 [ %180, %189 ], [ 0, %192 ]
+  %206 = phi i64 [ %190, %189 ], [ 1, %192 ]
+  %207 = mul i64 %206, %22
+  %208 = getelementptr double, ptr %18, i64 %207
+  %209 = load double, ptr %208, align 8
+  %210 = fcmp ogt double %209, %196
+  br i1 %210, label %178, label %38
+211:
+  %212 = sub nsw i64 %40, %26
+  %213 = getelementptr i64, ptr %24, i64 %212
+  %214 = load i64, ptr %213, align 8
+  %215 = icmp slt i64 %214, 0
+  %216 = select i1 %215, i64 %14, i64 0
+  %217 = add i64 %216, %214
+  %218 = mul i64 %33, %217
+  %219 = getelementptr double, ptr %12, i64 %218
+  %220 = select i1 %215, i64 %10, i64 0
+  %221 = mul i64 %214, 24
+  %222 = getelementptr i8, ptr %8, i64 %221
+  %223 = getelementptr i8, ptr %222, i64 8
+  %224 = getelementptr i64, ptr %223, i64 %220
+  %225 = load i64, ptr %224, align 8
+  %226 = getelementptr i8, ptr %222, i64 16
+  %227 = getelementptr i64, ptr %226, i64 %220
+  %228 = load i64, ptr %227, align 8
+  %229 = icmp slt i64 %225, %228
+  %230 = zext i1 %229 to i64
+  %231 = shl i64 %16, %230
+  %232 = getelementptr double, ptr %12, i64 %231
+  %233 = getelementptr double, ptr %232, i64 %218
+  %234 = load double, ptr %233, align 8
+  %235 = xor i1 %229, true
+  %236 = zext i1 %235 to i64
+  %237 = shl i64 %16, %236
+  %238 = getelementptr double, ptr %12, i64 %237
+  %239 = getelementptr double, ptr %238, i64 %218
+  %240 = load double, ptr %239, align 8
+  %241 = fsub double %234, %240
+  %242 = getelementptr i8, ptr %233, i64 8
+  %243 = load double, ptr %242, align 8
+  %244 = getelementptr i8, ptr %239, i64 8
+  %245 = load double, ptr %244, align 8
+  %246 = fsub double %243, %245
+  %247 = fsub double %198, %245
+  %248 = fmul double %241, %247
+  %249 = fsub double %196, %240
+  %250 = fmul double %249, %246
+  %251 = fsub double %248, %250
+  %252 = fcmp ogt double %251, 0.000000e+00
+  br i1 %252, label %68, label %60
+253:
+  %254 = phi i1 [ true, %115 ], [ true, %152 ], [ %157, %156 ], [ false, %154 ], [ false, %150 ]
+  %255 = fneg double %148
+  %256 = select i1 %129, double %148, double %255
+  %257 = fadd double %123, %256
+  %258 = freeze double %257
+  %259 = getelementptr i8, ptr %219, i64 %34
+  %260 = getelementptr i8, ptr %259, i64 16
+  %261 = load double, ptr %260, align 8
+  %262 = fmul double %256, %261
+  %263 = fadd double %128, %262
+  %264 = fcmp une double %258, 0.000000e+00
+  %265 = fdiv double %263, %258
+  %266 = select i1 %264, double %265, double %263
+  %267 = getelementptr i8, ptr %42, i64 16
+  %268 = load double, ptr %267, align 8
+  %269 = fcmp ogt double %268, %266
+  %270 = select i1 %269, double %268, double %266
+  %271 = fcmp olt double %56, %270
+  %272 = select i1 %271, double %56, double %270
+  %273 = fcmp ogt double %272, %200
+  br i1 %273, label %158, label %178
+274:
   ret i64 0
 }
 declare double @llvm.fabs.f64(double)
 define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
-  %2 = getelementptr i8, ptr %0, i64 8
-  %3 = load i64, ptr %2, align 8
-  %4 = getelementptr i8, ptr %0, i64 16
-  %5 = load i64, ptr %4, align 8
-  %6 = shl i64 %5, 3
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
   %7 = getelementptr i8, ptr %0, i64 24
   %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr i8, ptr %0, i64 56
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr i8, ptr %0, i64 72
-  %12 = load double, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 120
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 128
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 136
-  %18 = load i64, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 144
-  %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 168
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 176
-  %24 = load i64, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 184
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 192
-  %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 200
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 208
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 232
-  %34 = load ptr, ptr %33, align 8
-  %35 = getelementptr i8, ptr %0, i64 240
-  %36 = load i64, ptr %35, align 8
-  %37 = getelementptr i8, ptr %0, i64 248
-  %38 = load ptr, ptr %37, align 8
-  %39 = getelementptr i8, ptr %0, i64 256
-  %40 = load i64, ptr %39, align 8
-  %41 = icmp slt i64 %3, 1
-  br i1 %41, label %371, label %42
-42:
-  %43 = getelementptr i8, ptr %0, i64 224
-  %44 = load i64, ptr %43, align 8
-  %45 = shl i64 %44, 3
-  %46 = getelementptr i8, ptr %0, i64 48
-  %47 = load i64, ptr %46, align 8
-  %48 = getelementptr i8, ptr %0, i64 40
-  %49 = load i64, ptr %48, align 8
-  %50 = load ptr, ptr %0, align 8
-  %51 = getelementptr i8, ptr %50, i64 16
-  %52 = mul i64 %49, %47
-  %53 = shl i64 %47, 4
-  %54 = shl i64 %44, 4
-  %55 = getelementptr double, ptr %8, i64 %47
-  %56 = getelementptr i8, ptr %8, i64 %53
-  %57 = getelementptr i8, ptr %32, i64 8
-  %58 = getelementptr i8, ptr %32, i64 16
-  %59 = getelementptr i8, ptr %32, i64 %45
-  %60 = getelementptr i8, ptr %59, i64 8
-  %61 = getelementptr i8, ptr %59, i64 16
-  %62 = getelementptr i8, ptr %32, i64 %54
-  %63 = getelementptr i8, ptr %62, i64 8
-  %64 = getelementptr i8, ptr %62, i64 16
-  br label %65
-65:
-  %66 = phi ptr [ %51, %42 ], [ %369, %367 ]
-  %67 = phi i64 [ 0, %42 ], [ %178, %367 ]
-  %68 = phi i64 [ 0, %42 ], [ %368, %367 ]
-  %69 = getelementptr i8, ptr %66, i64 -16
-  %70 = load double, ptr %69, align 8
-  %71 = getelementptr i8, ptr %66, i64 -8
-  %72 = load double, ptr %71, align 8
-  %73 = load double, ptr %66, align 8
-  %74 = shl i64 %68, 3
-  %75 = getelementptr i8, ptr %10, i64 %74
-  %76 = load double, ptr %75, align 8
-  %77 = mul i64 %52, %68
-  %78 = getelementptr double, ptr %8, i64 %77
-  %79 = getelementptr i8, ptr %78, i64 %53
-  %80 = load double, ptr %79, align 8
-  %81 = fmul double %76, %80
-  %82 = fadd double %70, %81
-  %83 = getelementptr i8, ptr %79, i64 8
-  %84 = load double, ptr %83, align 8
-  %85 = fmul double %76, %84
-  %86 = fadd double %72, %85
-  %87 = getelementptr i8, ptr %79, i64 16
-  %88 = load double, ptr %87, align 8
-  %89 = fmul double %76, %88
-  %90 = fadd double %73, %89
-  %91 = fcmp olt double %82, %70
-  %92 = select i1 %91, double %82, double %70
-  %93 = fsub double %92, %12
-  %94 = fcmp olt double %86, %72
-  %95 = select i1 %94, double %86, double %72
-  %96 = fsub double %95, %12
-  %97 = fcmp olt double %90, %73
-  %98 = select i1 %97, double %90, double %73
-  %99 = fsub double %98, %12
-  %100 = fcmp ogt double %82, %70
-  %101 = select i1 %100, double %82, double %70
-  %102 = fadd double %12, %101
-  %103 = fcmp ogt double %86, %72
-  %104 = select i1 %103, double %86, double %72
-  %105 = fadd double %12, %104
-  %106 = fcmp ogt double %90, %73
-  %107 = select i1 %106, double %90, double %73
-  %108 = fadd double %12, %107
-  %109 = getelementptr i8, ptr %78, i64 8
-  %110 = getelementptr i8, ptr %78, i64 16
-  %111 = shl i64 %77, 3
-  %112 = getelementptr i8, ptr %55, i64 %111
-  %113 = getelementptr i8, ptr %112, i64 8
-  %114 = getelementptr i8, ptr %112, i64 16
-  %115 = getelementptr i8, ptr %56, i64 %111
-  %116 = getelementptr i8, ptr %115, i64 8
-  %117 = getelementptr i8, ptr %115, i64 16
-  br label %118
-118:
-  %119 = phi i64 [ %178, %187 ], [ %67, %65 ]
-  %120 = phi i64 [ %188, %187 ], [ 1, %65 ]
-  %121 = mul i64 %120, %26
-  %122 = getelementptr double, ptr %22, i64 %121
-  %123 = load double, ptr %122, align 8
-  %124 = fcmp ogt double %123, %102
-  br i1 %124, label %176, label %125
-125:
-  %126 = phi i64 [ %172, %167 ], [ %121, %118 ]
-  %127 = phi i64 [ %168, %167 ], [ %120, %118 ]
-  %128 = shl i64 %126, 3
-  %129 = getelementptr i8, ptr %22, i64 %128
-  %130 = getelementptr i8, ptr %129, i64 8
-  %131 = load double, ptr %130, align 8
-  %132 = fcmp ogt double %131, %105
-  br i1 %132, label %176, label %133
-133:
-  %134 = getelementptr i8, ptr %129, i64 16
-  %135 = load double, ptr %134, align 8
-  %136 = fcmp ogt double %135, %108
-  br i1 %136, label %176, label %137
-137:
-  %138 = getelementptr i8, ptr %129, i64 24
-  %139 = load double, ptr %138, align 8
-  %140 = fcmp olt double %139, %93
-  br i1 %140, label %176, label %141
-141:
-  %142 = getelementptr i8, ptr %129, i64 32
-  %143 = load double, ptr %142, align 8
-  %144 = fcmp olt double %143, %96
-  br i1 %144, label %176, label %145
-145:
-  %146 = getelementptr i8, ptr %129, i64 40
-  %147 = load double, ptr %146, align 8
-  %148 = fcmp uge double %147, %99
-  br i1 %148, label %149, label %176
-149:
-  %150 = icmp slt i64 %127, %30
-  br i1 %150, label %167, label %190
-151:
-  %152 = tail call double @llvm.fabs.f64(double %331)
-  %153 = fmul double %316, 0x3D06849B86A12B9B
-  %154 = fcmp ogt double %152, %153
-  br i1 %154, label %343, label %176
-155:
-  %156 = icmp slt i64 %119, %36
-  br i1 %156, label %157, label %165
-157:
-  %158 = icmp slt i64 %119, 0
-  %159 = select i1 %158, i64 %36, i64 0
-  %160 = getelementptr i64, ptr %34, i64 %119
-  %161 = getelementptr i64, ptr %160, i64 %159
-  store i64 %68, ptr %161, align 8
-  %162 = select i1 %158, i64 %40, i64 0
-  %163 = getelementptr double, ptr %38, i64 %119
-  %164 = getelementptr double, ptr %163, i64 %162
-  store double %363, ptr %164, align 8
-  br label %165
-165:
-  %166 = add nsw i64 %119, 1
-  br label %176
-167:
-  %168 = shl nsw i64 %127, 1
-  %169 = icmp slt i64 %127, 0
-  %170 = select i1 %169, i64 %24, i64 0
-  %171 = add i64 %170, %168
-  %172 = mul i64 %171, %26
-  %173 = getelementptr double, ptr %22, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = fcmp ogt double %174, %102
-  br i1 %175, label %176, label %125
-176:
-  %177 = phi i64 [ %127, %343 ], [ %127, %165 ], [ %127, %337 ], [ %127, %151 ], [ %120, %118 ], [ %127, %145 ], [ %127, %141 ], [ %127, %137 ], [ %127, %133 ], [ %127, %125 ], [ %168, %167 ]
-  %178 = phi i64 [ %119, %343 ], [ %166, %165 ], [ %119, %337 ], [ %119, %151 ], [ %119, %118 ], [ %119, %125 ], [ %119, %133 ], [ %119, %137 ], [ %119, %141 ], [ %119, %145 ], [ %119, %167 ]
-  %179 = add nsw i64 %177, 1
-  %180 = and i64 %177, 1
-  %181 = icmp eq i64 %180, 0
-  br i1 %181, label %187, label %182
-182:
-  %183 = phi i64 [ %184, %182 ], [ %179, %176 ]
-  %184 = ashr i64 %183, 1
-  %185 = and i64 %183, 2
-  %186 = icmp eq i64 %185, 0
-  br i1 %186, label %182, label %187
-187:
-  %188 = phi i64 [ %179, %176 ], [ %184, %182 ]
-  %189 = icmp sgt i64 %188, 1
-  br i1 %189, label %118, label %367
-190:
-  %191 = sub nsw i64 %127, %30
-  %192 = getelementptr i64, ptr %28, i64 %191
-  %193 = load i64, ptr %192, align 8
-  %194 = icmp slt i64 %193, 0
-  %195 = select i1 %194, i64 %16, i64 0
-  %196 = add i64 %195, %193
-  %197 = mul i64 %196, %18
-  %198 = mul i64 %197, %20
-  %199 = getelementptr double, ptr %14, i64 %198
-  %200 = load double, ptr %199, align 8
-  %201 = fsub double %200, %70
-  %202 = getelementptr i8, ptr %199, i64 8
-  %203 = load double, ptr %202, align 8
-  %204 = fsub double %203, %72
-  %205 = getelementptr i8, ptr %199, i64 16
-  %206 = load double, ptr %205, align 8
-  %207 = fsub double %206, %73
-  %208 = load double, ptr %78, align 8
-  %209 = load double, ptr %109, align 8
-  %210 = load double, ptr %110, align 8
-  %211 = fmul double %201, %208
-  %212 = fmul double %207, %210
-  %213 = fadd double %211, %212
-  %214 = fmul double %204, %209
-  %215 = fadd double %214, %213
-  store double %215, ptr %32, align 8
-  %216 = load double, ptr %112, align 8
-  %217 = load double, ptr %113, align 8
-  %218 = load double, ptr %114, align 8
-  %219 = fmul double %201, %216
-  %220 = fmul double %207, %218
-  %221 = fadd double %219, %220
-  %222 = fmul double %204, %217
-  %223 = fadd double %222, %221
-  store double %223, ptr %57, align 8
-  %224 = load double, ptr %115, align 8
-  %225 = load double, ptr %116, align 8
-  %226 = load double, ptr %117, align 8
-  %227 = fmul double %201, %224
-  %228 = fmul double %207, %226
-  %229 = fadd double %227, %228
-  %230 = fmul double %204, %225
-  %231 = fadd double %230, %229
-  store double %231, ptr %58, align 8
-  %232 = add i64 %197, 1
-  %233 = mul i64 %232, %20
-  %234 = getelementptr double, ptr %14, i64 %233
-  %235 = load double, ptr %234, align 8
-  %236 = fsub double %235, %70
-  %237 = getelementptr i8, ptr %234, i64 8
-  %238 = load double, ptr %237, align 8
-  %239 = fsub double %238, %72
-  %240 = getelementptr i8, ptr %234, i64 16
-  %241 = load double, ptr %240, align 8
-  %242 = fsub double %241, %73
-  %243 = load double, ptr %78, align 8
-  %244 = load double, ptr %109, align 8
-  %245 = load double, ptr %110, align 8
-  %246 = fmul double %236, %243
-  %247 = fmul double %242, %245
-  %248 = fadd double %246, %247
-  %249 = fmul double %239, %244
-  %250 = fadd double %249, %248
-  store double %250, ptr %59, align 8
-  %251 = load double, ptr %112, align 8
-  %252 = load double, ptr %113, align 8
-  %253 = load double, ptr %114, align 8
-  %254 = fmul double %236, %251
-  %255 = fmul double %242, %253
-  %256 = fadd double %254, %255
-  %257 = fmul double %239, %252
-  %258 = fadd double %257, %256
-  store double %258, ptr %60, align 8
-  %259 = load double, ptr %115, align 8
-  %260 = load double, ptr %116, align 8
-  %261 = load double, ptr %117, align 8
-  %262 = fmul double %236, %259
-  %263 = fmul double %242, %261
-  %264 = fadd double %262, %263
-  %265 = fmul double %239, %260
-  %266 = fadd double %265, %264
-  store double %266, ptr %61, align 8
-  %267 = add i64 %197, 2
-  %268 = mul i64 %267, %20
-  %269 = getelementptr double, ptr %14, i64 %268
-  %270 = load double, ptr %269, align 8
-  %271 = fsub double %270, %70
-  %272 = getelementptr i8, ptr %269, i64 8
-  %273 = load double, ptr %272, align 8
-  %274 = fsub double %273, %72
-  %275 = getelementptr i8, ptr %269, i64 16
-  %276 = load double, ptr %275, align 8
-  %277 = fsub double %276, %73
-  %278 = load double, ptr %78, align 8
-  %279 = load double, ptr %109, align 8
-  %280 = load double, ptr %110, align 8
-  %281 = fmul double %271, %278
-  %282 = fmul double %277, %280
-  %283 = fadd double %281, %282
-  %284 = fmul double %274, %279
-  %285 = fadd double %284, %283
-  store double %285, ptr %62, align 8
-  %286 = load double, ptr %112, align 8
-  %287 = load double, ptr %113, align 8
-  %288 = load double, ptr %114, align 8
-  %289 = fmul double %271, %286
-  %290 = fmul double %277, %288
-  %291 = fadd double %289, %290
-  %292 = fmul double %274, %287
-  %293 = fadd double %292, %291
-  store double %293, ptr %63, align 8
-  %294 = load double, ptr %115, align 8
-  %295 = load double, ptr %116, align 8
-  %296 = load double, ptr %117, align 8
-  %297 = fmul double %271, %294
-  %298 = fmul double %277, %296
-  %299 = fadd double %297, %298
-  %300 = fmul double %274, %295
-  %301 = fadd double %300, %299
-  store double %301, ptr %64, align 8
-  %302 = fmul double %293, %293
-  %303 = fmul double %285, %285
-  %304 = fmul double %258, %258
-  %305 = fmul double %250, %250
-  %306 = fmul double %223, %223
-  %307 = fmul double %215, %215
-  %308 = fadd double %307, %306
-  %309 = fcmp ogt double %308, 0.000000e+00
-  %310 = select i1 %309, double %308, double 0.000000e+00
-  %311 = fadd double %305, %304
-  %312 = fcmp ogt double %311, %310
-  %313 = select i1 %312, double %311, double %310
-  %314 = fadd double %303, %302
-  %315 = fcmp ogt double %314, %313
-  %316 = select i1 %315, double %314, double %313
-  %317 = load double, ptr %32, align 8
-  %318 = load double, ptr %60, align 8
-  %319 = fmul double %317, %318
-  %320 = load double, ptr %59, align 8
-  %321 = load double, ptr %57, align 8
-  %322 = fmul double %320, %321
-  %323 = fsub double %319, %322
-  %324 = fmul double %293, %320
-  %325 = fmul double %285, %318
-  %326 = fsub double %324, %325
-  %327 = fmul double %285, %321
-  %328 = fmul double %293, %317
-  %329 = fsub double %327, %328
-  %330 = fadd double %326, %323
-  %331 = fadd double %329, %330
-  %332 = fcmp olt double %326, %323
-  %333 = select i1 %332, double %326, double %323
-  %334 = fcmp olt double %329, %333
-  %335 = select i1 %334, double %329, double %333
-  %336 = fcmp ult double %335, 0.000000e+00
-  br i1 %336, label %337, label %151
-337:
-  %338 = fcmp ogt double %326, %323
-  %339 = select i1 %338, double %326, double %323
-  %340 = fcmp ogt double %329, %339
-  %341 = select i1 %340, double %329, double %339
-  %342 = fcmp ugt double %341, 0.000000e+00
-  br i1 %342, label %176, label %151
-343:
-  %344 = load double, ptr %58, align 8
-  %345 = load double, ptr %61, align 8
-  %346 = fmul double %301, %323
-  %347 = fmul double %329, %345
-  %348 = fadd double %346, %347
-  %349 = fmul double %326, %344
-  %350 = fadd double %349, %348
-  %351 = fcmp olt double %345, %344
-  %352 = select i1 %351, double %345, double %344
-  %353 = fcmp olt double %301, %352
-  %354 = select i1 %353, double %301, double %352
-  %355 = fdiv double %350, %331
-  %356 = fcmp ogt double %354, %355
-  %357 = select i1 %356, double %354, double %355
-  %358 = fcmp ogt double %345, %344
-  %359 = select i1 %358, double %345, double %344
-  %360 = fcmp ogt double %301, %359
-  %361 = select i1 %360, double %301, double %359
-  %362 = fcmp olt double %361, %357
-  %363 = select i1 %362, double %361, double %357
-  %364 = fcmp oge double %363, 0.000000e+00
-  %365 = fcmp ole double %363, %76
-  %366 = select i1 %364, i1 %365, i1 false
-  br i1 %366, label %155, label %176
-367:
-  %368 = add nuw nsw i64 %68, 1
-  %369 = getelementptr i8, ptr %66, i64 %6
-  %370 = icmp eq i64 %3, %368
-  br i1 %370, label %371, label %65
-371:
-  %372 = phi i64 [ 0, %1 ], [ %178, %367 ]
-  ret i64 %372
-}
-declare i64 @llvm.smax.i64(i64, i64)
-declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
-define i64 @msf_jax.solid.kernels.within(ptr readonly %0) local_unnamed_addr {
-  %2 = alloca i64, align 8
-  %3 = alloca i64, align 8
-  %4 = alloca i64, align 8
-  %5 = load ptr, ptr %0, align 8
-  %6 = getelementptr i8, ptr %0, i64 8
-  %7 = load i64, ptr %6, align 8
-  %8 = getelementptr i8, ptr %0, i64 16
-  %9 = load i64, ptr %8, align 8
-  %10 = getelementptr i8, ptr %0, i64 24
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr i8, ptr %0, i64 40
-  %13 = load i64, ptr %12, align 8
-  %14 = getelementptr i8, ptr %0, i64 48
+  %9 = getelementptr i8, ptr %0, i64 48
+  %10 = load i64, ptr %9, align 8
+  %11 = shl i64 %10, 3
+  %12 = getelementptr i8, ptr %0, i64 56
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 72
   %15 = load double, ptr %14, align 8
-  %16 = getelementptr i8, ptr %0, i64 56
-  %17 = load double, ptr %16, align 8
-  %18 = getelementptr i8, ptr %0, i64 88
-  %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr i8, ptr %0, i64 96
+  %16 = getelementptr i8, ptr %0, i64 120
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 128
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 144
   %21 = load i64, ptr %20, align 8
-  %22 = getelementptr i8, ptr %0, i64 104
+  %22 = getelementptr i8, ptr %0, i64 168
   %23 = load ptr, ptr %22, align 8
-  %24 = getelementptr i8, ptr %0, i64 112
+  %24 = getelementptr i8, ptr %0, i64 176
   %25 = load i64, ptr %24, align 8
-  %26 = getelementptr i8, ptr %0, i64 120
+  %26 = getelementptr i8, ptr %0, i64 184
   %27 = load i64, ptr %26, align 8
-  %28 = getelementptr i8, ptr %0, i64 128
-  %29 = load i64, ptr %28, align 8
-  %30 = getelementptr i8, ptr %0, i64 152
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr i8, ptr %0, i64 160
-  %33 = load i64, ptr %32, align 8
-  %34 = getelementptr i8, ptr %0, i64 168
+  %28 = getelementptr i8, ptr %0, i64 192
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 200
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 208
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 216
   %35 = load i64, ptr %34, align 8
-  %36 = getelementptr i8, ptr %0, i64 176
+  %36 = getelementptr i8, ptr %0, i64 224
   %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr i8, ptr %0, i64 184
+  %38 = getelementptr i8, ptr %0, i64 232
   %39 = load i64, ptr %38, align 8
-  %40 = getelementptr i8, ptr %0, i64 192
-  %41 = load ptr, ptr %40, align 8
-  %42 = getelementptr i8, ptr %0, i64 216
+  %40 = icmp slt i64 %4, 1
+  br i1 %40, label %327, label %41
+41:
+  %42 = getelementptr i8, ptr %0, i64 136
   %43 = load i64, ptr %42, align 8
-  %44 = getelementptr i8, ptr %0, i64 224
-  %45 = load ptr, ptr %44, align 8
-  %46 = getelementptr i8, ptr %0, i64 240
-  %47 = load i64, ptr %46, align 8
-  %48 = getelementptr i8, ptr %0, i64 248
-  %49 = load ptr, ptr %48, align 8
-  %50 = getelementptr i8, ptr %0, i64 256
-  %51 = load i64, ptr %50, align 8
-  %52 = getelementptr i8, ptr %0, i64 264
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr i8, ptr %0, i64 272
-  %55 = load i64, ptr %54, align 8
-  %56 = getelementptr i8, ptr %0, i64 280
-  %57 = load ptr, ptr %56, align 8
-  %58 = icmp slt i64 %7, 1
-  br i1 %58, label %540, label %59
-59:
-  %60 = shl i64 %47, 3
-  %61 = shl i64 %43, 3
-  %62 = shl i64 %43, 4
-  %63 = getelementptr i8, ptr %41, i64 %62
-  %64 = getelementptr i8, ptr %63, i64 8
-  %65 = getelementptr i8, ptr %63, i64 16
-  %66 = getelementptr i8, ptr %41, i64 8
-  %67 = getelementptr i8, ptr %41, i64 16
-  %68 = getelementptr i8, ptr %41, i64 %61
-  %69 = getelementptr i8, ptr %68, i64 8
-  %70 = getelementptr i8, ptr %68, i64 16
-  %71 = shl i64 %47, 4
-  %72 = getelementptr i8, ptr %45, i64 8
-  %73 = getelementptr i8, ptr %45, i64 16
-  %74 = getelementptr i8, ptr %45, i64 %60
-  %75 = getelementptr i8, ptr %74, i64 8
-  %76 = getelementptr i8, ptr %74, i64 16
-  %77 = getelementptr i8, ptr %45, i64 %71
-  %78 = getelementptr i8, ptr %77, i64 8
-  %79 = getelementptr i8, ptr %77, i64 16
-  %80 = shl i64 %55, 3
-  br label %81
-81:
-  %82 = phi i64 [ %83, %168 ], [ 0, %59 ]
-  %83 = add nuw nsw i64 %82, 1
-  %84 = mul i64 %82, %9
-  %85 = getelementptr double, ptr %5, i64 %84
-  %86 = load double, ptr %85, align 8
-  %87 = getelementptr i8, ptr %85, i64 8
-  %88 = load double, ptr %87, align 8
-  %89 = getelementptr i8, ptr %85, i64 16
-  %90 = load double, ptr %89, align 8
-  store i64 0, ptr %2, align 8
-  call fastcc void @1(ptr nonnull %2, double %86, double %88, double %90, ptr readonly %19, i64 %21, ptr readonly %23, i64 %25, i64 %27, i64 %29, ptr readonly %31, i64 %33, i64 %35, ptr readonly %37, i64 %39)
-  %91 = load i64, ptr %2, align 8
-  %92 = icmp sgt i64 %91, 0
-  %93 = getelementptr i8, ptr %57, i64 %82
-  %94 = zext i1 %92 to i8
-  store i8 %94, ptr %93, align 1
-  br i1 %92, label %170, label %168
+  %44 = getelementptr i8, ptr %0, i64 40
+  %45 = load i64, ptr %44, align 8
+  %46 = mul i64 %45, %10
+  %47 = shl i64 %10, 4
+  %48 = getelementptr i8, ptr %8, i64 %47
+  %49 = mul i64 %43, %21
+  %50 = shl i64 %21, 4
+  br label %128
+51:
+  %52 = add nuw nsw i64 %130, 1
+  %53 = icmp eq i64 %52, %4
+  br i1 %53, label %327, label %128
+54:
+  %55 = phi i64 [ %110, %105 ], [ %185, %182 ]
+  %56 = phi i64 [ %106, %105 ], [ %184, %182 ]
+  %57 = shl i64 %55, 3
+  %58 = getelementptr i8, ptr %23, i64 %57
+  %59 = getelementptr i8, ptr %58, i64 8
+  %60 = load double, ptr %59, align 8
+  %61 = fcmp ogt double %60, %167
+  br i1 %61, label %114, label %62
+62:
+  %63 = getelementptr i8, ptr %58, i64 16
+  %64 = load double, ptr %63, align 8
+  %65 = fcmp ogt double %64, %170
+  br i1 %65, label %114, label %66
+66:
+  %67 = getelementptr i8, ptr %58, i64 24
+  %68 = load double, ptr %67, align 8
+  %69 = fcmp olt double %68, %155
+  br i1 %69, label %114, label %70
+70:
+  %71 = getelementptr i8, ptr %58, i64 32
+  %72 = load double, ptr %71, align 8
+  %73 = fcmp olt double %72, %158
+  br i1 %73, label %114, label %74
+74:
+  %75 = getelementptr i8, ptr %58, i64 40
+  %76 = load double, ptr %75, align 8
+  %77 = fcmp uge double %76, %161
+  br i1 %77, label %78, label %114
+78:
+  %79 = icmp slt i64 %56, %31
+  br i1 %79, label %105, label %189
+80:
+  %81 = fcmp ogt double %299, %296
+  %82 = select i1 %81, double %299, double %296
+  %83 = fcmp ogt double %293, %82
+  %84 = select i1 %83, double %293, double %82
+  %85 = fcmp ugt double %84, 0.000000e+00
+  br i1 %85, label %114, label %86
+86:
+  %87 = tail call double @llvm.fabs.f64(double %301)
+  %88 = fmul double %290, 0x3D06849B86A12B9B
+  %89 = fcmp ogt double %87, %88
+  br i1 %89, label %307, label %114
+90:
+  %91 = load double, ptr %181, align 8
+  %92 = fcmp ugt double %325, %91
+  br i1 %92, label %114, label %93
+93:
+  %94 = icmp slt i64 %183, %35
+  br i1 %94, label %95, label %103
 95:
-  %96 = phi ptr [ %128, %127 ], [ %53, %525 ]
-  %97 = phi i64 [ %98, %127 ], [ 1, %525 ]
-  %98 = add nuw i64 %97, 1
-  %99 = getelementptr double, ptr %53, i64 %97
-  %100 = getelementptr i8, ptr %99, i64 -8
-  %101 = load double, ptr %100, align 8
-  %102 = load double, ptr %99, align 8
-  %103 = fcmp ogt double %101, %102
-  br i1 %103, label %104, label %127
-104:
-  %105 = phi ptr [ %126, %118 ], [ %96, %95 ]
-  %106 = phi i64 [ %116, %118 ], [ %97, %95 ]
-  %107 = icmp slt i64 %106, 0
-  %108 = select i1 %107, i64 %80, i64 0
-  %109 = getelementptr i8, ptr %105, i64 %108
-  %110 = getelementptr i8, ptr %109, i64 8
-  %111 = load double, ptr %110, align 8
-  %112 = icmp sgt i64 %106, 0
-  %113 = select i1 %112, i64 0, i64 %80
-  %114 = getelementptr i8, ptr %105, i64 %113
-  %115 = load double, ptr %114, align 8
-  store double %111, ptr %114, align 8
-  store double %115, ptr %110, align 8
-  %116 = add nsw i64 %106, -1
-  %117 = icmp eq i64 %116, 0
-  br i1 %117, label %127, label %118
-118:
-  %119 = icmp slt i64 %106, 2
-  %120 = select i1 %119, i64 %80, i64 0
-  %121 = getelementptr i8, ptr %105, i64 %120
-  %122 = getelementptr i8, ptr %121, i64 -8
-  %123 = load double, ptr %122, align 8
-  %124 = load double, ptr %114, align 8
-  %125 = fcmp ogt double %123, %124
-  %126 = getelementptr i8, ptr %105, i64 -8
-  br i1 %125, label %104, label %127
-127:
-  %128 = getelementptr i8, ptr %96, i64 8
-  %129 = icmp eq i64 %98, %334
-  br i1 %129, label %130, label %95
-130:
-  %131 = icmp slt i64 %334, 1
-  %132 = load i8, ptr %93, align 1
-  br i1 %131, label %152, label %133
-133:
-  %134 = phi i8 [ %150, %149 ], [ %132, %130 ]
-  %135 = phi double [ %144, %149 ], [ 0.000000e+00, %130 ]
-  %136 = phi i64 [ %137, %149 ], [ 0, %130 ]
-  %137 = add nuw i64 %136, 1
-  %138 = icmp slt i64 %136, %334
-  br i1 %138, label %139, label %143
-139:
-  %140 = shl i64 %136, 3
-  %141 = getelementptr i8, ptr %53, i64 %140
+  %96 = icmp slt i64 %183, 0
+  %97 = select i1 %96, i64 %35, i64 0
+  %98 = getelementptr i64, ptr %33, i64 %183
+  %99 = getelementptr i64, ptr %98, i64 %97
+  store i64 %130, ptr %99, align 8
+  %100 = select i1 %96, i64 %39, i64 0
+  %101 = getelementptr double, ptr %37, i64 %183
+  %102 = getelementptr double, ptr %101, i64 %100
+  store double %325, ptr %102, align 8
+  br label %103
+103:
+  %104 = add nsw i64 %183, 1
+  br label %114
+105:
+  %106 = shl nsw i64 %56, 1
+  %107 = icmp slt i64 %56, 0
+  %108 = select i1 %107, i64 %25, i64 0
+  %109 = add i64 %108, %106
+  %110 = mul i64 %109, %27
+  %111 = getelementptr double, ptr %23, i64 %110
+  %112 = load double, ptr %111, align 8
+  %113 = fcmp ogt double %112, %164
+  br i1 %113, label %114, label %54
+114:
+  %115 = phi i64 [ %56, %103 ], [ %56, %80 ], [ %56, %86 ], [ %56, %307 ], [ %56, %90 ], [ %184, %182 ], [ %56, %74 ], [ %56, %70 ], [ %56, %66 ], [ %56, %62 ], [ %56, %54 ], [ %106, %105 ]
+  %116 = phi i64 [ %104, %103 ], [ %183, %80 ], [ %183, %86 ], [ %183, %307 ], [ %183, %90 ], [ %183, %182 ], [ %183, %54 ], [ %183, %62 ], [ %183, %66 ], [ %183, %70 ], [ %183, %74 ], [ %183, %105 ]
+  %117 = add nsw i64 %115, 1
+  %118 = and i64 %115, 1
+  %119 = icmp eq i64 %118, 0
+  br i1 %119, label %125, label %120
+120:
+  %121 = phi i64 [ %122, %120 ], [ %117, %114 ]
+  %122 = ashr i64 %121, 1
+  %123 = and i64 %121, 2
+  %124 = icmp eq i64 %123, 0
+  br i1 %124, label %120, label %125
+125:
+  %126 = phi i64 [ %117, %114 ], [ %122, %120 ]
+  %127 = icmp sgt i64 %126, 1
+  br i1 %127, label %182, label %51
+128:
+  %129 = phi i64 [ 0, %41 ], [ %116, %51 ]
+  %130 = phi i64 [ 0, %41 ], [ %52, %51 ]
+  %131 = mul i64 %130, %6
+  %132 = getelementptr double, ptr %2, i64 %131
+  %133 = load double, ptr %132, align 8
+  %134 = getelementptr i8, ptr %132, i64 8
+  %135 = load double, ptr %134, align 8
+  %136 = getelementptr i8, ptr %132, i64 16
+  %137 = load double, ptr %136, align 8
+  %138 = getelementptr double, ptr %13, i64 %130
+  %139 = load double, ptr %138, align 8
+  %140 = mul i64 %46, %130
+  %141 = getelementptr double, ptr %48, i64 %140
   %142 = load double, ptr %141, align 8
-  br label %143
-143:
-  %144 = phi double [ %142, %139 ], [ %186, %133 ]
-  %145 = icmp ne i8 %134, 0
-  %146 = fsub double %144, %135
-  %147 = fcmp ogt double %146, %15
-  %148 = select i1 %145, i1 %147, i1 false
-  br i1 %148, label %528, label %149
-149:
-  %150 = phi i8 [ %134, %143 ], [ %539, %528 ]
-  %151 = icmp eq i64 %334, %136
-  br i1 %151, label %152, label %133
-152:
-  %153 = phi i8 [ %132, %130 ], [ %150, %149 ]
-  %154 = icmp eq i8 %153, 0
-  br i1 %154, label %166, label %155
-155:
-  %156 = shl i64 %171, 3
-  %157 = getelementptr i8, ptr %11, i64 %156
-  %158 = load double, ptr %157, align 8
-  %159 = getelementptr i8, ptr %157, i64 8
-  %160 = load double, ptr %159, align 8
-  %161 = getelementptr i8, ptr %157, i64 16
-  %162 = load double, ptr %161, align 8
-  store i64 0, ptr %4, align 8
-  call fastcc void @1(ptr nonnull %4, double %158, double %160, double %162, ptr readonly %19, i64 %21, ptr readonly %23, i64 %25, i64 %27, i64 %29, ptr readonly %31, i64 %33, i64 %35, ptr readonly %37, i64 %39)
-  %163 = load i64, ptr %4, align 8
-  %164 = icmp sgt i64 %163, 0
-  %165 = zext i1 %164 to i8
-  br label %166
-166:
-  %167 = phi i8 [ %165, %155 ], [ 0, %152 ]
-  store i8 %167, ptr %93, align 1
-  br label %168
-168:
-  %169 = icmp eq i64 %7, %83
-  br i1 %169, label %540, label %81
-170:
-  %171 = mul i64 %82, %13
-  %172 = getelementptr double, ptr %11, i64 %171
-  %173 = load double, ptr %172, align 8
-  %174 = fsub double %173, %86
-  %175 = getelementptr i8, ptr %172, i64 8
-  %176 = load double, ptr %175, align 8
-  %177 = fsub double %176, %88
-  %178 = getelementptr i8, ptr %172, i64 16
-  %179 = load double, ptr %178, align 8
-  %180 = fsub double %179, %90
-  %181 = fmul double %174, %174
-  %182 = fmul double %177, %177
-  %183 = fadd double %181, %182
-  %184 = fmul double %180, %180
-  %185 = fadd double %183, %184
-  %186 = tail call double @llvm.sqrt.f64(double %185)
-  %187 = fcmp olt double %186, 1.000000e-300
-  %188 = select i1 %187, double 1.000000e-300, double %186
-  %189 = fdiv double %174, %188
-  %190 = fdiv double %177, %188
-  %191 = fdiv double %180, %188
-  %192 = tail call double @llvm.fabs.f64(double %190)
-  %193 = tail call double @llvm.fabs.f64(double %189)
-  %194 = fcmp olt double %192, %193
-  %195 = select i1 %194, double %192, double %193
-  %196 = tail call double @llvm.fabs.f64(double %191)
-  %197 = zext i1 %194 to i64
-  %198 = fcmp uge double %196, %195
-  %199 = select i1 %198, i64 %197, i64 2
-  store double %189, ptr %63, align 8
-  store double %190, ptr %64, align 8
-  store double %191, ptr %65, align 8
-  %200 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %199, i64 1)
-  %201 = extractvalue { i64, i1 } %200, 0
-  %202 = extractvalue { i64, i1 } %200, 1
-  %203 = select i1 %202, i64 2, i64 %201
-  %204 = getelementptr double, ptr %63, i64 %203
-  %205 = load double, ptr %204, align 8
-  %206 = select i1 %194, i64 2, i64 1
-  %207 = select i1 %198, i64 %206, i64 0
-  %208 = getelementptr double, ptr %63, i64 %207
-  %209 = load double, ptr %208, align 8
-  %210 = fneg double %209
-  %211 = getelementptr double, ptr %41, i64 %199
-  store double 0.000000e+00, ptr %211, align 8
-  %212 = getelementptr double, ptr %41, i64 %207
-  store double %205, ptr %212, align 8
-  %213 = getelementptr double, ptr %41, i64 %203
-  store double %210, ptr %213, align 8
-  %214 = load double, ptr %41, align 8
-  %215 = load double, ptr %66, align 8
-  %216 = load double, ptr %67, align 8
-  %217 = fmul double %214, %214
-  %218 = fmul double %215, %215
+  %143 = fmul double %139, %142
+  %144 = fadd double %133, %143
+  %145 = getelementptr i8, ptr %141, i64 8
+  %146 = load double, ptr %145, align 8
+  %147 = fmul double %139, %146
+  %148 = fadd double %135, %147
+  %149 = getelementptr i8, ptr %141, i64 16
+  %150 = load double, ptr %149, align 8
+  %151 = fmul double %139, %150
+  %152 = fadd double %137, %151
+  %153 = fcmp olt double %144, %133
+  %154 = select i1 %153, double %144, double %133
+  %155 = fsub double %154, %15
+  %156 = fcmp olt double %148, %135
+  %157 = select i1 %156, double %148, double %135
+  %158 = fsub double %157, %15
+  %159 = fcmp olt double %152, %137
+  %160 = select i1 %159, double %152, double %137
+  %161 = fsub double %160, %15
+  %162 = fcmp ogt double %144, %133
+  %163 = select i1 %162, double %144, double %133
+  %164 = fadd double %15, %163
+  %165 = fcmp ogt double %148, %135
+  %166 = select i1 %165, double %148, double %135
+  %167 = fadd double %15, %166
+  %168 = fcmp ogt double %152, %137
+  %169 = select i1 %168, double %152, double %137
+  %170 = fadd double %15, %169
+  %171 = getelementptr double, ptr %8, i64 %140
+  %172 = getelementptr i8, ptr %171, i64 8
+  %173 = getelementptr i8, ptr %171, i64 16
+  %174 = getelementptr i8, ptr %171, i64 %11
+  %175 = getelementptr i8, ptr %174, i64 8
+  %176 = getelementptr i8, ptr %174, i64 16
+  %177 = getelementptr i8, ptr %171, i64 %47
+  %178 = getelementptr i8, ptr %177, i64 8
+  %179 = getelementptr i8, ptr %177, i64 16
+  %180 = shl i64 %130, 3
+  %181 = getelementptr i8, ptr %13, i64 %180
+  br label %182
+182:
+  %183 = phi i64 [ %116, %125 ], [ %129, %128 ]
+  %184 = phi i64 [ %126, %125 ], [ 1, %128 ]
+  %185 = mul i64 %184, %27
+  %186 = getelementptr double, ptr %23, i64 %185
+  %187 = load double, ptr %186, align 8
+  %188 = fcmp ogt double %187, %164
+  br i1 %188, label %114, label %54
+189:
+  %190 = sub nsw i64 %56, %31
+  %191 = getelementptr i64, ptr %29, i64 %190
+  %192 = load i64, ptr %191, align 8
+  %193 = icmp slt i64 %192, 0
+  %194 = select i1 %193, i64 %19, i64 0
+  %195 = add i64 %194, %192
+  %196 = mul i64 %49, %195
+  %197 = getelementptr double, ptr %17, i64 %196
+  %198 = load double, ptr %197, align 8
+  %199 = getelementptr i8, ptr %197, i64 8
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr i8, ptr %197, i64 16
+  %202 = load double, ptr %201, align 8
+  %203 = fsub double %198, %133
+  %204 = fsub double %200, %135
+  %205 = fsub double %202, %137
+  %206 = load double, ptr %171, align 8
+  %207 = load double, ptr %172, align 8
+  %208 = load double, ptr %173, align 8
+  %209 = fmul double %203, %206
+  %210 = fmul double %205, %208
+  %211 = fadd double %209, %210
+  %212 = fmul double %204, %207
+  %213 = fadd double %212, %211
+  %214 = load double, ptr %174, align 8
+  %215 = load double, ptr %175, align 8
+  %216 = load double, ptr %176, align 8
+  %217 = fmul double %203, %214
+  %218 = fmul double %205, %216
   %219 = fadd double %217, %218
-  %220 = fmul double %216, %216
-  %221 = fadd double %219, %220
-  %222 = tail call double @llvm.sqrt.f64(double %221)
-  %223 = fcmp olt double %222, 1.000000e-300
-  %224 = select i1 %223, double 1.000000e-300, double %222
-  %225 = fdiv double %214, %224
-  store double %225, ptr %41, align 8
-  %226 = fdiv double %215, %224
-  store double %226, ptr %66, align 8
-  %227 = fdiv double %216, %224
-  store double %227, ptr %67, align 8
-  %228 = load double, ptr %64, align 8
-  %229 = fmul double %228, %227
-  %230 = load double, ptr %65, align 8
-  %231 = fmul double %230, %226
-  %232 = fsub double %229, %231
-  store double %232, ptr %68, align 8
-  %233 = load double, ptr %65, align 8
-  %234 = load double, ptr %41, align 8
-  %235 = fmul double %233, %234
-  %236 = load double, ptr %63, align 8
-  %237 = load double, ptr %67, align 8
-  %238 = fmul double %236, %237
-  %239 = fsub double %235, %238
-  store double %239, ptr %69, align 8
-  %240 = load double, ptr %63, align 8
-  %241 = load double, ptr %66, align 8
-  %242 = fmul double %240, %241
-  %243 = load double, ptr %64, align 8
-  %244 = load double, ptr %41, align 8
-  %245 = fmul double %243, %244
-  %246 = fsub double %242, %245
-  store double %246, ptr %70, align 8
-  %247 = load double, ptr %63, align 8
-  %248 = fmul double %186, %247
-  %249 = fadd double %86, %248
-  %250 = load double, ptr %64, align 8
-  %251 = fmul double %186, %250
-  %252 = fadd double %88, %251
-  %253 = load double, ptr %65, align 8
-  %254 = fmul double %186, %253
-  %255 = fadd double %90, %254
-  %256 = fcmp olt double %249, %86
-  %257 = select i1 %256, double %249, double %86
-  %258 = fsub double %257, %17
-  %259 = fcmp olt double %252, %88
-  %260 = select i1 %259, double %252, double %88
-  %261 = fsub double %260, %17
-  %262 = fcmp olt double %255, %90
-  %263 = select i1 %262, double %255, double %90
-  %264 = fsub double %263, %17
-  %265 = fcmp ogt double %249, %86
-  %266 = select i1 %265, double %249, double %86
-  %267 = fadd double %17, %266
-  %268 = fcmp ogt double %252, %88
-  %269 = select i1 %268, double %252, double %88
-  %270 = fadd double %17, %269
-  %271 = fcmp ogt double %255, %90
-  %272 = select i1 %271, double %255, double %90
-  %273 = fadd double %17, %272
-  br label %274
-274:
-  %275 = phi i64 [ %334, %343 ], [ 0, %170 ]
-  %276 = phi i64 [ %344, %343 ], [ 1, %170 ]
-  %277 = mul i64 %276, %35
-  %278 = getelementptr double, ptr %31, i64 %277
-  %279 = load double, ptr %278, align 8
-  %280 = fcmp ogt double %279, %267
-  br i1 %280, label %332, label %281
-281:
-  %282 = phi i64 [ %328, %323 ], [ %277, %274 ]
-  %283 = phi i64 [ %324, %323 ], [ %276, %274 ]
-  %284 = shl i64 %282, 3
-  %285 = getelementptr i8, ptr %31, i64 %284
-  %286 = getelementptr i8, ptr %285, i64 8
-  %287 = load double, ptr %286, align 8
-  %288 = fcmp ogt double %287, %270
-  br i1 %288, label %332, label %289
-289:
-  %290 = getelementptr i8, ptr %285, i64 16
-  %291 = load double, ptr %290, align 8
-  %292 = fcmp ogt double %291, %273
-  br i1 %292, label %332, label %293
-293:
-  %294 = getelementptr i8, ptr %285, i64 24
-  %295 = load double, ptr %294, align 8
-  %296 = fcmp olt double %295, %258
-  br i1 %296, label %332, label %297
-297:
-  %298 = getelementptr i8, ptr %285, i64 32
-  %299 = load double, ptr %298, align 8
-  %300 = fcmp olt double %299, %261
-  br i1 %300, label %332, label %301
-301:
-  %302 = getelementptr i8, ptr %285, i64 40
-  %303 = load double, ptr %302, align 8
-  %304 = fcmp uge double %303, %264
-  br i1 %304, label %305, label %332
-305:
-  %306 = icmp slt i64 %283, %39
-  br i1 %306, label %323, label %346
+  %220 = fmul double %204, %215
+  %221 = fadd double %220, %219
+  %222 = load double, ptr %177, align 8
+  %223 = load double, ptr %178, align 8
+  %224 = load double, ptr %179, align 8
+  %225 = fmul double %203, %222
+  %226 = fmul double %205, %224
+  %227 = fadd double %225, %226
+  %228 = fmul double %204, %223
+  %229 = fadd double %228, %227
+  %230 = getelementptr double, ptr %197, i64 %21
+  %231 = load double, ptr %230, align 8
+  %232 = getelementptr i8, ptr %230, i64 8
+  %233 = load double, ptr %232, align 8
+  %234 = getelementptr i8, ptr %230, i64 16
+  %235 = load double, ptr %234, align 8
+  %236 = fsub double %231, %133
+  %237 = fsub double %233, %135
+  %238 = fsub double %235, %137
+  %239 = fmul double %206, %236
+  %240 = fmul double %208, %238
+  %241 = fadd double %239, %240
+  %242 = fmul double %207, %237
+  %243 = fadd double %242, %241
+  %244 = fmul double %214, %236
+  %245 = fmul double %216, %238
+  %246 = fadd double %244, %245
+  %247 = fmul double %215, %237
+  %248 = fadd double %247, %246
+  %249 = fmul double %222, %236
+  %250 = fmul double %224, %238
+  %251 = fadd double %249, %250
+  %252 = fmul double %223, %237
+  %253 = fadd double %252, %251
+  %254 = getelementptr i8, ptr %197, i64 %50
+  %255 = load double, ptr %254, align 8
+  %256 = getelementptr i8, ptr %254, i64 8
+  %257 = load double, ptr %256, align 8
+  %258 = getelementptr i8, ptr %254, i64 16
+  %259 = load double, ptr %258, align 8
+  %260 = fsub double %255, %133
+  %261 = fsub double %257, %135
+  %262 = fsub double %259, %137
+  %263 = fmul double %206, %260
+  %264 = fmul double %208, %262
+  %265 = fadd double %263, %264
+  %266 = fmul double %207, %261
+  %267 = fadd double %266, %265
+  %268 = fmul double %214, %260
+  %269 = fmul double %216, %262
+  %270 = fadd double %268, %269
+  %271 = fmul double %215, %261
+  %272 = fadd double %271, %270
+  %273 = fmul double %222, %260
+  %274 = fmul double %224, %262
+  %275 = fadd double %273, %274
+  %276 = fmul double %223, %261
+  %277 = fadd double %276, %275
+  %278 = fmul double %213, %213
+  %279 = fmul double %221, %221
+  %280 = fadd double %278, %279
+  %281 = fmul double %243, %243
+  %282 = fmul double %248, %248
+  %283 = fadd double %281, %282
+  %284 = fmul double %267, %267
+  %285 = fmul double %272, %272
+  %286 = fadd double %284, %285
+  %287 = fcmp ogt double %283, %280
+  %288 = select i1 %287, double %283, double %280
+  %289 = fcmp ogt double %286, %288
+  %290 = select i1 %289, double %286, double %288
+  %291 = fmul double %213, %248
+  %292 = fmul double %221, %243
+  %293 = fsub double %291, %292
+  %294 = fmul double %243, %272
+  %295 = fmul double %248, %267
+  %296 = fsub double %294, %295
+  %297 = fmul double %221, %267
+  %298 = fmul double %213, %272
+  %299 = fsub double %297, %298
+  %300 = fadd double %293, %296
+  %301 = fadd double %299, %300
+  %302 = fcmp olt double %299, %296
+  %303 = select i1 %302, double %299, double %296
+  %304 = fcmp olt double %293, %303
+  %305 = select i1 %304, double %293, double %303
+  %306 = fcmp ult double %305, 0.000000e+00
+  br i1 %306, label %80, label %86
 307:
-  %308 = tail call double @llvm.fabs.f64(double %487)
-  %309 = fmul double %472, 0x3D06849B86A12B9B
-  %310 = fcmp ogt double %308, %309
-  br i1 %310, label %499, label %332
-311:
-  %312 = icmp slt i64 %275, %51
-  br i1 %312, label %313, label %321
-313:
-  %314 = icmp slt i64 %275, 0
-  %315 = select i1 %314, i64 %51, i64 0
-  %316 = getelementptr i64, ptr %49, i64 %275
-  %317 = getelementptr i64, ptr %316, i64 %315
-  store i64 0, ptr %317, align 8
-  %318 = select i1 %314, i64 %55, i64 0
-  %319 = getelementptr double, ptr %53, i64 %275
-  %320 = getelementptr double, ptr %319, i64 %318
-  store double %519, ptr %320, align 8
-  br label %321
-321:
-  %322 = add nsw i64 %275, 1
-  br label %332
-323:
-  %324 = shl nsw i64 %283, 1
-  %325 = icmp slt i64 %283, 0
-  %326 = select i1 %325, i64 %33, i64 0
-  %327 = add i64 %326, %324
-  %328 = mul i64 %327, %35
-  %329 = getelementptr double, ptr %31, i64 %328
-  %330 = load double, ptr %329, align 8
-  %331 = fcmp ogt double %330, %267
-  br i1 %331, label %332, label %281
-332:
-  %333 = phi i64 [ %283, %499 ], [ %283, %321 ], [ %283, %493 ], [ %283, %307 ], [ %276, %274 ], [ %283, %301 ], [ %283, %297 ], [ %283, %293 ], [ %283, %289 ], [ %283, %281 ], [ %324, %323 ]
-  %334 = phi i64 [ %275, %499 ], [ %322, %321 ], [ %275, %493 ], [ %275, %307 ], [ %275, %274 ], [ %275, %281 ], [ %275, %289 ], [ %275, %293 ], [ %275, %297 ], [ %275, %301 ], [ %275, %323 ]
-  %335 = add nsw i64 %333, 1
-  %336 = and i64 %333, 1
-  %337 = icmp eq i64 %336, 0
-  br i1 %337, label %343, label %338
-338:
-  %339 = phi i64 [ %340, %338 ], [ %335, %332 ]
-  %340 = ashr i64 %339, 1
-  %341 = and i64 %339, 2
-  %342 = icmp eq i64 %341, 0
-  br i1 %342, label %338, label %343
-343:
-  %344 = phi i64 [ %335, %332 ], [ %340, %338 ]
-  %345 = icmp sgt i64 %344, 1
-  br i1 %345, label %274, label %523
-346:
-  %347 = sub nsw i64 %283, %39
-  %348 = getelementptr i64, ptr %37, i64 %347
-  %349 = load i64, ptr %348, align 8
-  %350 = icmp slt i64 %349, 0
-  %351 = select i1 %350, i64 %25, i64 0
-  %352 = add i64 %351, %349
-  %353 = mul i64 %352, %27
-  %354 = mul i64 %353, %29
-  %355 = getelementptr double, ptr %23, i64 %354
-  %356 = load double, ptr %355, align 8
-  %357 = fsub double %356, %86
-  %358 = getelementptr i8, ptr %355, i64 8
-  %359 = load double, ptr %358, align 8
-  %360 = fsub double %359, %88
-  %361 = getelementptr i8, ptr %355, i64 16
-  %362 = load double, ptr %361, align 8
-  %363 = fsub double %362, %90
-  %364 = load double, ptr %41, align 8
-  %365 = load double, ptr %66, align 8
-  %366 = load double, ptr %67, align 8
-  %367 = fmul double %357, %364
-  %368 = fmul double %363, %366
-  %369 = fadd double %367, %368
-  %370 = fmul double %360, %365
-  %371 = fadd double %370, %369
-  store double %371, ptr %45, align 8
-  %372 = load double, ptr %68, align 8
-  %373 = load double, ptr %69, align 8
-  %374 = load double, ptr %70, align 8
-  %375 = fmul double %357, %372
-  %376 = fmul double %363, %374
-  %377 = fadd double %375, %376
-  %378 = fmul double %360, %373
-  %379 = fadd double %378, %377
-  store double %379, ptr %72, align 8
-  %380 = load double, ptr %63, align 8
-  %381 = load double, ptr %64, align 8
-  %382 = load double, ptr %65, align 8
-  %383 = fmul double %357, %380
-  %384 = fmul double %363, %382
-  %385 = fadd double %383, %384
-  %386 = fmul double %360, %381
-  %387 = fadd double %386, %385
-  store double %387, ptr %73, align 8
-  %388 = add i64 %353, 1
-  %389 = mul i64 %388, %29
-  %390 = getelementptr double, ptr %23, i64 %389
-  %391 = load double, ptr %390, align 8
-  %392 = fsub double %391, %86
-  %393 = getelementptr i8, ptr %390, i64 8
-  %394 = load double, ptr %393, align 8
-  %395 = fsub double %394, %88
-  %396 = getelementptr i8, ptr %390, i64 16
-  %397 = load double, ptr %396, align 8
-  %398 = fsub double %397, %90
-  %399 = load double, ptr %41, align 8
-  %400 = load double, ptr %66, align 8
-  %401 = load double, ptr %67, align 8
-  %402 = fmul double %392, %399
-  %403 = fmul double %398, %401
-  %404 = fadd double %402, %403
-  %405 = fmul double %395, %400
-  %406 = fadd double %405, %404
-  store double %406, ptr %74, align 8
-  %407 = load double, ptr %68, align 8
-  %408 = load double, ptr %69, align 8
-  %409 = load double, ptr %70, align 8
-  %410 = fmul double %392, %407
-  %411 = fmul double %398, %409
-  %412 = fadd double %410, %411
-  %413 = fmul double %395, %408
-  %414 = fadd double %413, %412
-  store double %414, ptr %75, align 8
-  %415 = load double, ptr %63, align 8
-  %416 = load double, ptr %64, align 8
-  %417 = load double, ptr %65, align 8
-  %418 = fmul double %392, %415
-  %419 = fmul double %398, %417
-  %420 = fadd double %418, %419
-  %421 = fmul double %395, %416
-  %422 = fadd double %421, %420
-  store double %422, ptr %76, align 8
-  %423 = add i64 %353, 2
-  %424 = mul i64 %423, %29
-  %425 = getelementptr double, ptr %23, i64 %424
-  %426 = load double, ptr %425, align 8
-  %427 = fsub double %426, %86
-  %428 = getelementptr i8, ptr %425, i64 8
-  %429 = load double, ptr %428, align 8
-  %430 = fsub double %429, %88
-  %431 = getelementptr i8, ptr %425, i64 16
-  %432 = load double, ptr %431, align 8
-  %433 = fsub double %432, %90
-  %434 = load double, ptr %41, align 8
-  %435 = load double, ptr %66, align 8
-  %436 = load double, ptr %67, align 8
-  %437 = fmul double %427, %434
-  %438 = fmul double %433, %436
-  %439 = fadd double %437, %438
-  %440 = fmul double %430, %435
-  %441 = fadd double %440, %439
-  store double %441, ptr %77, align 8
-  %442 = load double, ptr %68, align 8
-  %443 = load double, ptr %69, align 8
-  %444 = load double, ptr %70, align 8
-  %445 = fmul double %427, %442
-  %446 = fmul double %433, %444
-  %447 = fadd double %445, %446
-  %448 = fmul double %430, %443
-  %449 = fadd double %448, %447
-  store double %449, ptr %78, align 8
-  %450 = load double, ptr %63, align 8
-  %451 = load double, ptr %64, align 8
-  %452 = load double, ptr %65, align 8
-  %453 = fmul double %427, %450
-  %454 = fmul double %433, %452
-  %455 = fadd double %453, %454
-  %456 = fmul double %430, %451
-  %457 = fadd double %456, %455
-  store double %457, ptr %79, align 8
-  %458 = fmul double %449, %449
-  %459 = fmul double %441, %441
-  %460 = fmul double %414, %414
-  %461 = fmul double %406, %406
-  %462 = fmul double %379, %379
-  %463 = fmul double %371, %371
-  %464 = fadd double %463, %462
-  %465 = fcmp ogt double %464, 0.000000e+00
-  %466 = select i1 %465, double %464, double 0.000000e+00
-  %467 = fadd double %461, %460
-  %468 = fcmp ogt double %467, %466
-  %469 = select i1 %468, double %467, double %466
-  %470 = fadd double %459, %458
-  %471 = fcmp ogt double %470, %469
-  %472 = select i1 %471, double %470, double %469
-  %473 = load double, ptr %45, align 8
-  %474 = load double, ptr %75, align 8
-  %475 = fmul double %473, %474
-  %476 = load double, ptr %74, align 8
-  %477 = load double, ptr %72, align 8
-  %478 = fmul double %476, %477
-  %479 = fsub double %475, %478
-  %480 = fmul double %449, %476
-  %481 = fmul double %441, %474
-  %482 = fsub double %480, %481
-  %483 = fmul double %441, %477
-  %484 = fmul double %449, %473
-  %485 = fsub double %483, %484
-  %486 = fadd double %482, %479
-  %487 = fadd double %485, %486
-  %488 = fcmp olt double %482, %479
-  %489 = select i1 %488, double %482, double %479
-  %490 = fcmp olt double %485, %489
-  %491 = select i1 %490, double %485, double %489
-  %492 = fcmp ult double %491, 0.000000e+00
-  br i1 %492, label %493, label %307
-493:
-  %494 = fcmp ogt double %482, %479
-  %495 = select i1 %494, double %482, double %479
-  %496 = fcmp ogt double %485, %495
-  %497 = select i1 %496, double %485, double %495
-  %498 = fcmp ugt double %497, 0.000000e+00
-  br i1 %498, label %332, label %307
-499:
-  %500 = load double, ptr %73, align 8
-  %501 = load double, ptr %76, align 8
-  %502 = fmul double %457, %479
-  %503 = fmul double %485, %501
-  %504 = fadd double %502, %503
-  %505 = fmul double %482, %500
-  %506 = fadd double %505, %504
-  %507 = fcmp olt double %501, %500
-  %508 = select i1 %507, double %501, double %500
-  %509 = fcmp olt double %457, %508
-  %510 = select i1 %509, double %457, double %508
-  %511 = fdiv double %506, %487
-  %512 = fcmp ogt double %510, %511
-  %513 = select i1 %512, double %510, double %511
-  %514 = fcmp ogt double %501, %500
-  %515 = select i1 %514, double %501, double %500
-  %516 = fcmp ogt double %457, %515
-  %517 = select i1 %516, double %457, double %515
-  %518 = fcmp olt double %517, %513
-  %519 = select i1 %518, double %517, double %513
-  %520 = fcmp oge double %519, 0.000000e+00
-  %521 = fcmp ole double %519, %186
-  %522 = select i1 %520, i1 %521, i1 false
-  br i1 %522, label %311, label %332
-523:
-  %524 = icmp sgt i64 %334, %55
-  br i1 %524, label %540, label %525
-525:
-  %526 = add i64 %334, -1
-  %527 = icmp slt i64 %526, 1
-  br i1 %527, label %130, label %95
-528:
-  %529 = fadd double %135, %144
-  %530 = fmul double %529, 5.000000e-01
-  %531 = fmul double %189, %530
-  %532 = fadd double %86, %531
-  %533 = fmul double %190, %530
-  %534 = fadd double %88, %533
-  %535 = fmul double %191, %530
-  %536 = fadd double %90, %535
-  store i64 0, ptr %3, align 8
-  call fastcc void @1(ptr nonnull %3, double %532, double %534, double %536, ptr readonly %19, i64 %21, ptr readonly %23, i64 %25, i64 %27, i64 %29, ptr readonly %31, i64 %33, i64 %35, ptr readonly %37, i64 %39)
-  %537 = load i64, ptr %3, align 8
-  %538 = icmp sgt i64 %537, 0
-  %539 = zext i1 %538 to i8
-  store i8 %539, ptr %93, align 1
-  br label %149
-540:
-  %541 = phi i64 [ 0, %1 ], [ %334, %523 ], [ 0, %168 ]
-  ret i64 %541
+  %308 = fmul double %293, %277
+  %309 = fmul double %253, %299
+  %310 = fadd double %308, %309
+  %311 = fmul double %229, %296
+  %312 = fadd double %311, %310
+  %313 = fcmp olt double %253, %229
+  %314 = select i1 %313, double %253, double %229
+  %315 = fcmp olt double %277, %314
+  %316 = select i1 %315, double %277, double %314
+  %317 = fdiv double %312, %301
+  %318 = fcmp ogt double %316, %317
+  %319 = select i1 %318, double %316, double %317
+  %320 = fcmp ogt double %253, %229
+  %321 = select i1 %320, double %253, double %229
+  %322 = fcmp ogt double %277, %321
+  %323 = select i1 %322, double %277, double %321
+  %324 = fcmp olt double %323, %319
+  %325 = select i1 %324, double %323, double %319
+  %326 = fcmp ult double %325, 0.000000e+00
+  br i1 %326, label %114, label %90
+327:
+  %328 = phi i64 [ 0, %1 ], [ %116, %51 ]
+  ret i64 %328
 }
-define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
+define internal fastcc void @1(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
   %9 = icmp slt i64 %5, 0
   %10 = select i1 %9, i64 %2, i64 0
   %11 = add i64 %10, %5
@@ -2137,31 +1384,31 @@ define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1
   %19 = load double, ptr %18, align 8
   %20 = getelementptr double, ptr %14, i64 %4
   %21 = load double, ptr %20, align 8
-  %22 = fsub double %21, %15
-  %23 = getelementptr i8, ptr %20, i64 8
-  %24 = load double, ptr %23, align 8
-  %25 = fsub double %24, %17
-  %26 = getelementptr i8, ptr %20, i64 16
-  %27 = load double, ptr %26, align 8
-  %28 = fsub double %27, %19
+  %22 = getelementptr i8, ptr %20, i64 8
+  %23 = load double, ptr %22, align 8
+  %24 = getelementptr i8, ptr %20, i64 16
+  %25 = load double, ptr %24, align 8
+  %26 = fsub double %21, %15
+  %27 = fsub double %23, %17
+  %28 = fsub double %25, %19
   %29 = shl i64 %4, 4
   %30 = getelementptr i8, ptr %14, i64 %29
   %31 = load double, ptr %30, align 8
-  %32 = fsub double %31, %15
-  %33 = getelementptr i8, ptr %30, i64 8
-  %34 = load double, ptr %33, align 8
-  %35 = fsub double %34, %17
-  %36 = getelementptr i8, ptr %30, i64 16
-  %37 = load double, ptr %36, align 8
-  %38 = fsub double %37, %19
-  %39 = fmul double %25, %38
-  %40 = fmul double %28, %35
+  %32 = getelementptr i8, ptr %30, i64 8
+  %33 = load double, ptr %32, align 8
+  %34 = getelementptr i8, ptr %30, i64 16
+  %35 = load double, ptr %34, align 8
+  %36 = fsub double %31, %15
+  %37 = fsub double %33, %17
+  %38 = fsub double %35, %19
+  %39 = fmul double %27, %38
+  %40 = fmul double %28, %37
   %41 = fsub double %39, %40
-  %42 = fmul double %28, %32
-  %43 = fmul double %22, %38
+  %42 = fmul double %28, %36
+  %43 = fmul double %26, %38
   %44 = fsub double %42, %43
-  %45 = fmul double %22, %35
-  %46 = fmul double %25, %32
+  %45 = fmul double %26, %37
+  %46 = fmul double %27, %36
   %47 = fsub double %45, %46
   %48 = fmul double %41, %41
   %49 = fmul double %44, %44
@@ -2169,9 +1416,9 @@ define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1
   %51 = fmul double %47, %47
   %52 = fadd double %51, %50
   %53 = fcmp ogt double %52, 0.000000e+00
-  br i1 %53, label %56, label %92
+  br i1 %53, label %56, label %107
 54:
-  %55 = phi i8 [ %156, %150 ], [ 0, %142 ]
+  %55 = phi i8 [ %123, %117 ], [ 0, %107 ]
   store i8 %55, ptr %0, align 1
   ret void
 56:
@@ -2181,107 +1428,72 @@ define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1
   %60 = add i64 %59, %6
   %61 = mul i64 %60, %12
   %62 = getelementptr double, ptr %1, i64 %61
-  %63 = getelementptr i8, ptr %62, i64 16
-  %64 = load double, ptr %63, align 8
-  %65 = fsub double %64, %19
-  %66 = getelementptr i8, ptr %62, i64 8
+  %63 = load double, ptr %62, align 8
+  %64 = getelementptr i8, ptr %62, i64 8
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr i8, ptr %62, i64 16
   %67 = load double, ptr %66, align 8
-  %68 = fsub double %67, %17
-  %69 = load double, ptr %62, align 8
-  %70 = fsub double %69, %15
-  %71 = fmul double %41, %70
-  %72 = fmul double %47, %65
-  %73 = fadd double %72, %71
-  %74 = fmul double %44, %68
+  %68 = fsub double %63, %15
+  %69 = fsub double %65, %17
+  %70 = fsub double %67, %19
+  %71 = fmul double %41, %68
+  %72 = fmul double %47, %70
+  %73 = fadd double %71, %72
+  %74 = fmul double %44, %69
   %75 = fadd double %74, %73
   %76 = fdiv double %75, %57
   %77 = getelementptr double, ptr %62, i64 %4
-  %78 = getelementptr i8, ptr %77, i64 16
-  %79 = load double, ptr %78, align 8
-  %80 = fsub double %79, %19
-  %81 = getelementptr i8, ptr %77, i64 8
+  %78 = load double, ptr %77, align 8
+  %79 = getelementptr i8, ptr %77, i64 8
+  %80 = load double, ptr %79, align 8
+  %81 = getelementptr i8, ptr %77, i64 16
   %82 = load double, ptr %81, align 8
-  %83 = fsub double %82, %17
-  %84 = load double, ptr %77, align 8
-  %85 = fsub double %84, %15
-  %86 = fmul double %41, %85
-  %87 = fmul double %47, %80
-  %88 = fadd double %87, %86
-  %89 = fmul double %44, %83
+  %83 = fsub double %78, %15
+  %84 = fsub double %80, %17
+  %85 = fsub double %82, %19
+  %86 = fmul double %41, %83
+  %87 = fmul double %47, %85
+  %88 = fadd double %86, %87
+  %89 = fmul double %44, %84
   %90 = fadd double %89, %88
   %91 = fdiv double %90, %57
-  br label %92
-92:
-  %93 = phi double [ %76, %56 ], [ 0.000000e+00, %8 ]
-  %94 = phi double [ %91, %56 ], [ 0.000000e+00, %8 ]
-  %95 = shl i64 %4, 1
-  %96 = getelementptr double, ptr %14, i64 %95
+  %92 = getelementptr i8, ptr %62, i64 %29
+  %93 = load double, ptr %92, align 8
+  %94 = getelementptr i8, ptr %92, i64 8
+  %95 = load double, ptr %94, align 8
+  %96 = getelementptr i8, ptr %92, i64 16
   %97 = load double, ptr %96, align 8
-  %98 = fsub double %97, %15
-  %99 = getelementptr i8, ptr %96, i64 8
-  %100 = load double, ptr %99, align 8
-  %101 = fsub double %100, %17
-  %102 = getelementptr i8, ptr %96, i64 16
-  %103 = load double, ptr %102, align 8
-  %104 = fsub double %103, %19
-  %105 = fmul double %25, %104
-  %106 = fmul double %28, %101
-  %107 = fsub double %105, %106
-  %108 = fmul double %28, %98
-  %109 = fmul double %22, %104
-  %110 = fsub double %108, %109
-  %111 = fmul double %22, %101
-  %112 = fmul double %25, %98
-  %113 = fsub double %111, %112
-  %114 = fmul double %107, %107
-  %115 = fmul double %110, %110
-  %116 = fadd double %114, %115
-  %117 = fmul double %113, %113
-  %118 = fadd double %117, %116
-  %119 = fcmp ogt double %118, 0.000000e+00
-  br i1 %119, label %120, label %142
-120:
-  %121 = tail call double @llvm.sqrt.f64(double %118)
-  %122 = icmp slt i64 %6, 0
-  %123 = select i1 %122, i64 %2, i64 0
-  %124 = add i64 %123, %6
-  %125 = mul i64 %124, %12
-  %126 = getelementptr double, ptr %1, i64 %125
-  %127 = getelementptr double, ptr %126, i64 %95
-  %128 = getelementptr i8, ptr %127, i64 16
-  %129 = load double, ptr %128, align 8
-  %130 = fsub double %129, %19
-  %131 = getelementptr i8, ptr %127, i64 8
-  %132 = load double, ptr %131, align 8
-  %133 = fsub double %132, %17
-  %134 = load double, ptr %127, align 8
-  %135 = fsub double %134, %15
-  %136 = fmul double %107, %135
-  %137 = fmul double %113, %130
-  %138 = fadd double %137, %136
-  %139 = fmul double %110, %133
-  %140 = fadd double %139, %138
-  %141 = fdiv double %140, %121
-  br label %142
-142:
-  %143 = phi double [ %141, %120 ], [ 0.000000e+00, %92 ]
-  %144 = fcmp olt double %94, %93
-  %145 = select i1 %144, double %94, double %93
-  %146 = fcmp olt double %143, %145
-  %147 = select i1 %146, double %143, double %145
-  %148 = fneg double %7
-  %149 = fcmp olt double %147, %148
-  br i1 %149, label %150, label %54
-150:
-  %151 = fcmp ogt double %94, %93
-  %152 = select i1 %151, double %94, double %93
-  %153 = fcmp ogt double %143, %152
-  %154 = select i1 %153, double %143, double %152
-  %155 = fcmp ogt double %154, %7
-  %156 = zext i1 %155 to i8
+  %98 = fsub double %93, %15
+  %99 = fsub double %95, %17
+  %100 = fsub double %97, %19
+  %101 = fmul double %41, %98
+  %102 = fmul double %47, %100
+  %103 = fadd double %101, %102
+  %104 = fmul double %44, %99
+  %105 = fadd double %104, %103
+  %106 = fdiv double %105, %57
+  br label %107
+107:
+  %108 = phi double [ %91, %56 ], [ 0.000000e+00, %8 ]
+  %109 = phi double [ %76, %56 ], [ 0.000000e+00, %8 ]
+  %110 = phi double [ %106, %56 ], [ 0.000000e+00, %8 ]
+  %111 = fcmp olt double %108, %109
+  %112 = select i1 %111, double %108, double %109
+  %113 = fcmp olt double %110, %112
+  %114 = select i1 %113, double %110, double %112
+  %115 = fneg double %7
+  %116 = fcmp olt double %114, %115
+  br i1 %116, label %117, label %54
+117:
+  %118 = fcmp ogt double %108, %109
+  %119 = select i1 %118, double %108, double %109
+  %120 = fcmp ogt double %110, %119
+  %121 = select i1 %120, double %110, double %119
+  %122 = fcmp ogt double %121, %7
+  %123 = zext i1 %122 to i8
   br label %54
 }
-define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
+define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
   %10 = freeze i64 %6
   %11 = add i64 %10, 1
   %12 = icmp eq i64 %11, 3
@@ -2289,8 +1501,8 @@ define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1
   %14 = icmp slt i64 %7, 0
   %15 = select i1 %14, i64 %2, i64 0
   %16 = add i64 %15, %7
-  %17 = mul i64 %4, %3
-  %18 = mul i64 %16, %17
+  %17 = mul i64 %16, %3
+  %18 = mul i64 %17, %4
   %19 = getelementptr double, ptr %1, i64 %18
   %20 = load double, ptr %19, align 8
   %21 = getelementptr i8, ptr %19, i64 8
@@ -2299,31 +1511,31 @@ define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1
   %24 = load double, ptr %23, align 8
   %25 = getelementptr double, ptr %19, i64 %4
   %26 = load double, ptr %25, align 8
-  %27 = fsub double %26, %20
-  %28 = getelementptr i8, ptr %25, i64 8
-  %29 = load double, ptr %28, align 8
-  %30 = fsub double %29, %22
-  %31 = getelementptr i8, ptr %25, i64 16
-  %32 = load double, ptr %31, align 8
-  %33 = fsub double %32, %24
+  %27 = getelementptr i8, ptr %25, i64 8
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr i8, ptr %25, i64 16
+  %30 = load double, ptr %29, align 8
+  %31 = fsub double %26, %20
+  %32 = fsub double %28, %22
+  %33 = fsub double %30, %24
   %34 = shl i64 %4, 4
   %35 = getelementptr i8, ptr %19, i64 %34
   %36 = load double, ptr %35, align 8
-  %37 = fsub double %36, %20
-  %38 = getelementptr i8, ptr %35, i64 8
-  %39 = load double, ptr %38, align 8
-  %40 = fsub double %39, %22
-  %41 = getelementptr i8, ptr %35, i64 16
-  %42 = load double, ptr %41, align 8
-  %43 = fsub double %42, %24
-  %44 = fmul double %30, %43
-  %45 = fmul double %33, %40
+  %37 = getelementptr i8, ptr %35, i64 8
+  %38 = load double, ptr %37, align 8
+  %39 = getelementptr i8, ptr %35, i64 16
+  %40 = load double, ptr %39, align 8
+  %41 = fsub double %36, %20
+  %42 = fsub double %38, %22
+  %43 = fsub double %40, %24
+  %44 = fmul double %32, %43
+  %45 = fmul double %33, %42
   %46 = fsub double %44, %45
-  %47 = fmul double %33, %37
-  %48 = fmul double %27, %43
+  %47 = fmul double %33, %41
+  %48 = fmul double %31, %43
   %49 = fsub double %47, %48
-  %50 = fmul double %27, %40
-  %51 = fmul double %30, %37
+  %50 = fmul double %31, %42
+  %51 = fmul double %32, %41
   %52 = fsub double %50, %51
   %53 = fmul double %46, %46
   %54 = fmul double %49, %49
@@ -2333,7 +1545,7 @@ define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1
   %58 = fcmp ogt double %57, 0.000000e+00
   br i1 %58, label %61, label %101
 59:
-  %60 = phi i8 [ %206, %112 ], [ 0, %108 ], [ 0, %101 ]
+  %60 = phi i8 [ %222, %112 ], [ 0, %108 ], [ 0, %101 ]
   store i8 %60, ptr %0, align 1
   ret void
 61:
@@ -2341,39 +1553,39 @@ define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1
   %63 = icmp slt i64 %5, 0
   %64 = select i1 %63, i64 %2, i64 0
   %65 = add i64 %64, %5
-  %66 = mul i64 %65, %17
-  %67 = mul i64 %10, %4
-  %68 = getelementptr double, ptr %1, i64 %67
-  %69 = getelementptr double, ptr %68, i64 %66
-  %70 = getelementptr i8, ptr %69, i64 16
-  %71 = load double, ptr %70, align 8
-  %72 = fsub double %71, %24
-  %73 = getelementptr i8, ptr %69, i64 8
+  %66 = mul i64 %65, %3
+  %67 = add i64 %66, %10
+  %68 = mul i64 %67, %4
+  %69 = getelementptr double, ptr %1, i64 %68
+  %70 = load double, ptr %69, align 8
+  %71 = getelementptr i8, ptr %69, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr i8, ptr %69, i64 16
   %74 = load double, ptr %73, align 8
-  %75 = fsub double %74, %22
-  %76 = load double, ptr %69, align 8
-  %77 = fsub double %76, %20
-  %78 = fmul double %46, %77
-  %79 = fmul double %52, %72
-  %80 = fadd double %79, %78
-  %81 = fmul double %49, %75
+  %75 = fsub double %70, %20
+  %76 = fsub double %72, %22
+  %77 = fsub double %74, %24
+  %78 = fmul double %46, %75
+  %79 = fmul double %52, %77
+  %80 = fadd double %78, %79
+  %81 = fmul double %49, %76
   %82 = fadd double %81, %80
   %83 = fdiv double %82, %62
-  %84 = mul i64 %13, %4
-  %85 = getelementptr double, ptr %1, i64 %84
-  %86 = getelementptr double, ptr %85, i64 %66
-  %87 = getelementptr i8, ptr %86, i64 16
-  %88 = load double, ptr %87, align 8
-  %89 = fsub double %88, %24
-  %90 = getelementptr i8, ptr %86, i64 8
+  %84 = add i64 %13, %66
+  %85 = mul i64 %84, %4
+  %86 = getelementptr double, ptr %1, i64 %85
+  %87 = load double, ptr %86, align 8
+  %88 = getelementptr i8, ptr %86, i64 8
+  %89 = load double, ptr %88, align 8
+  %90 = getelementptr i8, ptr %86, i64 16
   %91 = load double, ptr %90, align 8
-  %92 = fsub double %91, %22
-  %93 = load double, ptr %86, align 8
-  %94 = fsub double %93, %20
-  %95 = fmul double %46, %94
-  %96 = fmul double %52, %89
-  %97 = fadd double %96, %95
-  %98 = fmul double %49, %92
+  %92 = fsub double %87, %20
+  %93 = fsub double %89, %22
+  %94 = fsub double %91, %24
+  %95 = fmul double %46, %92
+  %96 = fmul double %52, %94
+  %97 = fadd double %95, %96
+  %98 = fmul double %49, %93
   %99 = fadd double %98, %97
   %100 = fdiv double %99, %62
   br label %101
@@ -2394,97 +1606,113 @@ define internal fastcc void @3(ptr noalias nonnull writeonly %0, ptr readonly %1
   %113 = icmp slt i64 %5, 0
   %114 = select i1 %113, i64 %2, i64 0
   %115 = add i64 %114, %5
-  %116 = mul i64 %115, %17
-  %117 = mul i64 %10, %4
-  %118 = getelementptr double, ptr %1, i64 %117
-  %119 = getelementptr double, ptr %118, i64 %116
+  %116 = mul i64 %115, %3
+  %117 = add i64 %116, %10
+  %118 = mul i64 %117, %4
+  %119 = getelementptr double, ptr %1, i64 %118
   %120 = load double, ptr %119, align 8
   %121 = getelementptr i8, ptr %119, i64 8
   %122 = load double, ptr %121, align 8
   %123 = getelementptr i8, ptr %119, i64 16
   %124 = load double, ptr %123, align 8
-  %125 = mul i64 %13, %4
-  %126 = getelementptr double, ptr %1, i64 %125
-  %127 = getelementptr double, ptr %126, i64 %116
+  %125 = add i64 %13, %116
+  %126 = mul i64 %125, %4
+  %127 = getelementptr double, ptr %1, i64 %126
   %128 = load double, ptr %127, align 8
-  %129 = fsub double %128, %120
-  %130 = getelementptr i8, ptr %127, i64 8
-  %131 = load double, ptr %130, align 8
-  %132 = fsub double %131, %122
-  %133 = getelementptr i8, ptr %127, i64 16
-  %134 = load double, ptr %133, align 8
-  %135 = fsub double %134, %124
-  %136 = fsub double %20, %120
-  %137 = fsub double %22, %122
-  %138 = fsub double %24, %124
-  %139 = fsub double %26, %120
-  %140 = fsub double %29, %122
-  %141 = fsub double %32, %124
-  %142 = fmul double %137, %141
-  %143 = fmul double %140, %138
-  %144 = fsub double %142, %143
-  %145 = fmul double %139, %138
-  %146 = fmul double %136, %141
-  %147 = fsub double %145, %146
-  %148 = fmul double %136, %140
-  %149 = fmul double %139, %137
-  %150 = fsub double %148, %149
-  %151 = fmul double %129, %144
-  %152 = fmul double %150, %135
-  %153 = fadd double %151, %152
-  %154 = fmul double %132, %147
-  %155 = fadd double %154, %153
-  %156 = fsub double %36, %120
-  %157 = fsub double %39, %122
-  %158 = fsub double %42, %124
-  %159 = fmul double %140, %158
-  %160 = fmul double %157, %141
-  %161 = fsub double %159, %160
-  %162 = fmul double %156, %141
-  %163 = fmul double %139, %158
-  %164 = fsub double %162, %163
-  %165 = fmul double %139, %157
-  %166 = fmul double %156, %140
-  %167 = fsub double %165, %166
-  %168 = fmul double %129, %161
-  %169 = fmul double %167, %135
-  %170 = fadd double %168, %169
-  %171 = fmul double %132, %164
-  %172 = fadd double %171, %170
-  %173 = fmul double %157, %138
-  %174 = fmul double %137, %158
-  %175 = fsub double %173, %174
-  %176 = fmul double %136, %158
-  %177 = fmul double %156, %138
-  %178 = fsub double %176, %177
-  %179 = fmul double %156, %137
-  %180 = fmul double %136, %157
+  %129 = getelementptr i8, ptr %127, i64 8
+  %130 = load double, ptr %129, align 8
+  %131 = getelementptr i8, ptr %127, i64 16
+  %132 = load double, ptr %131, align 8
+  %133 = fsub double %128, %120
+  %134 = fsub double %130, %122
+  %135 = fsub double %132, %124
+  %136 = add i64 %17, 1
+  %137 = mul i64 %136, %4
+  %138 = getelementptr double, ptr %1, i64 %137
+  %139 = load double, ptr %138, align 8
+  %140 = getelementptr i8, ptr %138, i64 8
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr i8, ptr %138, i64 16
+  %143 = load double, ptr %142, align 8
+  %144 = fsub double %20, %120
+  %145 = fsub double %22, %122
+  %146 = fsub double %24, %124
+  %147 = fsub double %139, %120
+  %148 = fsub double %141, %122
+  %149 = fsub double %143, %124
+  %150 = fmul double %145, %149
+  %151 = fmul double %146, %148
+  %152 = fsub double %150, %151
+  %153 = fmul double %146, %147
+  %154 = fmul double %144, %149
+  %155 = fsub double %153, %154
+  %156 = fmul double %144, %148
+  %157 = fmul double %145, %147
+  %158 = fsub double %156, %157
+  %159 = fmul double %133, %152
+  %160 = fmul double %135, %158
+  %161 = fadd double %160, %159
+  %162 = fmul double %134, %155
+  %163 = fadd double %162, %161
+  %164 = fcmp oge double %163, 0.000000e+00
+  %165 = zext i1 %164 to i64
+  %166 = fcmp ole double %163, 0.000000e+00
+  %167 = zext i1 %166 to i64
+  %168 = add i64 %17, 2
+  %169 = mul i64 %168, %4
+  %170 = getelementptr double, ptr %1, i64 %169
+  %171 = load double, ptr %170, align 8
+  %172 = getelementptr i8, ptr %170, i64 8
+  %173 = load double, ptr %172, align 8
+  %174 = getelementptr i8, ptr %170, i64 16
+  %175 = load double, ptr %174, align 8
+  %176 = fsub double %171, %120
+  %177 = fsub double %173, %122
+  %178 = fsub double %175, %124
+  %179 = fmul double %148, %178
+  %180 = fmul double %149, %177
   %181 = fsub double %179, %180
-  %182 = fmul double %129, %175
-  %183 = fmul double %181, %135
-  %184 = fadd double %182, %183
-  %185 = fmul double %132, %178
-  %186 = fadd double %185, %184
-  %187 = fcmp ole double %155, 0.000000e+00
-  %188 = zext i1 %187 to i64
-  %189 = fcmp ole double %172, 0.000000e+00
-  %190 = zext i1 %189 to i64
-  %191 = add nuw nsw i64 %190, %188
-  %192 = fcmp oge double %155, 0.000000e+00
-  %193 = zext i1 %192 to i64
-  %194 = fcmp oge double %172, 0.000000e+00
-  %195 = zext i1 %194 to i64
-  %196 = add nuw nsw i64 %195, %193
-  %197 = fcmp oge double %186, 0.000000e+00
-  %198 = zext i1 %197 to i64
-  %199 = add nuw nsw i64 %196, %198
-  %200 = fcmp ole double %186, 0.000000e+00
-  %201 = zext i1 %200 to i64
-  %202 = add nuw nsw i64 %191, %201
-  %203 = icmp eq i64 %199, 3
-  %204 = icmp eq i64 %202, 3
-  %205 = select i1 %203, i1 true, i1 %204
-  %206 = zext i1 %205 to i8
+  %182 = fmul double %149, %176
+  %183 = fmul double %147, %178
+  %184 = fsub double %182, %183
+  %185 = fmul double %147, %177
+  %186 = fmul double %148, %176
+  %187 = fsub double %185, %186
+  %188 = fmul double %133, %181
+  %189 = fmul double %135, %187
+  %190 = fadd double %189, %188
+  %191 = fmul double %134, %184
+  %192 = fadd double %191, %190
+  %193 = fcmp oge double %192, 0.000000e+00
+  %194 = zext i1 %193 to i64
+  %195 = add nuw nsw i64 %194, %165
+  %196 = fcmp ole double %192, 0.000000e+00
+  %197 = zext i1 %196 to i64
+  %198 = add nuw nsw i64 %197, %167
+  %199 = fmul double %146, %177
+  %200 = fmul double %145, %178
+  %201 = fsub double %199, %200
+  %202 = fmul double %144, %178
+  %203 = fmul double %146, %176
+  %204 = fsub double %202, %203
+  %205 = fmul double %145, %176
+  %206 = fmul double %144, %177
+  %207 = fsub double %205, %206
+  %208 = fmul double %133, %201
+  %209 = fmul double %135, %207
+  %210 = fadd double %209, %208
+  %211 = fmul double %134, %204
+  %212 = fadd double %211, %210
+  %213 = fcmp oge double %212, 0.000000e+00
+  %214 = zext i1 %213 to i64
+  %215 = add nuw nsw i64 %195, %214
+  %216 = fcmp ole double %212, 0.000000e+00
+  %217 = zext i1 %216 to i64
+  %218 = add nuw nsw i64 %198, %217
+  %219 = icmp eq i64 %215, 3
+  %220 = icmp eq i64 %218, 3
+  %221 = select i1 %219, i1 true, i1 %220
+  %222 = zext i1 %221 to i8
   br label %59
 }
 define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
@@ -2509,300 +1737,268 @@ define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
   %20 = load i64, ptr %19, align 8
   %21 = getelementptr i8, ptr %0, i64 120
   %22 = load i64, ptr %21, align 8
-  %23 = shl i64 %22, 3
-  %24 = getelementptr i8, ptr %0, i64 128
-  %25 = load ptr, ptr %24, align 8
-  %26 = getelementptr i8, ptr %0, i64 136
-  %27 = load i64, ptr %26, align 8
-  %28 = getelementptr i8, ptr %0, i64 144
-  %29 = load double, ptr %28, align 8
-  %30 = getelementptr i8, ptr %0, i64 152
-  %31 = load i64, ptr %30, align 8
-  %32 = getelementptr i8, ptr %0, i64 160
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr i8, ptr %0, i64 176
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr i8, ptr %0, i64 184
-  %37 = load i64, ptr %36, align 8
-  %38 = getelementptr i8, ptr %0, i64 192
-  %39 = load ptr, ptr %38, align 8
-  %40 = getelementptr i8, ptr %0, i64 200
-  %41 = load i64, ptr %40, align 8
-  store i64 0, ptr %33, align 8
-  %42 = icmp slt i64 %27, 1
-  br i1 %42, label %253, label %43
-43:
-  %44 = shl i64 %8, 3
-  br label %45
-45:
-  %46 = phi i64 [ %237, %236 ], [ 0, %43 ]
-  %47 = phi i64 [ %49, %236 ], [ %27, %43 ]
-  %48 = phi i64 [ %50, %236 ], [ %27, %43 ]
-  %49 = add nsw i64 %47, -1
-  %50 = add i64 %48, 1
-  %51 = sub nsw i64 %48, %27
-  %52 = getelementptr i64, ptr %25, i64 %51
-  %53 = load i64, ptr %52, align 8
-  %54 = and i64 %48, 1
-  %55 = icmp eq i64 %54, 0
-  br i1 %55, label %239, label %56
-56:
-  %57 = phi i64 [ %58, %56 ], [ %50, %45 ]
-  %58 = ashr i64 %57, 1
-  %59 = and i64 %57, 2
-  %60 = icmp eq i64 %59, 0
-  br i1 %60, label %56, label %239
-61:
-  %62 = load i64, ptr %33, align 8
-  %63 = icmp slt i64 %62, %31
-  br i1 %63, label %64, label %236
-64:
-  %65 = icmp slt i64 %48, 0
-  %66 = select i1 %65, i64 %20, i64 0
-  %67 = add i64 %66, %48
-  %68 = mul nsw i64 %53, 3
-  %69 = getelementptr i64, ptr %6, i64 %68
-  %70 = icmp slt i64 %53, 0
-  %71 = add i64 %68, 1
-  %72 = icmp slt i64 %71, 0
-  %73 = getelementptr i64, ptr %6, i64 %71
-  %74 = add i64 %68, 2
-  %75 = icmp slt i64 %74, 0
-  %76 = getelementptr i64, ptr %6, i64 %74
-  %77 = mul i64 %23, %67
-  %78 = getelementptr i8, ptr %18, i64 %77
-  %79 = getelementptr i8, ptr %78, i64 8
-  %80 = getelementptr i8, ptr %78, i64 16
-  %81 = getelementptr i8, ptr %78, i64 24
-  %82 = getelementptr i8, ptr %78, i64 40
-  %83 = getelementptr i8, ptr %78, i64 32
-  %84 = select i1 %70, i64 %44, i64 0
-  %85 = getelementptr inbounds i8, ptr %69, i64 %84
-  %86 = select i1 %72, i64 %44, i64 0
-  %87 = getelementptr inbounds i8, ptr %73, i64 %86
-  %88 = select i1 %75, i64 %44, i64 0
-  %89 = getelementptr inbounds i8, ptr %76, i64 %88
-  br label %90
-90:
-  %91 = phi i64 [ %232, %231 ], [ %62, %64 ]
-  %92 = phi i64 [ %234, %231 ], [ %46, %64 ]
-  %93 = phi i64 [ %233, %231 ], [ %240, %64 ]
-  %94 = load double, ptr %78, align 8
-  %95 = load double, ptr %79, align 8
-  %96 = load double, ptr %80, align 8
-  %97 = load double, ptr %81, align 8
-  %98 = load double, ptr %82, align 8
-  %99 = mul i64 %93, %22
-  %100 = getelementptr double, ptr %18, i64 %99
-  %101 = load double, ptr %100, align 8
-  %102 = fcmp ogt double %101, %97
-  br i1 %102, label %216, label %103
-103:
-  %104 = load double, ptr %83, align 8
-  %105 = shl i64 %99, 3
-  %106 = getelementptr i8, ptr %18, i64 %105
-  %107 = getelementptr i8, ptr %106, i64 8
-  %108 = load double, ptr %107, align 8
-  %109 = fcmp ogt double %108, %104
-  br i1 %109, label %216, label %110
-110:
-  %111 = getelementptr i8, ptr %106, i64 16
-  %112 = load double, ptr %111, align 8
-  %113 = fcmp ogt double %112, %98
-  br i1 %113, label %216, label %114
-114:
-  %115 = getelementptr i8, ptr %106, i64 24
-  %116 = load double, ptr %115, align 8
-  %117 = fcmp olt double %116, %94
-  br i1 %117, label %216, label %118
-118:
-  %119 = getelementptr i8, ptr %106, i64 32
-  %120 = load double, ptr %119, align 8
-  %121 = fcmp olt double %120, %95
-  br i1 %121, label %216, label %122
-122:
-  %123 = getelementptr i8, ptr %106, i64 40
-  %124 = load double, ptr %123, align 8
-  %125 = fcmp uge double %124, %96
-  br i1 %125, label %126, label %216
-126:
-  %127 = icmp slt i64 %93, %27
-  br i1 %127, label %251, label %128
+  %23 = getelementptr i8, ptr %0, i64 128
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 136
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 144
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 152
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 160
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 176
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 184
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 192
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 200
+  %40 = load i64, ptr %39, align 8
+  store i64 0, ptr %32, align 8
+  %41 = icmp slt i64 %26, 1
+  br i1 %41, label %229, label %42
+42:
+  %43 = shl i64 %8, 3
+  br label %44
+44:
+  %45 = phi i64 [ %200, %199 ], [ 0, %42 ]
+  %46 = phi i64 [ %48, %199 ], [ %26, %42 ]
+  %47 = phi i64 [ %49, %199 ], [ %26, %42 ]
+  %48 = add nsw i64 %46, -1
+  %49 = add i64 %47, 1
+  %50 = sub nsw i64 %47, %26
+  %51 = getelementptr i64, ptr %24, i64 %50
+  %52 = load i64, ptr %51, align 8
+  %53 = and i64 %47, 1
+  %54 = icmp eq i64 %53, 0
+  br i1 %54, label %202, label %55
+55:
+  %56 = phi i64 [ %57, %55 ], [ %49, %44 ]
+  %57 = ashr i64 %56, 1
+  %58 = and i64 %56, 2
+  %59 = icmp eq i64 %58, 0
+  br i1 %59, label %55, label %202
+60:
+  %61 = load i64, ptr %32, align 8
+  %62 = icmp slt i64 %61, %30
+  br i1 %62, label %63, label %199
+63:
+  %64 = mul nsw i64 %52, 3
+  %65 = getelementptr i64, ptr %6, i64 %64
+  %66 = icmp slt i64 %52, 0
+  %67 = add i64 %64, 1
+  %68 = icmp slt i64 %67, 0
+  %69 = getelementptr i64, ptr %6, i64 %67
+  %70 = add i64 %64, 2
+  %71 = icmp slt i64 %70, 0
+  %72 = getelementptr i64, ptr %6, i64 %70
+  %73 = select i1 %66, i64 %43, i64 0
+  %74 = getelementptr inbounds i8, ptr %65, i64 %73
+  %75 = select i1 %68, i64 %43, i64 0
+  %76 = getelementptr inbounds i8, ptr %69, i64 %75
+  %77 = select i1 %71, i64 %43, i64 0
+  %78 = getelementptr inbounds i8, ptr %72, i64 %77
+  br label %79
+79:
+  %80 = phi i64 [ %195, %194 ], [ %61, %63 ]
+  %81 = phi i64 [ %197, %194 ], [ %45, %63 ]
+  %82 = phi i64 [ %196, %194 ], [ %203, %63 ]
+  %83 = mul i64 %82, %22
+  %84 = getelementptr double, ptr %18, i64 %83
+  %85 = load double, ptr %84, align 8
+  %86 = fcmp ogt double %85, %216
+  br i1 %86, label %179, label %87
+87:
+  %88 = shl i64 %83, 3
+  %89 = getelementptr i8, ptr %18, i64 %88
+  %90 = getelementptr i8, ptr %89, i64 8
+  %91 = load double, ptr %90, align 8
+  %92 = fcmp ogt double %91, %218
+  br i1 %92, label %179, label %93
+93:
+  %94 = getelementptr i8, ptr %89, i64 16
+  %95 = load double, ptr %94, align 8
+  %96 = fcmp ogt double %95, %220
+  br i1 %96, label %179, label %97
+97:
+  %98 = getelementptr i8, ptr %89, i64 24
+  %99 = load double, ptr %98, align 8
+  %100 = fcmp olt double %99, %210
+  br i1 %100, label %179, label %101
+101:
+  %102 = getelementptr i8, ptr %89, i64 32
+  %103 = load double, ptr %102, align 8
+  %104 = fcmp olt double %103, %212
+  br i1 %104, label %179, label %105
+105:
+  %106 = getelementptr i8, ptr %89, i64 40
+  %107 = load double, ptr %106, align 8
+  %108 = fcmp uge double %107, %214
+  br i1 %108, label %109, label %179
+109:
+  %110 = icmp slt i64 %82, %26
+  br i1 %110, label %227, label %111
+111:
+  %112 = sub nsw i64 %82, %26
+  %113 = getelementptr i64, ptr %24, i64 %112
+  %114 = load i64, ptr %113, align 8
+  %115 = load i64, ptr %74, align 8
+  %116 = mul i64 %114, 24
+  %117 = getelementptr i8, ptr %6, i64 %116
+  %118 = icmp slt i64 %114, 0
+  %119 = select i1 %118, i64 %8, i64 0
+  %120 = getelementptr i64, ptr %117, i64 %119
+  %121 = load i64, ptr %120, align 8
+  %122 = icmp eq i64 %115, %121
+  br i1 %122, label %179, label %123
+123:
+  %124 = getelementptr i8, ptr %117, i64 8
+  %125 = getelementptr i64, ptr %124, i64 %119
+  %126 = load i64, ptr %125, align 8
+  %127 = icmp eq i64 %115, %126
+  br i1 %127, label %179, label %128
 128:
-  %129 = sub nsw i64 %93, %27
-  %130 = getelementptr i64, ptr %25, i64 %129
+  %129 = getelementptr i8, ptr %117, i64 16
+  %130 = getelementptr i64, ptr %129, i64 %119
   %131 = load i64, ptr %130, align 8
-  %132 = load i64, ptr %85, align 8
-  %133 = mul i64 %131, 24
-  %134 = getelementptr i8, ptr %6, i64 %133
-  %135 = icmp slt i64 %131, 0
-  %136 = select i1 %135, i64 %8, i64 0
-  %137 = getelementptr i64, ptr %134, i64 %136
-  %138 = load i64, ptr %137, align 8
-  %139 = icmp eq i64 %132, %138
-  br i1 %139, label %216, label %140
+  %132 = icmp eq i64 %115, %131
+  br i1 %132, label %179, label %133
+133:
+  %134 = load i64, ptr %76, align 8
+  %135 = icmp eq i64 %134, %121
+  %136 = icmp eq i64 %134, %126
+  %137 = or i1 %135, %136
+  %138 = icmp eq i64 %134, %131
+  %139 = or i1 %138, %137
+  br i1 %139, label %179, label %140
 140:
-  %141 = getelementptr i8, ptr %134, i64 8
-  %142 = getelementptr i64, ptr %141, i64 %136
-  %143 = load i64, ptr %142, align 8
-  %144 = icmp eq i64 %132, %143
-  br i1 %144, label %216, label %145
+  %141 = load i64, ptr %78, align 8
+  %142 = icmp eq i64 %141, %121
+  %143 = icmp eq i64 %141, %126
+  %144 = or i1 %142, %143
+  br i1 %144, label %179, label %145
 145:
-  %146 = getelementptr i8, ptr %134, i64 16
-  %147 = getelementptr i64, ptr %146, i64 %136
-  %148 = load i64, ptr %147, align 8
-  %149 = icmp eq i64 %132, %148
-  br i1 %149, label %216, label %150
-150:
-  %151 = load i64, ptr %87, align 8
-  %152 = icmp eq i64 %151, %138
-  %153 = icmp eq i64 %151, %143
-  %154 = or i1 %152, %153
-  %155 = icmp eq i64 %151, %148
-  %156 = or i1 %155, %154
-  br i1 %156, label %216, label %157
-157:
-  %158 = load i64, ptr %89, align 8
-  %159 = icmp eq i64 %158, %138
-  %160 = icmp eq i64 %158, %143
-  %161 = or i1 %159, %160
-  %162 = icmp eq i64 %158, %148
-  %163 = or i1 %162, %161
-  br i1 %163, label %216, label %164
+  %146 = icmp ne i64 %141, %131
+  %147 = zext i1 %146 to i64
+  %148 = add nsw i64 %80, %147
+  store i64 %148, ptr %32, align 8
+  br i1 %146, label %149, label %179
+149:
+  call fastcc void @1(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 %114, double %28)
+  %150 = load i8, ptr %2, align 1
+  %151 = icmp eq i8 %150, 0
+  br i1 %151, label %179, label %221
+152:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 0, i64 %114, double %28)
+  %153 = load i8, ptr %4, align 1
+  %154 = icmp eq i8 %153, 0
+  br i1 %154, label %224, label %167
+155:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 1, i64 %114, double %28)
+  %156 = load i8, ptr %4, align 1
+  %157 = icmp eq i8 %156, 0
+  br i1 %157, label %158, label %167
+158:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 1, i64 %52, double %28)
+  %159 = load i8, ptr %5, align 1
+  %160 = icmp eq i8 %159, 0
+  br i1 %160, label %161, label %167
+161:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 2, i64 %114, double %28)
+  %162 = load i8, ptr %4, align 1
+  %163 = icmp eq i8 %162, 0
+  br i1 %163, label %164, label %167
 164:
-  %165 = add nsw i64 %91, 1
-  store i64 %165, ptr %33, align 8
-  call fastcc void @2(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 %131, double %29)
-  %166 = load i8, ptr %2, align 1
-  %167 = icmp eq i8 %166, 0
-  br i1 %167, label %216, label %242
-168:
-  call fastcc void @3(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 0, i64 %131, double %29)
-  %169 = load i8, ptr %4, align 1
-  %170 = icmp eq i8 %169, 0
-  br i1 %170, label %245, label %171
-171:
-  %172 = icmp slt i64 %92, %37
-  br i1 %172, label %173, label %181
-173:
-  %174 = icmp slt i64 %92, 0
-  %175 = select i1 %174, i64 %37, i64 0
-  %176 = getelementptr i64, ptr %35, i64 %92
-  %177 = getelementptr i64, ptr %176, i64 %175
-  store i64 %53, ptr %177, align 8
-  %178 = select i1 %174, i64 %41, i64 0
-  %179 = getelementptr i64, ptr %39, i64 %92
-  %180 = getelementptr i64, ptr %179, i64 %178
-  store i64 %131, ptr %180, align 8
-  br label %181
-181:
-  %182 = add nsw i64 %92, 1
-  br label %216
-183:
-  call fastcc void @3(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 1, i64 %53, double %29)
-  %184 = load i8, ptr %5, align 1
-  %185 = icmp eq i8 %184, 0
-  br i1 %185, label %198, label %186
-186:
-  %187 = icmp slt i64 %92, %37
-  br i1 %187, label %188, label %196
-188:
-  %189 = icmp slt i64 %92, 0
-  %190 = select i1 %189, i64 %37, i64 0
-  %191 = getelementptr i64, ptr %35, i64 %92
-  %192 = getelementptr i64, ptr %191, i64 %190
-  store i64 %53, ptr %192, align 8
-  %193 = select i1 %189, i64 %41, i64 0
-  %194 = getelementptr i64, ptr %39, i64 %92
-  %195 = getelementptr i64, ptr %194, i64 %193
-  store i64 %131, ptr %195, align 8
-  br label %196
-196:
-  %197 = add nsw i64 %92, 1
-  br label %216
-198:
-  call fastcc void @3(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 2, i64 %131, double %29)
-  %199 = load i8, ptr %4, align 1
-  %200 = icmp eq i8 %199, 0
-  br i1 %200, label %201, label %204
-201:
-  call fastcc void @3(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 2, i64 %53, double %29)
-  %202 = load i8, ptr %5, align 1
-  %203 = icmp eq i8 %202, 0
-  br i1 %203, label %216, label %204
-204:
-  %205 = icmp slt i64 %92, %37
-  br i1 %205, label %206, label %214
-206:
-  %207 = icmp slt i64 %92, 0
-  %208 = select i1 %207, i64 %37, i64 0
-  %209 = getelementptr i64, ptr %35, i64 %92
-  %210 = getelementptr i64, ptr %209, i64 %208
-  store i64 %53, ptr %210, align 8
-  %211 = select i1 %207, i64 %41, i64 0
-  %212 = getelementptr i64, ptr %39, i64 %92
-  %213 = getelementptr i64, ptr %212, i64 %211
-  store i64 %131, ptr %213, align 8
-  br label %214
-214:
-  %215 = add nsw i64 %92, 1
-  br label %216
-216:
-  %217 = phi i64 [ %92, %90 ], [ %92, %122 ], [ %92, %110 ], [ %92, %114 ], [ %92, %118 ], [ %92, %103 ], [ %92, %201 ], [ %92, %145 ], [ %92, %157 ], [ %182, %181 ], [ %92, %140 ], [ %92, %128 ], [ %215, %214 ], [ %92, %150 ], [ %197, %196 ], [ %92, %242 ], [ %92, %164 ]
-  %218 = add nuw nsw i64 %93, 1
-  %219 = and i64 %93, 1
-  %220 = icmp eq i64 %219, 0
-  br i1 %220, label %226, label %221
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 2, i64 %52, double %28)
+  %165 = load i8, ptr %5, align 1
+  %166 = icmp eq i8 %165, 0
+  br i1 %166, label %179, label %167
+167:
+  %168 = icmp slt i64 %81, %36
+  br i1 %168, label %169, label %177
+169:
+  %170 = icmp slt i64 %81, 0
+  %171 = select i1 %170, i64 %36, i64 0
+  %172 = getelementptr i64, ptr %34, i64 %81
+  %173 = getelementptr i64, ptr %172, i64 %171
+  store i64 %52, ptr %173, align 8
+  %174 = select i1 %170, i64 %40, i64 0
+  %175 = getelementptr i64, ptr %38, i64 %81
+  %176 = getelementptr i64, ptr %175, i64 %174
+  store i64 %114, ptr %176, align 8
+  br label %177
+177:
+  %178 = add nsw i64 %81, 1
+  br label %179
+179:
+  %180 = phi i64 [ %81, %79 ], [ %81, %105 ], [ %81, %93 ], [ %81, %97 ], [ %81, %101 ], [ %81, %87 ], [ %81, %140 ], [ %81, %128 ], [ %81, %145 ], [ %178, %177 ], [ %81, %123 ], [ %81, %221 ], [ %81, %133 ], [ %81, %111 ], [ %81, %164 ], [ %81, %149 ]
+  %181 = add nuw nsw i64 %82, 1
+  %182 = and i64 %82, 1
+  %183 = icmp eq i64 %182, 0
+  br i1 %183, label %189, label %184
+184:
+  %185 = phi i64 [ %186, %184 ], [ %181, %179 ]
+  %186 = lshr i64 %185, 1
+  %187 = and i64 %185, 2
+  %188 = icmp eq i64 %187, 0
+  br i1 %188, label %184, label %189
+189:
+  %190 = phi i64 [ %181, %179 ], [ %186, %184 ]
+  %191 = icmp sgt i64 %190, 1
+  br i1 %191, label %192, label %199
+192:
+  %193 = load i64, ptr %32, align 8
+  br label %194
+194:
+  %195 = phi i64 [ %80, %227 ], [ %193, %192 ]
+  %196 = phi i64 [ %228, %227 ], [ %190, %192 ]
+  %197 = phi i64 [ %81, %227 ], [ %180, %192 ]
+  %198 = icmp slt i64 %195, %30
+  br i1 %198, label %79, label %199
+199:
+  %200 = phi i64 [ %45, %60 ], [ %45, %202 ], [ %197, %194 ], [ %180, %189 ]
+  %201 = icmp sgt i64 %46, 1
+  br i1 %201, label %44, label %229
+202:
+  %203 = phi i64 [ %49, %44 ], [ %57, %55 ]
+  %204 = icmp slt i64 %203, 2
+  %205 = icmp slt i64 %47, 0
+  %206 = select i1 %205, i64 %20, i64 0
+  %207 = add i64 %206, %47
+  %208 = mul i64 %207, %22
+  %209 = getelementptr double, ptr %18, i64 %208
+  %210 = load double, ptr %209, align 8
+  %211 = getelementptr i8, ptr %209, i64 8
+  %212 = load double, ptr %211, align 8
+  %213 = getelementptr i8, ptr %209, i64 16
+  %214 = load double, ptr %213, align 8
+  %215 = getelementptr i8, ptr %209, i64 24
+  %216 = load double, ptr %215, align 8
+  %217 = getelementptr i8, ptr %209, i64 32
+  %218 = load double, ptr %217, align 8
+  %219 = getelementptr i8, ptr %209, i64 40
+  %220 = load double, ptr %219, align 8
+  br i1 %204, label %199, label %60
 221:
-  %222 = phi i64 [ %223, %221 ], [ %218, %216 ]
-  %223 = lshr i64 %222, 1
-  %224 = and i64 %222, 2
-  %225 = icmp eq i64 %224, 0
-  br i1 %225, label %221, label %226
-226:
-  %227 = phi i64 [ %218, %216 ], [ %223, %221 ]
-  %228 = icmp sgt i64 %227, 1
-  br i1 %228, label %229, label %236
+  call fastcc void @1(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 %52, double %28)
+  %222 = load i8, ptr %3, align 1
+  %223 = icmp eq i8 %222, 0
+  br i1 %223, label %179, label %152
+224:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 0, i64 %52, double %28)
+  %225 = load i8, ptr %5, align 1
+  %226 = icmp eq i8 %225, 0
+  br i1 %226, label %155, label %167
+227:
+  %228 = shl nuw nsw i64 %82, 1
+  br label %194
 229:
-  %230 = load i64, ptr %33, align 8
-  br label %231
-231:
-  %232 = phi i64 [ %91, %251 ], [ %230, %229 ]
-  %233 = phi i64 [ %252, %251 ], [ %227, %229 ]
-  %234 = phi i64 [ %92, %251 ], [ %217, %229 ]
-  %235 = icmp slt i64 %232, %31
-  br i1 %235, label %90, label %236
-236:
-  %237 = phi i64 [ %46, %61 ], [ %46, %239 ], [ %234, %231 ], [ %217, %226 ]
-  %238 = icmp sgt i64 %47, 1
-  br i1 %238, label %45, label %253
-239:
-  %240 = phi i64 [ %50, %45 ], [ %58, %56 ]
-  %241 = icmp slt i64 %240, 2
-  br i1 %241, label %236, label %61
-242:
-  call fastcc void @2(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 %53, double %29)
-  %243 = load i8, ptr %3, align 1
-  %244 = icmp eq i8 %243, 0
-  br i1 %244, label %216, label %168
-245:
-  call fastcc void @3(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 0, i64 %53, double %29)
-  %246 = load i8, ptr %5, align 1
-  %247 = icmp eq i8 %246, 0
-  br i1 %247, label %248, label %171
-248:
-  call fastcc void @3(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 1, i64 %131, double %29)
-  %249 = load i8, ptr %4, align 1
-  %250 = icmp eq i8 %249, 0
-  br i1 %250, label %183, label %186
-251:
-  %252 = shl nuw nsw i64 %93, 1
-  br label %231
-253:
-  %254 = phi i64 [ 0, %1 ], [ %237, %236 ]
-  ret i64 %254
+  %230 = phi i64 [ 0, %1 ], [ %200, %199 ]
+  ret i64 %230
 }
-define i64 @msf_jax.solid.walks.loops(ptr readonly %0) local_unnamed_addr {
+declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
+define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 8
   %4 = load i64, ptr %3, align 8
@@ -2841,985 +2037,776 @@ define i64 @msf_jax.solid.walks.loops(ptr readonly %0) local_unnamed_addr {
   %37 = getelementptr i8, ptr %0, i64 200
   %38 = load i64, ptr %37, align 8
   %39 = getelementptr i8, ptr %0, i64 208
-  %40 = load i64, ptr %39, align 8
-  %41 = getelementptr i8, ptr %0, i64 216
-  %42 = load i64, ptr %41, align 8
-  %43 = getelementptr i8, ptr %0, i64 224
-  %44 = load ptr, ptr %43, align 8
+  %40 = load ptr, ptr %39, align 8
+  %41 = getelementptr i8, ptr %0, i64 224
+  %42 = load ptr, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 232
+  %44 = load i64, ptr %43, align 8
   %45 = getelementptr i8, ptr %0, i64 240
-  %46 = load i64, ptr %45, align 8
-  %47 = getelementptr i8, ptr %0, i64 248
-  %48 = load ptr, ptr %47, align 8
-  %49 = getelementptr i8, ptr %0, i64 264
-  %50 = load ptr, ptr %49, align 8
-  %51 = getelementptr i8, ptr %0, i64 272
-  %52 = load i64, ptr %51, align 8
-  %53 = getelementptr i8, ptr %0, i64 280
-  %54 = load ptr, ptr %53, align 8
-  %55 = icmp slt i64 %4, 1
-  br i1 %55, label %952, label %56
-56:
-  %57 = getelementptr i8, ptr %0, i64 288
-  %58 = load i64, ptr %57, align 8
-  %59 = icmp slt i64 %40, 1
-  %60 = getelementptr i8, ptr %44, i64 8
-  %61 = getelementptr i8, ptr %44, i64 16
-  %62 = getelementptr double, ptr %44, i64 %46
-  %63 = getelementptr i8, ptr %62, i64 8
-  %64 = getelementptr i8, ptr %62, i64 16
-  %65 = shl i64 %52, 3
-  %66 = shl i64 %58, 3
-  %67 = shl i64 %6, 3
-  %68 = shl i64 %10, 3
-  br label %69
-69:
-  %70 = phi i64 [ %825, %824 ], [ 0, %56 ]
-  %71 = phi i64 [ %72, %824 ], [ 0, %56 ]
-  %72 = add nuw nsw i64 %71, 1
-  %73 = getelementptr double, ptr %12, i64 %71
-  %74 = load double, ptr %73, align 8
-  %75 = getelementptr i64, ptr %14, i64 %71
-  %76 = load i64, ptr %75, align 8
-  %77 = icmp sgt i64 %76, -1
-  br i1 %77, label %78, label %828
-78:
-  %79 = mul i64 %71, %6
-  %80 = getelementptr double, ptr %2, i64 %79
-  %81 = load double, ptr %80, align 8
-  %82 = mul i64 %71, %10
-  %83 = getelementptr double, ptr %8, i64 %82
-  %84 = load double, ptr %83, align 8
-  %85 = getelementptr i8, ptr %80, i64 8
-  %86 = load double, ptr %85, align 8
-  %87 = getelementptr i8, ptr %83, i64 8
-  %88 = load double, ptr %87, align 8
-  %89 = getelementptr i8, ptr %80, i64 16
-  %90 = load double, ptr %89, align 8
-  %91 = getelementptr i8, ptr %83, i64 16
-  %92 = load double, ptr %91, align 8
-  br label %93
-93:
-  %94 = phi i64 [ %276, %218 ], [ 32, %78 ]
-  %95 = phi i64 [ %275, %218 ], [ %76, %78 ]
-  %96 = mul nsw i64 %95, 3
-  %97 = icmp slt i64 %95, 0
-  %98 = select i1 %97, i64 %24, i64 0
-  %99 = getelementptr i64, ptr %22, i64 %96
-  %100 = getelementptr i64, ptr %99, i64 %98
-  %101 = load i64, ptr %100, align 8
-  %102 = icmp slt i64 %101, 0
-  %103 = select i1 %102, i64 %18, i64 0
-  %104 = add i64 %103, %101
-  %105 = mul i64 %104, %20
-  %106 = getelementptr double, ptr %16, i64 %105
-  %107 = load double, ptr %106, align 8
-  %108 = fsub double %107, %81
-  %109 = fmul double %84, %108
-  %110 = getelementptr i8, ptr %106, i64 8
+  %46 = load ptr, ptr %45, align 8
+  %47 = icmp slt i64 %4, 1
+  br i1 %47, label %753, label %48
+48:
+  %49 = getelementptr i8, ptr %0, i64 248
+  %50 = load i64, ptr %49, align 8
+  %51 = shl i64 %44, 3
+  %52 = shl i64 %50, 3
+  br label %630
+53:
+  %54 = phi i64 [ %236, %178 ], [ 32, %630 ]
+  %55 = phi i64 [ %235, %178 ], [ %649, %630 ]
+  %56 = mul nsw i64 %55, 3
+  %57 = icmp slt i64 %55, 0
+  %58 = select i1 %57, i64 %24, i64 0
+  %59 = getelementptr i64, ptr %22, i64 %56
+  %60 = getelementptr i64, ptr %59, i64 %58
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp slt i64 %61, 0
+  %63 = select i1 %62, i64 %18, i64 0
+  %64 = add i64 %63, %61
+  %65 = mul i64 %64, %20
+  %66 = getelementptr double, ptr %16, i64 %65
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr i8, ptr %66, i64 8
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr i8, ptr %66, i64 16
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %67, %636
+  %73 = fsub double %69, %638
+  %74 = fsub double %71, %640
+  %75 = fmul double %643, %72
+  %76 = fmul double %645, %73
+  %77 = fadd double %75, %76
+  %78 = fmul double %647, %74
+  %79 = fadd double %78, %77
+  %80 = fcmp ult double %79, 0.000000e+00
+  %81 = add nsw i64 %56, 1
+  %82 = getelementptr i64, ptr %22, i64 %81
+  %83 = getelementptr i64, ptr %82, i64 %58
+  %84 = load i64, ptr %83, align 8
+  br i1 %80, label %105, label %85
+85:
+  %86 = icmp slt i64 %84, 0
+  %87 = select i1 %86, i64 %18, i64 0
+  %88 = add i64 %87, %84
+  %89 = mul i64 %88, %20
+  %90 = getelementptr double, ptr %16, i64 %89
+  %91 = load double, ptr %90, align 8
+  %92 = getelementptr i8, ptr %90, i64 8
+  %93 = load double, ptr %92, align 8
+  %94 = getelementptr i8, ptr %90, i64 16
+  %95 = load double, ptr %94, align 8
+  %96 = fsub double %91, %636
+  %97 = fsub double %93, %638
+  %98 = fsub double %95, %640
+  %99 = fmul double %643, %96
+  %100 = fmul double %645, %97
+  %101 = fadd double %99, %100
+  %102 = fmul double %647, %98
+  %103 = fadd double %102, %101
+  %104 = fcmp olt double %103, 0.000000e+00
+  br i1 %104, label %171, label %105
+105:
+  %106 = icmp slt i64 %84, 0
+  %107 = select i1 %106, i64 %18, i64 0
+  %108 = add i64 %107, %84
+  %109 = mul i64 %108, %20
+  %110 = getelementptr double, ptr %16, i64 %109
   %111 = load double, ptr %110, align 8
-  %112 = fsub double %111, %86
-  %113 = fmul double %88, %112
-  %114 = fadd double %109, %113
-  %115 = getelementptr i8, ptr %106, i64 16
-  %116 = load double, ptr %115, align 8
-  %117 = fsub double %116, %90
-  %118 = fmul double %92, %117
-  %119 = fadd double %114, %118
-  %120 = fcmp ult double %119, 0.000000e+00
-  %121 = add nsw i64 %96, 1
-  %122 = getelementptr i64, ptr %22, i64 %121
-  %123 = getelementptr i64, ptr %122, i64 %98
-  %124 = load i64, ptr %123, align 8
-  br i1 %120, label %145, label %125
-125:
-  %126 = icmp slt i64 %124, 0
-  %127 = select i1 %126, i64 %18, i64 0
-  %128 = add i64 %127, %124
-  %129 = mul i64 %128, %20
-  %130 = getelementptr double, ptr %16, i64 %129
-  %131 = load double, ptr %130, align 8
-  %132 = fsub double %131, %81
-  %133 = fmul double %84, %132
-  %134 = getelementptr i8, ptr %130, i64 8
+  %112 = getelementptr i8, ptr %110, i64 8
+  %113 = load double, ptr %112, align 8
+  %114 = getelementptr i8, ptr %110, i64 16
+  %115 = load double, ptr %114, align 8
+  %116 = fsub double %111, %636
+  %117 = fsub double %113, %638
+  %118 = fsub double %115, %640
+  %119 = fmul double %643, %116
+  %120 = fmul double %645, %117
+  %121 = fadd double %119, %120
+  %122 = fmul double %647, %118
+  %123 = fadd double %122, %121
+  %124 = fcmp ult double %123, 0.000000e+00
+  %125 = add nsw i64 %56, 2
+  %126 = getelementptr i64, ptr %22, i64 %125
+  %127 = getelementptr i64, ptr %126, i64 %58
+  %128 = load i64, ptr %127, align 8
+  br i1 %124, label %149, label %129
+129:
+  %130 = icmp slt i64 %128, 0
+  %131 = select i1 %130, i64 %18, i64 0
+  %132 = add i64 %131, %128
+  %133 = mul i64 %132, %20
+  %134 = getelementptr double, ptr %16, i64 %133
   %135 = load double, ptr %134, align 8
-  %136 = fsub double %135, %86
-  %137 = fmul double %88, %136
-  %138 = fadd double %133, %137
-  %139 = getelementptr i8, ptr %130, i64 16
-  %140 = load double, ptr %139, align 8
-  %141 = fsub double %140, %90
-  %142 = fmul double %92, %141
-  %143 = fadd double %138, %142
-  %144 = fcmp olt double %143, 0.000000e+00
-  br i1 %144, label %211, label %145
-145:
-  %146 = icmp slt i64 %124, 0
-  %147 = select i1 %146, i64 %18, i64 0
-  %148 = add i64 %147, %124
-  %149 = mul i64 %148, %20
-  %150 = getelementptr double, ptr %16, i64 %149
-  %151 = load double, ptr %150, align 8
-  %152 = fsub double %151, %81
-  %153 = fmul double %84, %152
-  %154 = getelementptr i8, ptr %150, i64 8
+  %136 = getelementptr i8, ptr %134, i64 8
+  %137 = load double, ptr %136, align 8
+  %138 = getelementptr i8, ptr %134, i64 16
+  %139 = load double, ptr %138, align 8
+  %140 = fsub double %135, %636
+  %141 = fsub double %137, %638
+  %142 = fsub double %139, %640
+  %143 = fmul double %643, %140
+  %144 = fmul double %645, %141
+  %145 = fadd double %143, %144
+  %146 = fmul double %647, %142
+  %147 = fadd double %146, %145
+  %148 = fcmp olt double %147, 0.000000e+00
+  br i1 %148, label %171, label %149
+149:
+  %150 = icmp slt i64 %128, 0
+  %151 = select i1 %150, i64 %18, i64 0
+  %152 = add i64 %151, %128
+  %153 = mul i64 %152, %20
+  %154 = getelementptr double, ptr %16, i64 %153
   %155 = load double, ptr %154, align 8
-  %156 = fsub double %155, %86
-  %157 = fmul double %88, %156
-  %158 = fadd double %153, %157
-  %159 = getelementptr i8, ptr %150, i64 16
-  %160 = load double, ptr %159, align 8
-  %161 = fsub double %160, %90
-  %162 = fmul double %92, %161
-  %163 = fadd double %158, %162
-  %164 = fcmp ult double %163, 0.000000e+00
-  %165 = add nsw i64 %96, 2
-  %166 = getelementptr i64, ptr %22, i64 %165
-  %167 = getelementptr i64, ptr %166, i64 %98
-  %168 = load i64, ptr %167, align 8
-  br i1 %164, label %189, label %169
-169:
-  %170 = icmp slt i64 %168, 0
-  %171 = select i1 %170, i64 %18, i64 0
-  %172 = add i64 %171, %168
-  %173 = mul i64 %172, %20
-  %174 = getelementptr double, ptr %16, i64 %173
-  %175 = load double, ptr %174, align 8
-  %176 = fsub double %175, %81
-  %177 = fmul double %84, %176
-  %178 = getelementptr i8, ptr %174, i64 8
-  %179 = load double, ptr %178, align 8
-  %180 = fsub double %179, %86
-  %181 = fmul double %88, %180
-  %182 = fadd double %177, %181
-  %183 = getelementptr i8, ptr %174, i64 16
-  %184 = load double, ptr %183, align 8
-  %185 = fsub double %184, %90
-  %186 = fmul double %92, %185
-  %187 = fadd double %182, %186
-  %188 = fcmp olt double %187, 0.000000e+00
-  br i1 %188, label %211, label %189
-189:
-  %190 = icmp slt i64 %168, 0
-  %191 = select i1 %190, i64 %18, i64 0
-  %192 = add i64 %191, %168
-  %193 = mul i64 %192, %20
-  %194 = getelementptr double, ptr %16, i64 %193
-  %195 = load double, ptr %194, align 8
-  %196 = fsub double %195, %81
-  %197 = fmul double %84, %196
-  %198 = getelementptr i8, ptr %194, i64 8
-  %199 = load double, ptr %198, align 8
-  %200 = fsub double %199, %86
-  %201 = fmul double %88, %200
-  %202 = fadd double %197, %201
-  %203 = getelementptr i8, ptr %194, i64 16
-  %204 = load double, ptr %203, align 8
-  %205 = fsub double %204, %90
-  %206 = fmul double %92, %205
-  %207 = fadd double %202, %206
-  %208 = fcmp oge double %207, 0.000000e+00
-  %209 = fcmp olt double %119, 0.000000e+00
-  %210 = and i1 %209, %208
-  br i1 %210, label %211, label %218
-211:
-  %212 = phi i64 [ %121, %169 ], [ %96, %125 ], [ %165, %189 ]
-  %213 = icmp sgt i64 %212, -1
-  br i1 %213, label %828, label %214
-214:
-  %215 = getelementptr i8, ptr %99, i64 16
-  %216 = getelementptr i64, ptr %215, i64 %98
-  %217 = load i64, ptr %216, align 8
-  br label %218
-218:
-  %219 = phi i64 [ %217, %214 ], [ %168, %189 ]
-  %220 = icmp slt i64 %124, 0
-  %221 = select i1 %220, i64 %18, i64 0
-  %222 = add i64 %221, %124
-  %223 = mul i64 %222, %20
-  %224 = getelementptr double, ptr %16, i64 %223
-  %225 = load double, ptr %224, align 8
-  %226 = fsub double %225, %81
-  %227 = fmul double %84, %226
-  %228 = getelementptr i8, ptr %224, i64 8
-  %229 = load double, ptr %228, align 8
-  %230 = fsub double %229, %86
-  %231 = fmul double %88, %230
-  %232 = fadd double %227, %231
-  %233 = getelementptr i8, ptr %224, i64 16
-  %234 = load double, ptr %233, align 8
-  %235 = fsub double %234, %90
-  %236 = fmul double %92, %235
-  %237 = fadd double %232, %236
-  %238 = icmp slt i64 %219, 0
-  %239 = select i1 %238, i64 %18, i64 0
-  %240 = add i64 %239, %219
-  %241 = mul i64 %240, %20
-  %242 = getelementptr double, ptr %16, i64 %241
-  %243 = load double, ptr %242, align 8
-  %244 = fsub double %243, %81
-  %245 = fmul double %84, %244
-  %246 = getelementptr i8, ptr %242, i64 8
-  %247 = load double, ptr %246, align 8
-  %248 = fsub double %247, %86
-  %249 = fmul double %88, %248
-  %250 = fadd double %245, %249
-  %251 = getelementptr i8, ptr %242, i64 16
-  %252 = load double, ptr %251, align 8
-  %253 = fsub double %252, %90
-  %254 = fmul double %92, %253
-  %255 = fadd double %250, %254
-  %256 = tail call double @llvm.fabs.f64(double %237)
-  %257 = tail call double @llvm.fabs.f64(double %119)
-  %258 = fcmp ogt double %257, -1.000000e+00
-  %259 = select i1 %258, double %257, double -1.000000e+00
-  %260 = fcmp ogt double %256, %259
-  %261 = select i1 %260, double %256, double %259
-  %262 = tail call double @llvm.fabs.f64(double %255)
-  %263 = fcmp ogt double %262, %261
-  %264 = select i1 %260, i64 2, i64 1
-  %265 = select i1 %263, i64 0, i64 %264
-  %266 = add nsw i64 %265, %96
-  %267 = icmp slt i64 %266, 0
-  %268 = select i1 %267, i64 %28, i64 0
-  %269 = getelementptr i64, ptr %26, i64 %266
-  %270 = getelementptr i64, ptr %269, i64 %268
-  %271 = load i64, ptr %270, align 8
-  %272 = sdiv i64 %271, 3
-  %273 = srem i64 %271, 3
-  %274 = ashr i64 %273, 63
-  %275 = add nsw i64 %274, %272
-  %276 = add nsw i64 %94, -1
-  %277 = icmp samesign ugt i64 %94, 3
-  br i1 %277, label %93, label %828
-278:
-  %279 = phi i64 [ %829, %830 ], [ %784, %797 ]
-  %280 = phi double [ %74, %830 ], [ %798, %797 ]
-  %281 = phi i64 [ 0, %830 ], [ %282, %797 ]
-  %282 = add nuw nsw i64 %281, 1
-  %283 = icmp sgt i64 %279, -1
-  br i1 %283, label %806, label %284
-284:
-  %285 = load double, ptr %832, align 8
-  %286 = load double, ptr %833, align 8
-  %287 = load double, ptr %834, align 8
-  br label %288
-288:
-  %289 = phi double [ %777, %794 ], [ %287, %284 ]
-  %290 = phi double [ %778, %794 ], [ %286, %284 ]
-  %291 = phi double [ %779, %794 ], [ %285, %284 ]
-  %292 = phi double [ %780, %794 ], [ %287, %284 ]
-  %293 = phi double [ %781, %794 ], [ %286, %284 ]
-  %294 = phi double [ %782, %794 ], [ %285, %284 ]
-  %295 = phi double [ %785, %794 ], [ %280, %284 ]
-  %296 = phi i64 [ %784, %794 ], [ -1, %284 ]
-  %297 = phi i64 [ %783, %794 ], [ %38, %284 ]
-  %298 = phi i64 [ %795, %794 ], [ 1, %284 ]
-  %299 = fmul double %295, %295
-  %300 = fmul double %299, 0x3FF000000044B830
-  br label %301
-301:
-  %302 = phi i64 [ %775, %774 ], [ %298, %288 ]
-  %303 = icmp slt i64 %302, 0
-  %304 = select i1 %303, i64 %32, i64 0
-  %305 = add i64 %304, %302
-  %306 = mul i64 %305, %34
-  %307 = getelementptr double, ptr %30, i64 %306
-  %308 = load double, ptr %307, align 8
-  %309 = fsub double %308, %294
-  %310 = getelementptr i8, ptr %307, i64 24
-  %311 = load double, ptr %310, align 8
-  %312 = fsub double %294, %311
-  %313 = fcmp ogt double %312, %309
-  %314 = select i1 %313, double %312, double %309
-  %315 = fcmp olt double %314, 0.000000e+00
-  %316 = select i1 %315, double 0.000000e+00, double %314
-  %317 = getelementptr i8, ptr %307, i64 8
-  %318 = load double, ptr %317, align 8
-  %319 = fsub double %318, %293
-  %320 = getelementptr i8, ptr %307, i64 32
-  %321 = load double, ptr %320, align 8
-  %322 = fsub double %293, %321
-  %323 = fcmp ogt double %322, %319
-  %324 = select i1 %323, double %322, double %319
-  %325 = fcmp olt double %324, 0.000000e+00
-  %326 = select i1 %325, double 0.000000e+00, double %324
-  %327 = getelementptr i8, ptr %307, i64 16
-  %328 = load double, ptr %327, align 8
-  %329 = fsub double %328, %292
-  %330 = getelementptr i8, ptr %307, i64 40
-  %331 = load double, ptr %330, align 8
-  %332 = fsub double %292, %331
-  %333 = fcmp ogt double %332, %329
-  %334 = select i1 %333, double %332, double %329
-  %335 = fcmp olt double %334, 0.000000e+00
-  %336 = select i1 %335, double 0.000000e+00, double %334
-  %337 = fmul double %316, %316
-  %338 = fmul double %326, %326
-  %339 = fadd double %337, %338
-  %340 = fmul double %336, %336
-  %341 = fadd double %339, %340
-  %342 = fcmp ugt double %341, %300
-  br i1 %342, label %776, label %343
-343:
-  %344 = icmp slt i64 %302, %38
-  br i1 %344, label %774, label %345
-345:
-  %346 = sub nsw i64 %302, %38
-  %347 = getelementptr i64, ptr %36, i64 %346
-  %348 = load i64, ptr %347, align 8
-  %349 = mul nsw i64 %348, 3
-  %350 = load double, ptr %836, align 8
-  %351 = load double, ptr %837, align 8
-  %352 = load double, ptr %838, align 8
-  %353 = icmp slt i64 %348, 0
-  %354 = select i1 %353, i64 %24, i64 0
-  %355 = getelementptr i64, ptr %22, i64 %349
-  %356 = getelementptr i64, ptr %355, i64 %354
-  %357 = load i64, ptr %356, align 8
-  %358 = icmp slt i64 %357, 0
-  %359 = select i1 %358, i64 %18, i64 0
-  %360 = add i64 %359, %357
-  %361 = mul i64 %360, %20
-  %362 = getelementptr double, ptr %16, i64 %361
-  %363 = load double, ptr %362, align 8
-  %364 = fsub double %363, %294
-  %365 = fmul double %350, %364
-  %366 = getelementptr i8, ptr %362, i64 8
-  %367 = load double, ptr %366, align 8
-  %368 = fsub double %367, %293
-  %369 = fmul double %351, %368
-  %370 = fadd double %365, %369
-  %371 = getelementptr i8, ptr %362, i64 16
-  %372 = load double, ptr %371, align 8
-  %373 = fsub double %372, %292
-  %374 = fmul double %352, %373
-  %375 = fadd double %370, %374
-  %376 = fcmp ult double %375, 0.000000e+00
-  %377 = add nsw i64 %349, 1
-  %378 = getelementptr i64, ptr %22, i64 %377
-  %379 = getelementptr i64, ptr %378, i64 %354
-  %380 = load i64, ptr %379, align 8
-  br i1 %376, label %401, label %381
-381:
-  %382 = icmp slt i64 %380, 0
-  %383 = select i1 %382, i64 %18, i64 0
-  %384 = add i64 %383, %380
-  %385 = mul i64 %384, %20
-  %386 = getelementptr double, ptr %16, i64 %385
-  %387 = load double, ptr %386, align 8
-  %388 = fsub double %387, %294
-  %389 = fmul double %350, %388
-  %390 = getelementptr i8, ptr %386, i64 8
-  %391 = load double, ptr %390, align 8
-  %392 = fsub double %391, %293
-  %393 = fmul double %351, %392
-  %394 = fadd double %389, %393
-  %395 = getelementptr i8, ptr %386, i64 16
-  %396 = load double, ptr %395, align 8
-  %397 = fsub double %396, %292
-  %398 = fmul double %352, %397
-  %399 = fadd double %394, %398
-  %400 = fcmp olt double %399, 0.000000e+00
-  br i1 %400, label %839, label %401
-401:
-  %402 = icmp slt i64 %380, 0
-  %403 = select i1 %402, i64 %18, i64 0
-  %404 = add i64 %403, %380
-  %405 = mul i64 %404, %20
-  %406 = getelementptr double, ptr %16, i64 %405
-  %407 = load double, ptr %406, align 8
-  %408 = fsub double %407, %294
-  %409 = fmul double %350, %408
-  %410 = getelementptr i8, ptr %406, i64 8
-  %411 = load double, ptr %410, align 8
-  %412 = fsub double %411, %293
-  %413 = fmul double %351, %412
-  %414 = fadd double %409, %413
-  %415 = getelementptr i8, ptr %406, i64 16
-  %416 = load double, ptr %415, align 8
-  %417 = fsub double %416, %292
-  %418 = fmul double %352, %417
-  %419 = fadd double %414, %418
-  %420 = fcmp ult double %419, 0.000000e+00
-  %421 = add nsw i64 %349, 2
-  %422 = getelementptr i64, ptr %22, i64 %421
-  %423 = getelementptr i64, ptr %422, i64 %354
-  %424 = load i64, ptr %423, align 8
-  br i1 %420, label %445, label %425
-425:
-  %426 = icmp slt i64 %424, 0
-  %427 = select i1 %426, i64 %18, i64 0
-  %428 = add i64 %427, %424
-  %429 = mul i64 %428, %20
-  %430 = getelementptr double, ptr %16, i64 %429
-  %431 = load double, ptr %430, align 8
-  %432 = fsub double %431, %294
-  %433 = fmul double %350, %432
-  %434 = getelementptr i8, ptr %430, i64 8
-  %435 = load double, ptr %434, align 8
-  %436 = fsub double %435, %293
-  %437 = fmul double %351, %436
-  %438 = fadd double %433, %437
-  %439 = getelementptr i8, ptr %430, i64 16
-  %440 = load double, ptr %439, align 8
-  %441 = fsub double %440, %292
-  %442 = fmul double %352, %441
-  %443 = fadd double %438, %442
-  %444 = fcmp olt double %443, 0.000000e+00
-  br i1 %444, label %839, label %445
-445:
-  %446 = icmp slt i64 %424, 0
-  %447 = select i1 %446, i64 %18, i64 0
-  %448 = add i64 %447, %424
-  %449 = mul i64 %448, %20
-  %450 = getelementptr double, ptr %16, i64 %449
-  %451 = load double, ptr %450, align 8
-  %452 = fsub double %451, %294
-  %453 = fmul double %350, %452
-  %454 = getelementptr i8, ptr %450, i64 8
+  %156 = getelementptr i8, ptr %154, i64 8
+  %157 = load double, ptr %156, align 8
+  %158 = getelementptr i8, ptr %154, i64 16
+  %159 = load double, ptr %158, align 8
+  %160 = fsub double %155, %636
+  %161 = fsub double %157, %638
+  %162 = fsub double %159, %640
+  %163 = fmul double %643, %160
+  %164 = fmul double %645, %161
+  %165 = fadd double %163, %164
+  %166 = fmul double %647, %162
+  %167 = fadd double %166, %165
+  %168 = fcmp oge double %167, 0.000000e+00
+  %169 = fcmp olt double %79, 0.000000e+00
+  %170 = and i1 %169, %168
+  br i1 %170, label %171, label %178
+171:
+  %172 = phi i64 [ %81, %129 ], [ %56, %85 ], [ %125, %149 ]
+  %173 = icmp sgt i64 %172, -1
+  br i1 %173, label %238, label %174
+174:
+  %175 = getelementptr i8, ptr %59, i64 16
+  %176 = getelementptr i64, ptr %175, i64 %58
+  %177 = load i64, ptr %176, align 8
+  br label %178
+178:
+  %179 = phi i64 [ %177, %174 ], [ %128, %149 ]
+  %180 = icmp slt i64 %84, 0
+  %181 = select i1 %180, i64 %18, i64 0
+  %182 = add i64 %181, %84
+  %183 = mul i64 %182, %20
+  %184 = getelementptr double, ptr %16, i64 %183
+  %185 = load double, ptr %184, align 8
+  %186 = getelementptr i8, ptr %184, i64 8
+  %187 = load double, ptr %186, align 8
+  %188 = getelementptr i8, ptr %184, i64 16
+  %189 = load double, ptr %188, align 8
+  %190 = fsub double %185, %636
+  %191 = fsub double %187, %638
+  %192 = fsub double %189, %640
+  %193 = fmul double %643, %190
+  %194 = fmul double %645, %191
+  %195 = fadd double %193, %194
+  %196 = fmul double %647, %192
+  %197 = fadd double %196, %195
+  %198 = icmp slt i64 %179, 0
+  %199 = select i1 %198, i64 %18, i64 0
+  %200 = add i64 %199, %179
+  %201 = mul i64 %200, %20
+  %202 = getelementptr double, ptr %16, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = getelementptr i8, ptr %202, i64 8
+  %205 = load double, ptr %204, align 8
+  %206 = getelementptr i8, ptr %202, i64 16
+  %207 = load double, ptr %206, align 8
+  %208 = fsub double %203, %636
+  %209 = fsub double %205, %638
+  %210 = fsub double %207, %640
+  %211 = fmul double %643, %208
+  %212 = fmul double %645, %209
+  %213 = fadd double %211, %212
+  %214 = fmul double %647, %210
+  %215 = fadd double %214, %213
+  %216 = tail call double @llvm.fabs.f64(double %197)
+  %217 = tail call double @llvm.fabs.f64(double %79)
+  %218 = fcmp ogt double %217, -1.000000e+00
+  %219 = select i1 %218, double %217, double -1.000000e+00
+  %220 = fcmp ogt double %216, %219
+  %221 = select i1 %220, double %216, double %219
+  %222 = tail call double @llvm.fabs.f64(double %215)
+  %223 = fcmp ogt double %222, %221
+  %224 = select i1 %220, i64 2, i64 1
+  %225 = select i1 %223, i64 0, i64 %224
+  %226 = add nsw i64 %225, %56
+  %227 = icmp slt i64 %226, 0
+  %228 = select i1 %227, i64 %28, i64 0
+  %229 = getelementptr i64, ptr %26, i64 %226
+  %230 = getelementptr i64, ptr %229, i64 %228
+  %231 = load i64, ptr %230, align 8
+  %232 = sdiv i64 %231, 3
+  %233 = srem i64 %231, 3
+  %234 = ashr i64 %233, 63
+  %235 = add nsw i64 %234, %232
+  %236 = add nsw i64 %54, -1
+  %237 = icmp samesign ugt i64 %54, 3
+  br i1 %237, label %53, label %238
+238:
+  %239 = phi i64 [ -1, %630 ], [ %172, %171 ], [ -1, %178 ]
+  %240 = shl i64 %632, 3
+  %241 = getelementptr i8, ptr %12, i64 %240
+  br label %244
+242:
+  %243 = icmp eq i64 %247, 3
+  br i1 %243, label %618, label %244
+244:
+  %245 = phi i64 [ %239, %238 ], [ %606, %242 ]
+  %246 = phi i64 [ 0, %238 ], [ %247, %242 ]
+  %247 = add nuw nsw i64 %246, 1
+  %248 = icmp sgt i64 %245, -1
+  br i1 %248, label %620, label %249
+249:
+  %250 = getelementptr inbounds nuw double, ptr @0, i64 %246
+  %251 = load double, ptr %250, align 8
+  %252 = load double, ptr %241, align 8
+  %253 = fmul double %251, %252
+  br label %254
+254:
+  %255 = phi i64 [ %606, %615 ], [ -1, %249 ]
+  %256 = phi i64 [ %605, %615 ], [ %38, %249 ]
+  %257 = phi double [ %604, %615 ], [ %253, %249 ]
+  %258 = phi i64 [ %616, %615 ], [ 1, %249 ]
+  %259 = fmul double %257, %257
+  %260 = fmul double %259, 0x3FF000000044B830
+  br label %261
+261:
+  %262 = phi i64 [ %602, %601 ], [ %258, %254 ]
+  %263 = icmp slt i64 %262, 0
+  %264 = select i1 %263, i64 %32, i64 0
+  %265 = add i64 %264, %262
+  %266 = mul i64 %265, %34
+  %267 = getelementptr double, ptr %30, i64 %266
+  %268 = load double, ptr %267, align 8
+  %269 = fsub double %268, %636
+  %270 = getelementptr i8, ptr %267, i64 24
+  %271 = load double, ptr %270, align 8
+  %272 = fsub double %636, %271
+  %273 = fcmp ogt double %272, %269
+  %274 = select i1 %273, double %272, double %269
+  %275 = fcmp olt double %274, 0.000000e+00
+  %276 = select i1 %275, double 0.000000e+00, double %274
+  %277 = getelementptr i8, ptr %267, i64 8
+  %278 = load double, ptr %277, align 8
+  %279 = fsub double %278, %638
+  %280 = getelementptr i8, ptr %267, i64 32
+  %281 = load double, ptr %280, align 8
+  %282 = fsub double %638, %281
+  %283 = fcmp ogt double %282, %279
+  %284 = select i1 %283, double %282, double %279
+  %285 = fcmp olt double %284, 0.000000e+00
+  %286 = select i1 %285, double 0.000000e+00, double %284
+  %287 = getelementptr i8, ptr %267, i64 16
+  %288 = load double, ptr %287, align 8
+  %289 = fsub double %288, %640
+  %290 = getelementptr i8, ptr %267, i64 40
+  %291 = load double, ptr %290, align 8
+  %292 = fsub double %640, %291
+  %293 = fcmp ogt double %292, %289
+  %294 = select i1 %293, double %292, double %289
+  %295 = fcmp olt double %294, 0.000000e+00
+  %296 = select i1 %295, double 0.000000e+00, double %294
+  %297 = fmul double %276, %276
+  %298 = fmul double %286, %286
+  %299 = fadd double %297, %298
+  %300 = fmul double %296, %296
+  %301 = fadd double %299, %300
+  %302 = fcmp ugt double %301, %260
+  br i1 %302, label %603, label %303
+303:
+  %304 = icmp slt i64 %262, %38
+  br i1 %304, label %601, label %305
+305:
+  %306 = sub nsw i64 %262, %38
+  %307 = getelementptr i64, ptr %36, i64 %306
+  %308 = load i64, ptr %307, align 8
+  %309 = mul nsw i64 %308, 3
+  %310 = icmp slt i64 %308, 0
+  %311 = select i1 %310, i64 %24, i64 0
+  %312 = getelementptr i64, ptr %22, i64 %309
+  %313 = getelementptr i64, ptr %312, i64 %311
+  %314 = load i64, ptr %313, align 8
+  %315 = icmp slt i64 %314, 0
+  %316 = select i1 %315, i64 %18, i64 0
+  %317 = add i64 %316, %314
+  %318 = mul i64 %317, %20
+  %319 = getelementptr double, ptr %16, i64 %318
+  %320 = load double, ptr %319, align 8
+  %321 = getelementptr i8, ptr %319, i64 8
+  %322 = load double, ptr %321, align 8
+  %323 = getelementptr i8, ptr %319, i64 16
+  %324 = load double, ptr %323, align 8
+  %325 = fsub double %320, %636
+  %326 = fsub double %322, %638
+  %327 = fsub double %324, %640
+  %328 = fmul double %643, %325
+  %329 = fmul double %645, %326
+  %330 = fadd double %328, %329
+  %331 = fmul double %647, %327
+  %332 = fadd double %331, %330
+  %333 = fcmp ult double %332, 0.000000e+00
+  %334 = add nsw i64 %309, 1
+  %335 = getelementptr i64, ptr %22, i64 %334
+  %336 = getelementptr i64, ptr %335, i64 %311
+  %337 = load i64, ptr %336, align 8
+  br i1 %333, label %358, label %338
+338:
+  %339 = icmp slt i64 %337, 0
+  %340 = select i1 %339, i64 %18, i64 0
+  %341 = add i64 %340, %337
+  %342 = mul i64 %341, %20
+  %343 = getelementptr double, ptr %16, i64 %342
+  %344 = load double, ptr %343, align 8
+  %345 = getelementptr i8, ptr %343, i64 8
+  %346 = load double, ptr %345, align 8
+  %347 = getelementptr i8, ptr %343, i64 16
+  %348 = load double, ptr %347, align 8
+  %349 = fsub double %344, %636
+  %350 = fsub double %346, %638
+  %351 = fsub double %348, %640
+  %352 = fmul double %643, %349
+  %353 = fmul double %645, %350
+  %354 = fadd double %352, %353
+  %355 = fmul double %647, %351
+  %356 = fadd double %355, %354
+  %357 = fcmp olt double %356, 0.000000e+00
+  br i1 %357, label %651, label %358
+358:
+  %359 = icmp slt i64 %337, 0
+  %360 = select i1 %359, i64 %18, i64 0
+  %361 = add i64 %360, %337
+  %362 = mul i64 %361, %20
+  %363 = getelementptr double, ptr %16, i64 %362
+  %364 = load double, ptr %363, align 8
+  %365 = getelementptr i8, ptr %363, i64 8
+  %366 = load double, ptr %365, align 8
+  %367 = getelementptr i8, ptr %363, i64 16
+  %368 = load double, ptr %367, align 8
+  %369 = fsub double %364, %636
+  %370 = fsub double %366, %638
+  %371 = fsub double %368, %640
+  %372 = fmul double %643, %369
+  %373 = fmul double %645, %370
+  %374 = fadd double %372, %373
+  %375 = fmul double %647, %371
+  %376 = fadd double %375, %374
+  %377 = fcmp ult double %376, 0.000000e+00
+  %378 = add nsw i64 %309, 2
+  %379 = getelementptr i64, ptr %22, i64 %378
+  %380 = getelementptr i64, ptr %379, i64 %311
+  %381 = load i64, ptr %380, align 8
+  br i1 %377, label %402, label %382
+382:
+  %383 = icmp slt i64 %381, 0
+  %384 = select i1 %383, i64 %18, i64 0
+  %385 = add i64 %384, %381
+  %386 = mul i64 %385, %20
+  %387 = getelementptr double, ptr %16, i64 %386
+  %388 = load double, ptr %387, align 8
+  %389 = getelementptr i8, ptr %387, i64 8
+  %390 = load double, ptr %389, align 8
+  %391 = getelementptr i8, ptr %387, i64 16
+  %392 = load double, ptr %391, align 8
+  %393 = fsub double %388, %636
+  %394 = fsub double %390, %638
+  %395 = fsub double %392, %640
+  %396 = fmul double %643, %393
+  %397 = fmul double %645, %394
+  %398 = fadd double %396, %397
+  %399 = fmul double %647, %395
+  %400 = fadd double %399, %398
+  %401 = fcmp olt double %400, 0.000000e+00
+  br i1 %401, label %651, label %402
+402:
+  %403 = icmp slt i64 %381, 0
+  %404 = select i1 %403, i64 %18, i64 0
+  %405 = add i64 %404, %381
+  %406 = mul i64 %405, %20
+  %407 = getelementptr double, ptr %16, i64 %406
+  %408 = load double, ptr %407, align 8
+  %409 = getelementptr i8, ptr %407, i64 8
+  %410 = load double, ptr %409, align 8
+  %411 = getelementptr i8, ptr %407, i64 16
+  %412 = load double, ptr %411, align 8
+  %413 = fsub double %408, %636
+  %414 = fsub double %410, %638
+  %415 = fsub double %412, %640
+  %416 = fmul double %643, %413
+  %417 = fmul double %645, %414
+  %418 = fadd double %416, %417
+  %419 = fmul double %647, %415
+  %420 = fadd double %419, %418
+  %421 = fcmp oge double %420, 0.000000e+00
+  %422 = fcmp olt double %332, 0.000000e+00
+  %423 = and i1 %422, %421
+  br i1 %423, label %651, label %603
+424:
+  %425 = mul i64 %308, 24
+  %426 = getelementptr i8, ptr %22, i64 %425
+  %427 = getelementptr i64, ptr %426, i64 %311
+  %428 = load i64, ptr %427, align 8
+  %429 = getelementptr i8, ptr %426, i64 8
+  %430 = getelementptr i64, ptr %429, i64 %311
+  %431 = load i64, ptr %430, align 8
+  %432 = icmp slt i64 %428, 0
+  %433 = select i1 %432, i64 %18, i64 0
+  %434 = add i64 %433, %428
+  %435 = mul i64 %434, %20
+  %436 = getelementptr double, ptr %16, i64 %435
+  %437 = load double, ptr %436, align 8
+  %438 = getelementptr i8, ptr %436, i64 8
+  %439 = load double, ptr %438, align 8
+  %440 = getelementptr i8, ptr %436, i64 16
+  %441 = load double, ptr %440, align 8
+  %442 = fsub double %437, %636
+  %443 = fsub double %439, %638
+  %444 = fsub double %441, %640
+  %445 = fmul double %643, %442
+  %446 = fmul double %645, %443
+  %447 = fadd double %445, %446
+  %448 = fmul double %647, %444
+  %449 = fadd double %448, %447
+  %450 = icmp slt i64 %431, 0
+  %451 = select i1 %450, i64 %18, i64 0
+  %452 = add i64 %451, %431
+  %453 = mul i64 %452, %20
+  %454 = getelementptr double, ptr %16, i64 %453
   %455 = load double, ptr %454, align 8
-  %456 = fsub double %455, %293
-  %457 = fmul double %351, %456
-  %458 = fadd double %453, %457
-  %459 = getelementptr i8, ptr %450, i64 16
-  %460 = load double, ptr %459, align 8
-  %461 = fsub double %460, %292
-  %462 = fmul double %352, %461
-  %463 = fadd double %458, %462
-  %464 = fcmp oge double %463, 0.000000e+00
-  %465 = fcmp olt double %375, 0.000000e+00
-  %466 = and i1 %465, %464
-  br i1 %466, label %839, label %776
-467:
-  %468 = mul i64 %348, 24
-  %469 = getelementptr i8, ptr %22, i64 %468
-  %470 = getelementptr i64, ptr %469, i64 %354
-  %471 = load i64, ptr %470, align 8
-  %472 = getelementptr i8, ptr %469, i64 8
-  %473 = getelementptr i64, ptr %472, i64 %354
-  %474 = load i64, ptr %473, align 8
-  %475 = icmp slt i64 %471, 0
-  %476 = select i1 %475, i64 %18, i64 0
-  %477 = add i64 %476, %471
-  %478 = mul i64 %477, %20
-  %479 = getelementptr double, ptr %16, i64 %478
-  %480 = load double, ptr %479, align 8
-  %481 = fsub double %480, %291
-  %482 = fmul double %350, %481
-  %483 = getelementptr i8, ptr %479, i64 8
-  %484 = load double, ptr %483, align 8
-  %485 = fsub double %484, %290
-  %486 = fmul double %351, %485
-  %487 = fadd double %482, %486
-  %488 = getelementptr i8, ptr %479, i64 16
+  %456 = getelementptr i8, ptr %454, i64 8
+  %457 = load double, ptr %456, align 8
+  %458 = getelementptr i8, ptr %454, i64 16
+  %459 = load double, ptr %458, align 8
+  %460 = fsub double %455, %636
+  %461 = fsub double %457, %638
+  %462 = fsub double %459, %640
+  %463 = fmul double %643, %460
+  %464 = fmul double %645, %461
+  %465 = fadd double %463, %464
+  %466 = fmul double %647, %462
+  %467 = fadd double %466, %465
+  %468 = fcmp oge double %449, 0.000000e+00
+  %469 = fcmp oge double %467, 0.000000e+00
+  %470 = xor i1 %468, %469
+  br i1 %470, label %557, label %472
+471:
+  br label %472
+472:
+  %473 = phi double [ %640, %424 ], [ %640, %471 ], [ %569, %557 ]
+  %474 = phi double [ %638, %424 ], [ %638, %471 ], [ %566, %557 ]
+  %475 = phi double [ %636, %424 ], [ %636, %471 ], [ %563, %557 ]
+  %476 = phi double [ %640, %424 ], [ %569, %471 ], [ %640, %557 ]
+  %477 = phi double [ %638, %424 ], [ %566, %471 ], [ %638, %557 ]
+  %478 = phi double [ %636, %424 ], [ %563, %471 ], [ %636, %557 ]
+  %479 = getelementptr i8, ptr %426, i64 16
+  %480 = getelementptr i64, ptr %479, i64 %311
+  %481 = load i64, ptr %480, align 8
+  %482 = icmp slt i64 %481, 0
+  %483 = select i1 %482, i64 %18, i64 0
+  %484 = add i64 %483, %481
+  %485 = mul i64 %484, %20
+  %486 = getelementptr double, ptr %16, i64 %485
+  %487 = load double, ptr %486, align 8
+  %488 = getelementptr i8, ptr %486, i64 8
   %489 = load double, ptr %488, align 8
-  %490 = fsub double %489, %289
-  %491 = fmul double %352, %490
-  %492 = fadd double %487, %491
-  %493 = icmp slt i64 %474, 0
-  %494 = select i1 %493, i64 %18, i64 0
-  %495 = add i64 %494, %474
-  %496 = mul i64 %495, %20
-  %497 = getelementptr double, ptr %16, i64 %496
-  %498 = load double, ptr %497, align 8
-  %499 = fsub double %498, %291
-  %500 = fmul double %350, %499
-  %501 = getelementptr i8, ptr %497, i64 8
-  %502 = load double, ptr %501, align 8
-  %503 = fsub double %502, %290
-  %504 = fmul double %351, %503
-  %505 = fadd double %500, %504
-  %506 = getelementptr i8, ptr %497, i64 16
-  %507 = load double, ptr %506, align 8
-  %508 = fsub double %507, %289
-  %509 = fmul double %352, %508
-  %510 = fadd double %505, %509
-  %511 = fcmp oge double %492, 0.000000e+00
-  %512 = fcmp oge double %510, 0.000000e+00
-  %513 = xor i1 %511, %512
-  br i1 %513, label %514, label %551
-514:
-  %515 = fsub double %492, %510
-  %516 = fdiv double %492, %515
-  %517 = select i1 %511, i64 0, i64 %46
-  %518 = getelementptr double, ptr %44, i64 %517
-  %519 = fsub double %498, %480
-  %520 = fmul double %519, %516
-  %521 = fadd double %480, %520
-  store double %521, ptr %518, align 8
-  %522 = shl i64 %478, 3
-  %523 = getelementptr i8, ptr %16, i64 %522
-  %524 = getelementptr i8, ptr %523, i64 8
-  %525 = load double, ptr %524, align 8
-  %526 = shl i64 %496, 3
-  %527 = getelementptr i8, ptr %16, i64 %526
-  %528 = getelementptr i8, ptr %527, i64 8
-  %529 = load double, ptr %528, align 8
-  %530 = fsub double %529, %525
-  %531 = fmul double %516, %530
-  %532 = fadd double %525, %531
-  %533 = getelementptr i8, ptr %518, i64 8
-  store double %532, ptr %533, align 8
-  %534 = getelementptr i8, ptr %523, i64 16
-  %535 = load double, ptr %534, align 8
-  %536 = getelementptr i8, ptr %527, i64 16
-  %537 = load double, ptr %536, align 8
-  %538 = fsub double %537, %535
-  %539 = fmul double %516, %538
-  %540 = fadd double %535, %539
-  %541 = getelementptr i8, ptr %518, i64 16
-  store double %540, ptr %541, align 8
-  %542 = shl i64 %354, 3
-  %543 = getelementptr inbounds i8, ptr %472, i64 %542
-  %544 = load i64, ptr %543, align 8
-  %545 = load double, ptr %832, align 8
-  %546 = load double, ptr %836, align 8
-  %547 = load double, ptr %833, align 8
-  %548 = load double, ptr %837, align 8
-  %549 = load double, ptr %834, align 8
-  %550 = load double, ptr %838, align 8
-  br label %551
-551:
-  %552 = phi double [ %549, %514 ], [ %289, %467 ]
-  %553 = phi double [ %547, %514 ], [ %290, %467 ]
-  %554 = phi double [ %545, %514 ], [ %291, %467 ]
-  %555 = phi double [ %550, %514 ], [ %352, %467 ]
-  %556 = phi double [ %548, %514 ], [ %351, %467 ]
-  %557 = phi double [ %546, %514 ], [ %350, %467 ]
-  %558 = phi i64 [ %544, %514 ], [ %474, %467 ]
-  %559 = getelementptr i8, ptr %469, i64 16
-  %560 = getelementptr i64, ptr %559, i64 %354
-  %561 = load i64, ptr %560, align 8
-  %562 = icmp slt i64 %558, 0
-  %563 = select i1 %562, i64 %18, i64 0
-  %564 = add i64 %563, %558
-  %565 = mul i64 %564, %20
-  %566 = getelementptr double, ptr %16, i64 %565
-  %567 = load double, ptr %566, align 8
-  %568 = fsub double %567, %554
-  %569 = fmul double %557, %568
-  %570 = getelementptr i8, ptr %566, i64 8
-  %571 = load double, ptr %570, align 8
-  %572 = fsub double %571, %553
-  %573 = fmul double %556, %572
-  %574 = fadd double %569, %573
-  %575 = getelementptr i8, ptr %566, i64 16
-  %576 = load double, ptr %575, align 8
-  %577 = fsub double %576, %552
-  %578 = fmul double %555, %577
-  %579 = fadd double %574, %578
-  %580 = icmp slt i64 %561, 0
-  %581 = select i1 %580, i64 %18, i64 0
-  %582 = add i64 %581, %561
-  %583 = mul i64 %582, %20
-  %584 = getelementptr double, ptr %16, i64 %583
-  %585 = load double, ptr %584, align 8
-  %586 = fsub double %585, %554
-  %587 = fmul double %557, %586
-  %588 = getelementptr i8, ptr %584, i64 8
-  %589 = load double, ptr %588, align 8
-  %590 = fsub double %589, %553
-  %591 = fmul double %556, %590
-  %592 = fadd double %587, %591
-  %593 = getelementptr i8, ptr %584, i64 16
-  %594 = load double, ptr %593, align 8
-  %595 = fsub double %594, %552
-  %596 = fmul double %555, %595
-  %597 = fadd double %592, %596
-  %598 = fcmp oge double %579, 0.000000e+00
-  %599 = fcmp oge double %597, 0.000000e+00
-  %600 = xor i1 %598, %599
-  br i1 %600, label %603, label %601
+  %490 = getelementptr i8, ptr %486, i64 16
+  %491 = load double, ptr %490, align 8
+  %492 = fsub double %487, %636
+  %493 = fsub double %489, %638
+  %494 = fsub double %491, %640
+  %495 = fmul double %643, %492
+  %496 = fmul double %645, %493
+  %497 = fadd double %495, %496
+  %498 = fmul double %647, %494
+  %499 = fadd double %498, %497
+  %500 = fcmp oge double %499, 0.000000e+00
+  %501 = xor i1 %469, %500
+  br i1 %501, label %502, label %516
+502:
+  %503 = fcmp ult double %467, 0.000000e+00
+  %504 = fsub double %467, %499
+  %505 = fdiv double %467, %504
+  %506 = fsub double %487, %455
+  %507 = fmul double %506, %505
+  %508 = fadd double %455, %507
+  %509 = fsub double %489, %457
+  %510 = fmul double %509, %505
+  %511 = fadd double %457, %510
+  %512 = fsub double %491, %459
+  %513 = fmul double %512, %505
+  %514 = fadd double %459, %513
+  br i1 %503, label %515, label %516
+515:
+  br label %516
+516:
+  %517 = phi double [ %473, %472 ], [ %473, %515 ], [ %514, %502 ]
+  %518 = phi double [ %474, %472 ], [ %474, %515 ], [ %511, %502 ]
+  %519 = phi double [ %475, %472 ], [ %475, %515 ], [ %508, %502 ]
+  %520 = phi double [ %476, %472 ], [ %514, %515 ], [ %476, %502 ]
+  %521 = phi double [ %477, %472 ], [ %511, %515 ], [ %477, %502 ]
+  %522 = phi double [ %478, %472 ], [ %508, %515 ], [ %478, %502 ]
+  %523 = xor i1 %468, %500
+  br i1 %523, label %524, label %538
+524:
+  %525 = fcmp ult double %499, 0.000000e+00
+  %526 = fsub double %499, %449
+  %527 = fdiv double %499, %526
+  %528 = fsub double %437, %487
+  %529 = fmul double %528, %527
+  %530 = fadd double %487, %529
+  %531 = fsub double %439, %489
+  %532 = fmul double %531, %527
+  %533 = fadd double %489, %532
+  %534 = fsub double %441, %491
+  %535 = fmul double %534, %527
+  %536 = fadd double %491, %535
+  br i1 %525, label %537, label %538
+537:
+  br label %538
+538:
+  %539 = phi double [ %517, %516 ], [ %517, %537 ], [ %536, %524 ]
+  %540 = phi double [ %518, %516 ], [ %518, %537 ], [ %533, %524 ]
+  %541 = phi double [ %519, %516 ], [ %519, %537 ], [ %530, %524 ]
+  %542 = phi double [ %520, %516 ], [ %536, %537 ], [ %520, %524 ]
+  %543 = phi double [ %521, %516 ], [ %533, %537 ], [ %521, %524 ]
+  %544 = phi double [ %522, %516 ], [ %530, %537 ], [ %522, %524 ]
+  %545 = fsub double %636, %541
+  %546 = fsub double %638, %540
+  %547 = fsub double %640, %539
+  %548 = fsub double %544, %541
+  %549 = fsub double %543, %540
+  %550 = fsub double %542, %539
+  %551 = fmul double %548, %548
+  %552 = fmul double %550, %550
+  %553 = fadd double %552, %551
+  %554 = fmul double %549, %549
+  %555 = fadd double %554, %553
+  %556 = fcmp ogt double %555, 0.000000e+00
+  br i1 %556, label %570, label %581
+557:
+  %558 = fcmp ult double %449, 0.000000e+00
+  %559 = fsub double %449, %467
+  %560 = fdiv double %449, %559
+  %561 = fsub double %455, %437
+  %562 = fmul double %561, %560
+  %563 = fadd double %437, %562
+  %564 = fsub double %457, %439
+  %565 = fmul double %564, %560
+  %566 = fadd double %439, %565
+  %567 = fsub double %459, %441
+  %568 = fmul double %567, %560
+  %569 = fadd double %441, %568
+  br i1 %558, label %471, label %472
+570:
+  %571 = fmul double %545, %548
+  %572 = fmul double %547, %550
+  %573 = fadd double %572, %571
+  %574 = fmul double %546, %549
+  %575 = fadd double %574, %573
+  %576 = fdiv double %575, %555
+  %577 = fcmp olt double %576, 0.000000e+00
+  %578 = select i1 %577, double 0.000000e+00, double %576
+  %579 = fcmp ogt double %578, 1.000000e+00
+  %580 = select i1 %579, double 1.000000e+00, double %578
+  br label %581
+581:
+  %582 = phi double [ 0.000000e+00, %538 ], [ %580, %570 ]
+  %583 = fmul double %548, %582
+  %584 = fsub double %545, %583
+  %585 = fmul double %549, %582
+  %586 = fsub double %546, %585
+  %587 = fmul double %550, %582
+  %588 = fsub double %547, %587
+  %589 = fmul double %584, %584
+  %590 = fmul double %586, %586
+  %591 = fadd double %589, %590
+  %592 = fmul double %588, %588
+  %593 = fadd double %592, %591
+  %594 = tail call double @llvm.sqrt.f64(double %593)
+  %595 = fcmp olt double %594, %257
+  br i1 %595, label %600, label %596
+596:
+  %597 = fcmp oeq double %594, %257
+  %598 = icmp slt i64 %308, %256
+  %599 = select i1 %597, i1 %598, i1 false
+  br i1 %599, label %600, label %603
+600:
+  br label %603
 601:
-  %602 = shl i64 %354, 3
-  br label %640
+  %602 = shl nsw i64 %262, 1
+  br label %261
 603:
-  %604 = fsub double %579, %597
-  %605 = fdiv double %579, %604
-  %606 = select i1 %598, i64 0, i64 %46
-  %607 = getelementptr double, ptr %44, i64 %606
-  %608 = fsub double %585, %567
-  %609 = fmul double %608, %605
-  %610 = fadd double %567, %609
-  store double %610, ptr %607, align 8
-  %611 = shl i64 %565, 3
-  %612 = getelementptr i8, ptr %16, i64 %611
-  %613 = getelementptr i8, ptr %612, i64 8
-  %614 = load double, ptr %613, align 8
-  %615 = shl i64 %583, 3
-  %616 = getelementptr i8, ptr %16, i64 %615
-  %617 = getelementptr i8, ptr %616, i64 8
-  %618 = load double, ptr %617, align 8
-  %619 = fsub double %618, %614
-  %620 = fmul double %605, %619
-  %621 = fadd double %614, %620
-  %622 = getelementptr i8, ptr %607, i64 8
-  store double %621, ptr %622, align 8
-  %623 = getelementptr i8, ptr %612, i64 16
-  %624 = load double, ptr %623, align 8
-  %625 = getelementptr i8, ptr %616, i64 16
-  %626 = load double, ptr %625, align 8
-  %627 = fsub double %626, %624
-  %628 = fmul double %605, %627
-  %629 = fadd double %624, %628
-  %630 = getelementptr i8, ptr %607, i64 16
-  store double %629, ptr %630, align 8
-  %631 = shl i64 %354, 3
-  %632 = getelementptr inbounds i8, ptr %559, i64 %631
-  %633 = load i64, ptr %632, align 8
-  %634 = load double, ptr %832, align 8
-  %635 = load double, ptr %836, align 8
-  %636 = load double, ptr %833, align 8
-  %637 = load double, ptr %837, align 8
-  %638 = load double, ptr %834, align 8
-  %639 = load double, ptr %838, align 8
-  br label %640
-640:
-  %641 = phi double [ %552, %601 ], [ %638, %603 ]
-  %642 = phi double [ %553, %601 ], [ %636, %603 ]
-  %643 = phi double [ %554, %601 ], [ %634, %603 ]
-  %644 = phi i64 [ %602, %601 ], [ %631, %603 ]
-  %645 = phi double [ %555, %601 ], [ %639, %603 ]
-  %646 = phi double [ %556, %601 ], [ %637, %603 ]
-  %647 = phi double [ %557, %601 ], [ %635, %603 ]
-  %648 = phi i64 [ %561, %601 ], [ %633, %603 ]
-  %649 = getelementptr inbounds i8, ptr %469, i64 %644
-  %650 = load i64, ptr %649, align 8
-  %651 = icmp slt i64 %648, 0
-  %652 = select i1 %651, i64 %18, i64 0
-  %653 = add i64 %652, %648
-  %654 = mul i64 %653, %20
-  %655 = getelementptr double, ptr %16, i64 %654
-  %656 = load double, ptr %655, align 8
-  %657 = fsub double %656, %643
-  %658 = fmul double %647, %657
-  %659 = getelementptr i8, ptr %655, i64 8
-  %660 = load double, ptr %659, align 8
-  %661 = fsub double %660, %642
-  %662 = fmul double %646, %661
-  %663 = fadd double %658, %662
-  %664 = getelementptr i8, ptr %655, i64 16
-  %665 = load double, ptr %664, align 8
-  %666 = fsub double %665, %641
-  %667 = fmul double %645, %666
-  %668 = fadd double %663, %667
-  %669 = icmp slt i64 %650, 0
-  %670 = select i1 %669, i64 %18, i64 0
-  %671 = add i64 %670, %650
-  %672 = mul i64 %671, %20
-  %673 = getelementptr double, ptr %16, i64 %672
-  %674 = load double, ptr %673, align 8
-  %675 = fsub double %674, %643
-  %676 = fmul double %647, %675
-  %677 = getelementptr i8, ptr %673, i64 8
-  %678 = load double, ptr %677, align 8
-  %679 = fsub double %678, %642
-  %680 = fmul double %646, %679
-  %681 = fadd double %676, %680
-  %682 = getelementptr i8, ptr %673, i64 16
-  %683 = load double, ptr %682, align 8
-  %684 = fsub double %683, %641
-  %685 = fmul double %645, %684
-  %686 = fadd double %681, %685
-  %687 = fcmp oge double %668, 0.000000e+00
-  %688 = fcmp oge double %686, 0.000000e+00
-  %689 = xor i1 %687, %688
-  br i1 %689, label %690, label %721
-690:
-  %691 = fsub double %668, %686
-  %692 = fdiv double %668, %691
-  %693 = select i1 %687, i64 0, i64 %46
-  %694 = getelementptr double, ptr %44, i64 %693
-  %695 = fsub double %674, %656
-  %696 = fmul double %695, %692
-  %697 = fadd double %656, %696
-  store double %697, ptr %694, align 8
-  %698 = shl i64 %654, 3
-  %699 = getelementptr i8, ptr %16, i64 %698
-  %700 = getelementptr i8, ptr %699, i64 8
-  %701 = load double, ptr %700, align 8
-  %702 = shl i64 %672, 3
-  %703 = getelementptr i8, ptr %16, i64 %702
-  %704 = getelementptr i8, ptr %703, i64 8
-  %705 = load double, ptr %704, align 8
-  %706 = fsub double %705, %701
-  %707 = fmul double %692, %706
-  %708 = fadd double %701, %707
-  %709 = getelementptr i8, ptr %694, i64 8
-  store double %708, ptr %709, align 8
-  %710 = getelementptr i8, ptr %699, i64 16
-  %711 = load double, ptr %710, align 8
-  %712 = getelementptr i8, ptr %703, i64 16
-  %713 = load double, ptr %712, align 8
-  %714 = fsub double %713, %711
-  %715 = fmul double %692, %714
-  %716 = fadd double %711, %715
-  %717 = getelementptr i8, ptr %694, i64 16
-  store double %716, ptr %717, align 8
-  %718 = load double, ptr %832, align 8
-  %719 = load double, ptr %833, align 8
-  %720 = load double, ptr %834, align 8
-  br label %721
-721:
-  %722 = phi double [ %720, %690 ], [ %641, %640 ]
-  %723 = phi double [ %719, %690 ], [ %642, %640 ]
-  %724 = phi double [ %718, %690 ], [ %643, %640 ]
-  %725 = load double, ptr %44, align 8
-  %726 = fsub double %724, %725
-  %727 = load double, ptr %60, align 8
-  %728 = fsub double %723, %727
-  %729 = load double, ptr %61, align 8
-  %730 = fsub double %722, %729
-  %731 = load double, ptr %62, align 8
-  %732 = fsub double %731, %725
-  %733 = load double, ptr %63, align 8
-  %734 = fsub double %733, %727
-  %735 = load double, ptr %64, align 8
-  %736 = fsub double %735, %729
-  %737 = fmul double %732, %732
-  %738 = fmul double %736, %736
+  %604 = phi double [ %594, %600 ], [ %257, %402 ], [ %257, %651 ], [ %257, %596 ], [ %257, %261 ]
+  %605 = phi i64 [ %308, %600 ], [ %256, %402 ], [ %256, %651 ], [ %256, %596 ], [ %256, %261 ]
+  %606 = phi i64 [ %652, %600 ], [ %255, %402 ], [ %255, %651 ], [ %255, %596 ], [ %255, %261 ]
+  %607 = add nsw i64 %262, 1
+  %608 = and i64 %262, 1
+  %609 = icmp eq i64 %608, 0
+  br i1 %609, label %615, label %610
+610:
+  %611 = phi i64 [ %612, %610 ], [ %607, %603 ]
+  %612 = ashr i64 %611, 1
+  %613 = and i64 %611, 2
+  %614 = icmp eq i64 %613, 0
+  br i1 %614, label %610, label %615
+615:
+  %616 = phi i64 [ %607, %603 ], [ %612, %610 ]
+  %617 = icmp sgt i64 %616, 1
+  br i1 %617, label %254, label %242
+618:
+  %619 = icmp sgt i64 %606, -1
+  br i1 %619, label %620, label %626
+620:
+  %621 = phi i64 [ %606, %618 ], [ %245, %244 ]
+  br label %622
+622:
+  %623 = phi i64 [ %742, %654 ], [ %631, %620 ]
+  %624 = phi i64 [ %749, %654 ], [ %621, %620 ]
+  %625 = icmp eq i64 %44, %623
+  br i1 %625, label %753, label %654
+626:
+  %627 = phi i64 [ %631, %618 ], [ %742, %654 ]
+  %628 = getelementptr i64, ptr %40, i64 %632
+  store i64 %627, ptr %628, align 8
+  %629 = icmp eq i64 %633, %4
+  br i1 %629, label %753, label %630
+630:
+  %631 = phi i64 [ %627, %626 ], [ 0, %48 ]
+  %632 = phi i64 [ %633, %626 ], [ 0, %48 ]
+  %633 = add nuw nsw i64 %632, 1
+  %634 = mul i64 %632, %6
+  %635 = getelementptr double, ptr %2, i64 %634
+  %636 = load double, ptr %635, align 8
+  %637 = getelementptr i8, ptr %635, i64 8
+  %638 = load double, ptr %637, align 8
+  %639 = getelementptr i8, ptr %635, i64 16
+  %640 = load double, ptr %639, align 8
+  %641 = mul i64 %632, %10
+  %642 = getelementptr double, ptr %8, i64 %641
+  %643 = load double, ptr %642, align 8
+  %644 = getelementptr i8, ptr %642, i64 8
+  %645 = load double, ptr %644, align 8
+  %646 = getelementptr i8, ptr %642, i64 16
+  %647 = load double, ptr %646, align 8
+  %648 = getelementptr i64, ptr %14, i64 %632
+  %649 = load i64, ptr %648, align 8
+  %650 = icmp sgt i64 %649, -1
+  br i1 %650, label %53, label %238
+651:
+  %652 = phi i64 [ %334, %382 ], [ %309, %338 ], [ %378, %402 ]
+  %653 = icmp sgt i64 %652, -1
+  br i1 %653, label %424, label %603
+654:
+  %655 = freeze i64 %624
+  %656 = urem i64 %655, 3
+  %657 = getelementptr i64, ptr %22, i64 %655
+  %658 = load i64, ptr %657, align 8
+  %659 = icmp slt i64 %658, 0
+  %660 = select i1 %659, i64 %18, i64 0
+  %661 = add i64 %660, %658
+  %662 = mul i64 %661, %20
+  %663 = getelementptr double, ptr %16, i64 %662
+  %664 = load double, ptr %663, align 8
+  %665 = getelementptr i8, ptr %663, i64 8
+  %666 = load double, ptr %665, align 8
+  %667 = getelementptr i8, ptr %663, i64 16
+  %668 = load double, ptr %667, align 8
+  %669 = fsub double %664, %636
+  %670 = fsub double %666, %638
+  %671 = fsub double %668, %640
+  %672 = fmul double %643, %669
+  %673 = fmul double %645, %670
+  %674 = fadd double %672, %673
+  %675 = fmul double %647, %671
+  %676 = fadd double %675, %674
+  %677 = icmp samesign ugt i64 %656, 1
+  %678 = select i1 %677, i64 -2, i64 1
+  %679 = add i64 %678, %655
+  %680 = icmp slt i64 %679, 0
+  %681 = select i1 %680, i64 %24, i64 0
+  %682 = getelementptr i64, ptr %22, i64 %679
+  %683 = getelementptr i64, ptr %682, i64 %681
+  %684 = load i64, ptr %683, align 8
+  %685 = icmp slt i64 %684, 0
+  %686 = select i1 %685, i64 %18, i64 0
+  %687 = add i64 %686, %684
+  %688 = mul i64 %687, %20
+  %689 = getelementptr double, ptr %16, i64 %688
+  %690 = load double, ptr %689, align 8
+  %691 = getelementptr i8, ptr %689, i64 8
+  %692 = load double, ptr %691, align 8
+  %693 = getelementptr i8, ptr %689, i64 16
+  %694 = load double, ptr %693, align 8
+  %695 = fsub double %690, %636
+  %696 = fsub double %692, %638
+  %697 = fsub double %694, %640
+  %698 = fmul double %643, %695
+  %699 = fmul double %645, %696
+  %700 = fadd double %698, %699
+  %701 = fmul double %647, %697
+  %702 = fadd double %701, %700
+  %703 = sub nuw i64 %655, %656
+  %704 = fsub double %676, %702
+  %705 = fdiv double %676, %704
+  %706 = icmp slt i64 %623, 0
+  %707 = select i1 %706, i64 %51, i64 0
+  %708 = getelementptr i8, ptr %42, i64 %707
+  %709 = shl i64 %623, 3
+  %710 = getelementptr i8, ptr %708, i64 %709
+  store i64 %655, ptr %710, align 8
+  %711 = select i1 %706, i64 %52, i64 0
+  %712 = getelementptr i8, ptr %46, i64 %711
+  %713 = getelementptr i8, ptr %712, i64 %709
+  store double %705, ptr %713, align 8
+  %714 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %656, i64 1)
+  %715 = extractvalue { i64, i1 } %714, 0
+  %716 = extractvalue { i64, i1 } %714, 1
+  %717 = select i1 %716, i64 2, i64 %715
+  %718 = add nsw i64 %717, %703
+  %719 = icmp slt i64 %718, 0
+  %720 = select i1 %719, i64 %24, i64 0
+  %721 = getelementptr i64, ptr %22, i64 %718
+  %722 = getelementptr i64, ptr %721, i64 %720
+  %723 = load i64, ptr %722, align 8
+  %724 = icmp slt i64 %723, 0
+  %725 = select i1 %724, i64 %18, i64 0
+  %726 = add i64 %725, %723
+  %727 = mul i64 %726, %20
+  %728 = getelementptr double, ptr %16, i64 %727
+  %729 = load double, ptr %728, align 8
+  %730 = getelementptr i8, ptr %728, i64 8
+  %731 = load double, ptr %730, align 8
+  %732 = getelementptr i8, ptr %728, i64 16
+  %733 = load double, ptr %732, align 8
+  %734 = fsub double %729, %636
+  %735 = fsub double %731, %638
+  %736 = fsub double %733, %640
+  %737 = fmul double %643, %734
+  %738 = fmul double %645, %735
   %739 = fadd double %737, %738
-  %740 = fmul double %734, %734
+  %740 = fmul double %647, %736
   %741 = fadd double %740, %739
-  %742 = fcmp ogt double %741, 0.000000e+00
-  br i1 %742, label %743, label %754
-743:
-  %744 = fmul double %726, %732
-  %745 = fmul double %730, %736
-  %746 = fadd double %744, %745
-  %747 = fmul double %728, %734
-  %748 = fadd double %747, %746
-  %749 = fdiv double %748, %741
-  %750 = fcmp olt double %749, 0.000000e+00
-  %751 = select i1 %750, double 0.000000e+00, double %749
-  %752 = fcmp ogt double %751, 1.000000e+00
-  %753 = select i1 %752, double 1.000000e+00, double %751
-  br label %754
-754:
-  %755 = phi double [ 0.000000e+00, %721 ], [ %753, %743 ]
-  %756 = fmul double %732, %755
-  %757 = fsub double %726, %756
-  %758 = fmul double %734, %755
-  %759 = fsub double %728, %758
-  %760 = fmul double %736, %755
-  %761 = fsub double %730, %760
-  %762 = fmul double %757, %757
-  %763 = fmul double %759, %759
-  %764 = fadd double %762, %763
-  %765 = fmul double %761, %761
-  %766 = fadd double %765, %764
-  %767 = tail call double @llvm.sqrt.f64(double %766)
-  %768 = fcmp olt double %767, %295
-  br i1 %768, label %773, label %769
-769:
-  %770 = fcmp oeq double %767, %295
-  %771 = icmp slt i64 %348, %297
-  %772 = select i1 %770, i1 %771, i1 false
-  br i1 %772, label %773, label %776
-773:
-  br label %776
-774:
-  %775 = shl nsw i64 %302, 1
-  br label %301
-776:
-  %777 = phi double [ %722, %773 ], [ %289, %445 ], [ %289, %839 ], [ %722, %769 ], [ %289, %301 ]
-  %778 = phi double [ %723, %773 ], [ %290, %445 ], [ %290, %839 ], [ %723, %769 ], [ %290, %301 ]
-  %779 = phi double [ %724, %773 ], [ %291, %445 ], [ %291, %839 ], [ %724, %769 ], [ %291, %301 ]
-  %780 = phi double [ %722, %773 ], [ %292, %445 ], [ %292, %839 ], [ %722, %769 ], [ %292, %301 ]
-  %781 = phi double [ %723, %773 ], [ %293, %445 ], [ %293, %839 ], [ %723, %769 ], [ %293, %301 ]
-  %782 = phi double [ %724, %773 ], [ %294, %445 ], [ %294, %839 ], [ %724, %769 ], [ %294, %301 ]
-  %783 = phi i64 [ %348, %773 ], [ %297, %445 ], [ %297, %839 ], [ %297, %769 ], [ %297, %301 ]
-  %784 = phi i64 [ %840, %773 ], [ %296, %445 ], [ %296, %839 ], [ %296, %769 ], [ %296, %301 ]
-  %785 = phi double [ %767, %773 ], [ %295, %445 ], [ %295, %839 ], [ %295, %769 ], [ %295, %301 ]
-  %786 = add nsw i64 %302, 1
-  %787 = and i64 %302, 1
-  %788 = icmp eq i64 %787, 0
-  br i1 %788, label %794, label %789
-789:
-  %790 = phi i64 [ %791, %789 ], [ %786, %776 ]
-  %791 = ashr i64 %790, 1
-  %792 = and i64 %790, 2
-  %793 = icmp eq i64 %792, 0
-  br i1 %793, label %789, label %794
-794:
-  %795 = phi i64 [ %786, %776 ], [ %791, %789 ]
-  %796 = icmp sgt i64 %795, 1
-  br i1 %796, label %288, label %797
-797:
-  %798 = fmul double %785, 3.000000e+00
-  %799 = icmp eq i64 %40, %282
-  br i1 %799, label %800, label %278
-800:
-  %801 = phi i64 [ %829, %828 ], [ %784, %797 ]
-  %802 = icmp sgt i64 %801, -1
-  br i1 %802, label %803, label %824
-803:
-  %804 = mul i64 %67, %71
-  %805 = mul i64 %68, %71
-  br label %806
-806:
-  %807 = phi i64 [ %805, %803 ], [ %835, %278 ]
-  %808 = phi i64 [ %804, %803 ], [ %831, %278 ]
-  %809 = phi i64 [ %801, %803 ], [ %279, %278 ]
-  %810 = getelementptr i8, ptr %2, i64 %808
-  %811 = getelementptr i8, ptr %8, i64 %807
-  %812 = getelementptr i8, ptr %810, i64 8
-  %813 = getelementptr i8, ptr %811, i64 8
-  %814 = getelementptr i8, ptr %810, i64 16
-  %815 = getelementptr i8, ptr %811, i64 16
-  %816 = add i64 %70, %42
-  br label %817
-817:
-  %818 = phi i64 [ %70, %806 ], [ %941, %842 ]
-  %819 = phi i64 [ %809, %806 ], [ %948, %842 ]
-  %820 = freeze i64 %819
-  %821 = icmp eq i64 %818, %816
-  br i1 %821, label %824, label %822
-822:
-  %823 = icmp eq i64 %52, %818
-  br i1 %823, label %952, label %842
-824:
-  %825 = phi i64 [ %70, %800 ], [ %70, %817 ], [ %941, %842 ]
-  %826 = getelementptr i64, ptr %48, i64 %71
-  store i64 %825, ptr %826, align 8
-  %827 = icmp eq i64 %72, %4
-  br i1 %827, label %952, label %69
-828:
-  %829 = phi i64 [ -1, %69 ], [ %212, %211 ], [ -1, %218 ]
-  br i1 %59, label %800, label %830
-830:
-  %831 = mul i64 %67, %71
-  %832 = getelementptr i8, ptr %2, i64 %831
-  %833 = getelementptr i8, ptr %832, i64 8
-  %834 = getelementptr i8, ptr %832, i64 16
-  %835 = mul i64 %68, %71
-  %836 = getelementptr i8, ptr %8, i64 %835
-  %837 = getelementptr i8, ptr %836, i64 8
-  %838 = getelementptr i8, ptr %836, i64 16
-  br label %278
-839:
-  %840 = phi i64 [ %377, %425 ], [ %349, %381 ], [ %421, %445 ]
-  %841 = icmp sgt i64 %840, -1
-  br i1 %841, label %467, label %776
-842:
-  %843 = urem i64 %820, 3
-  %844 = getelementptr i64, ptr %22, i64 %820
-  %845 = load i64, ptr %844, align 8
-  %846 = icmp slt i64 %845, 0
-  %847 = select i1 %846, i64 %18, i64 0
-  %848 = add i64 %847, %845
-  %849 = mul i64 %848, %20
-  %850 = getelementptr double, ptr %16, i64 %849
-  %851 = load double, ptr %850, align 8
-  %852 = load double, ptr %810, align 8
-  %853 = fsub double %851, %852
-  %854 = load double, ptr %811, align 8
-  %855 = fmul double %853, %854
-  %856 = getelementptr i8, ptr %850, i64 8
-  %857 = load double, ptr %856, align 8
-  %858 = load double, ptr %812, align 8
-  %859 = fsub double %857, %858
-  %860 = load double, ptr %813, align 8
-  %861 = fmul double %859, %860
-  %862 = fadd double %855, %861
-  %863 = getelementptr i8, ptr %850, i64 16
-  %864 = load double, ptr %863, align 8
-  %865 = load double, ptr %814, align 8
-  %866 = fsub double %864, %865
-  %867 = load double, ptr %815, align 8
-  %868 = fmul double %866, %867
-  %869 = fadd double %862, %868
-  %870 = icmp samesign ugt i64 %843, 1
-  %871 = select i1 %870, i64 -2, i64 1
-  %872 = add i64 %871, %820
-  %873 = icmp slt i64 %872, 0
-  %874 = select i1 %873, i64 %24, i64 0
-  %875 = getelementptr i64, ptr %22, i64 %872
-  %876 = getelementptr i64, ptr %875, i64 %874
-  %877 = load i64, ptr %876, align 8
-  %878 = icmp slt i64 %877, 0
-  %879 = select i1 %878, i64 %18, i64 0
-  %880 = add i64 %879, %877
-  %881 = mul i64 %880, %20
-  %882 = getelementptr double, ptr %16, i64 %881
-  %883 = load double, ptr %882, align 8
-  %884 = fsub double %883, %852
-  %885 = fmul double %854, %884
-  %886 = getelementptr i8, ptr %882, i64 8
-  %887 = load double, ptr %886, align 8
-  %888 = fsub double %887, %858
-  %889 = fmul double %860, %888
-  %890 = fadd double %885, %889
-  %891 = getelementptr i8, ptr %882, i64 16
-  %892 = load double, ptr %891, align 8
-  %893 = fsub double %892, %865
-  %894 = fmul double %867, %893
-  %895 = fadd double %890, %894
-  %896 = sub nuw i64 %820, %843
-  %897 = fsub double %869, %895
-  %898 = fdiv double %869, %897
-  %899 = icmp slt i64 %818, 0
-  %900 = select i1 %899, i64 %65, i64 0
-  %901 = getelementptr i8, ptr %50, i64 %900
-  %902 = shl i64 %818, 3
-  %903 = getelementptr i8, ptr %901, i64 %902
-  store i64 %820, ptr %903, align 8
-  %904 = select i1 %899, i64 %66, i64 0
-  %905 = getelementptr i8, ptr %54, i64 %904
-  %906 = getelementptr i8, ptr %905, i64 %902
-  store double %898, ptr %906, align 8
-  %907 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %843, i64 1)
-  %908 = extractvalue { i64, i1 } %907, 0
-  %909 = extractvalue { i64, i1 } %907, 1
-  %910 = select i1 %909, i64 2, i64 %908
-  %911 = add nsw i64 %910, %896
-  %912 = icmp slt i64 %911, 0
-  %913 = select i1 %912, i64 %24, i64 0
-  %914 = getelementptr i64, ptr %22, i64 %911
-  %915 = getelementptr i64, ptr %914, i64 %913
-  %916 = load i64, ptr %915, align 8
-  %917 = icmp slt i64 %916, 0
-  %918 = select i1 %917, i64 %18, i64 0
-  %919 = add i64 %918, %916
-  %920 = mul i64 %919, %20
-  %921 = getelementptr double, ptr %16, i64 %920
-  %922 = load double, ptr %921, align 8
-  %923 = load double, ptr %810, align 8
-  %924 = fsub double %922, %923
-  %925 = load double, ptr %811, align 8
-  %926 = fmul double %924, %925
-  %927 = getelementptr i8, ptr %921, i64 8
-  %928 = load double, ptr %927, align 8
-  %929 = load double, ptr %812, align 8
-  %930 = fsub double %928, %929
-  %931 = load double, ptr %813, align 8
-  %932 = fmul double %930, %931
-  %933 = fadd double %926, %932
-  %934 = getelementptr i8, ptr %921, i64 16
-  %935 = load double, ptr %934, align 8
-  %936 = load double, ptr %814, align 8
-  %937 = fsub double %935, %936
-  %938 = load double, ptr %815, align 8
-  %939 = fmul double %937, %938
-  %940 = fadd double %933, %939
-  %941 = add i64 %818, 1
-  %942 = fcmp ult double %940, 0.000000e+00
-  %943 = select i1 %942, i64 %911, i64 %872
-  %944 = icmp slt i64 %943, 0
-  %945 = select i1 %944, i64 %28, i64 0
-  %946 = getelementptr i64, ptr %26, i64 %943
-  %947 = getelementptr i64, ptr %946, i64 %945
-  %948 = load i64, ptr %947, align 8
-  %949 = icmp ne i64 %948, %809
-  %950 = icmp sgt i64 %948, -1
-  %951 = and i1 %949, %950
-  br i1 %951, label %817, label %824
-952:
-  %953 = phi i64 [ 1, %1 ], [ 0, %822 ], [ 1, %824 ]
-  ret i64 %953
+  %742 = add i64 %623, 1
+  %743 = fcmp ult double %741, 0.000000e+00
+  %744 = select i1 %743, i64 %718, i64 %679
+  %745 = icmp slt i64 %744, 0
+  %746 = select i1 %745, i64 %28, i64 0
+  %747 = getelementptr i64, ptr %26, i64 %744
+  %748 = getelementptr i64, ptr %747, i64 %746
+  %749 = load i64, ptr %748, align 8
+  %750 = icmp ne i64 %749, %621
+  %751 = icmp sgt i64 %749, -1
+  %752 = and i1 %750, %751
+  br i1 %752, label %622, label %626
+753:
+  %754 = phi i64 [ 1, %1 ], [ 0, %622 ], [ 1, %626 ]
+  ret i64 %754
 }
+declare i64 @llvm.smax.i64(i64, i64)
 declare double @atan2(double, double) local_unnamed_addr
-define noundef i64 @msf_jax.solid.walks.measures(ptr readonly %0) local_unnamed_addr {
+define noundef i64 @msf_jax.solid.sections.measures(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 8
   %4 = load i64, ptr %3, align 8
@@ -3855,324 +2842,324 @@ define noundef i64 @msf_jax.solid.walks.measures(ptr readonly %0) local_unnamed_
   %33 = fmul double %30, %30
   %34 = shl i64 %32, 3
   %35 = shl i64 %28, 3
-  br label %167
+  br label %41
 36:
-  %37 = phi double [ %194, %192 ], [ %263, %208 ]
+  %37 = phi double [ %68, %66 ], [ %137, %82 ]
   %38 = fcmp ogt double %37, 0.000000e+00
-  br i1 %38, label %283, label %165
+  br i1 %38, label %157, label %39
 39:
-  %40 = phi i64 [ %163, %39 ], [ %321, %294 ]
-  %41 = phi double [ %162, %39 ], [ %320, %294 ]
-  %42 = phi double [ %160, %39 ], [ %318, %294 ]
-  %43 = phi double [ %158, %39 ], [ %316, %294 ]
-  %44 = phi double [ %156, %39 ], [ %314, %294 ]
-  %45 = phi double [ %154, %39 ], [ %312, %294 ]
-  %46 = phi double [ %152, %39 ], [ %310, %294 ]
-  %47 = phi double [ %150, %39 ], [ %308, %294 ]
-  %48 = phi double [ %148, %39 ], [ %306, %294 ]
-  %49 = phi double [ %146, %39 ], [ %304, %294 ]
-  %50 = phi double [ %144, %39 ], [ %302, %294 ]
-  %51 = phi double [ %142, %39 ], [ %300, %294 ]
-  %52 = phi double [ %140, %39 ], [ %298, %294 ]
-  %53 = phi double [ %130, %39 ], [ %296, %294 ]
-  %54 = phi i64 [ %55, %39 ], [ %168, %294 ]
-  %55 = add i64 %54, 1
-  %56 = icmp slt i64 %55, %172
-  %57 = select i1 %56, i64 %55, i64 %168
-  %58 = icmp slt i64 %54, 0
-  %59 = select i1 %58, i64 %4, i64 0
-  %60 = add i64 %59, %54
-  %61 = mul i64 %60, %6
-  %62 = getelementptr double, ptr %2, i64 %61
-  %63 = load double, ptr %62, align 8
-  %64 = getelementptr i8, ptr %62, i64 8
-  %65 = load double, ptr %64, align 8
-  %66 = getelementptr i8, ptr %62, i64 16
-  %67 = load double, ptr %66, align 8
-  %68 = icmp slt i64 %57, 0
-  %69 = select i1 %68, i64 %4, i64 0
-  %70 = add i64 %69, %57
-  %71 = mul i64 %70, %6
-  %72 = getelementptr double, ptr %2, i64 %71
-  %73 = load double, ptr %72, align 8
-  %74 = getelementptr i8, ptr %72, i64 8
-  %75 = load double, ptr %74, align 8
-  %76 = getelementptr i8, ptr %72, i64 16
-  %77 = load double, ptr %76, align 8
-  %78 = fadd double %63, %73
-  %79 = fmul double %78, 5.000000e-01
-  %80 = fadd double %65, %75
-  %81 = fmul double %80, 5.000000e-01
-  %82 = fadd double %67, %77
-  %83 = fmul double %82, 5.000000e-01
-  %84 = fsub double %73, %63
-  %85 = fsub double %75, %65
-  %86 = fsub double %77, %67
-  %87 = fmul double %84, %84
-  %88 = fmul double %85, %85
-  %89 = fadd double %87, %88
-  %90 = fmul double %86, %86
-  %91 = fadd double %89, %90
-  %92 = tail call double @llvm.sqrt.f64(double %91)
-  %93 = select i1 %58, i64 %34, i64 0
-  %94 = getelementptr i8, ptr %8, i64 %93
-  %95 = shl i64 %54, 3
-  %96 = getelementptr i8, ptr %94, i64 %95
-  %97 = load double, ptr %96, align 8
-  %98 = fsub double %63, %286
-  %99 = fsub double %65, %289
-  %100 = fsub double %67, %292
-  %101 = fmul double %98, %98
-  %102 = fmul double %99, %99
-  %103 = fadd double %101, %102
-  %104 = fmul double %100, %100
-  %105 = fadd double %103, %104
-  %106 = tail call double @llvm.sqrt.f64(double %105)
-  %107 = fsub double %79, %286
-  %108 = fsub double %81, %289
-  %109 = fsub double %83, %292
-  %110 = fmul double %107, %107
-  %111 = fmul double %108, %108
-  %112 = fadd double %110, %111
-  %113 = fmul double %109, %109
-  %114 = fadd double %112, %113
-  %115 = tail call double @llvm.sqrt.f64(double %114)
-  %116 = fsub double %73, %286
-  %117 = fsub double %75, %289
-  %118 = fsub double %77, %292
-  %119 = fmul double %116, %116
-  %120 = fmul double %117, %117
-  %121 = fadd double %119, %120
-  %122 = fmul double %118, %118
-  %123 = fadd double %121, %122
-  %124 = tail call double @llvm.sqrt.f64(double %123)
-  %125 = fmul double %115, 4.000000e+00
-  %126 = fadd double %106, %125
-  %127 = fadd double %124, %126
-  %128 = fdiv double %127, 6.000000e+00
-  %129 = fmul double %92, %128
-  %130 = fadd double %53, %129
-  store double %130, ptr %295, align 8
-  %131 = fmul double %97, %97
-  %132 = fsub double 1.000000e+00, %131
-  %133 = fcmp olt double %132, 0.000000e+00
-  %134 = select i1 %133, double 0.000000e+00, double %132
-  %135 = fadd double %33, %134
-  %136 = tail call double @llvm.sqrt.f64(double %135)
-  %137 = fdiv double %92, %136
-  %138 = fmul double %97, %137
-  %139 = fmul double %107, %138
-  %140 = fadd double %52, %139
-  store double %140, ptr %297, align 8
-  %141 = fmul double %79, %139
-  %142 = fadd double %51, %141
-  store double %142, ptr %299, align 8
-  %143 = fmul double %81, %139
-  %144 = fadd double %50, %143
-  store double %144, ptr %301, align 8
-  %145 = fmul double %83, %139
-  %146 = fadd double %49, %145
-  store double %146, ptr %303, align 8
-  %147 = fmul double %108, %138
-  %148 = fadd double %48, %147
-  store double %148, ptr %305, align 8
-  %149 = fmul double %79, %147
-  %150 = fadd double %47, %149
-  store double %150, ptr %307, align 8
-  %151 = fmul double %81, %147
-  %152 = fadd double %46, %151
-  store double %152, ptr %309, align 8
-  %153 = fmul double %83, %147
-  %154 = fadd double %45, %153
-  store double %154, ptr %311, align 8
-  %155 = fmul double %109, %138
-  %156 = fadd double %44, %155
-  store double %156, ptr %313, align 8
-  %157 = fmul double %79, %155
-  %158 = fadd double %43, %157
-  store double %158, ptr %315, align 8
-  %159 = fmul double %81, %155
-  %160 = fadd double %42, %159
-  store double %160, ptr %317, align 8
-  %161 = fmul double %83, %155
-  %162 = fadd double %41, %161
-  store double %162, ptr %319, align 8
-  %163 = add i64 %40, -1
-  %164 = icmp samesign ugt i64 %163, 1
-  br i1 %164, label %39, label %165
-165:
-  %166 = icmp eq i64 %170, %18
-  br i1 %166, label %322, label %167
-167:
-  %168 = phi i64 [ 0, %26 ], [ %172, %165 ]
-  %169 = phi i64 [ 0, %26 ], [ %170, %165 ]
-  %170 = add nuw nsw i64 %169, 1
-  %171 = getelementptr i64, ptr %16, i64 %169
-  %172 = load i64, ptr %171, align 8
-  %173 = getelementptr i64, ptr %20, i64 %169
-  %174 = load i64, ptr %173, align 8
-  %175 = icmp slt i64 %174, 0
-  %176 = select i1 %175, i64 %24, i64 0
-  %177 = add i64 %176, %174
-  %178 = select i1 %175, i64 %12, i64 0
-  %179 = add i64 %178, %174
-  %180 = mul i64 %179, %14
-  %181 = getelementptr double, ptr %10, i64 %180
-  %182 = load double, ptr %181, align 8
-  %183 = getelementptr i8, ptr %181, i64 8
-  %184 = load double, ptr %183, align 8
-  %185 = getelementptr i8, ptr %181, i64 16
-  %186 = load double, ptr %185, align 8
-  %187 = sub i64 %172, %168
-  %188 = icmp sgt i64 %187, 0
-  %189 = tail call i64 @llvm.smax.i64(i64 %187, i64 0)
-  %190 = mul i64 %35, %177
-  %191 = getelementptr i8, ptr %22, i64 %190
-  br i1 %188, label %195, label %192
-192:
-  %193 = getelementptr i8, ptr %191, i64 24
-  %194 = load double, ptr %193, align 8
+  %40 = icmp eq i64 %44, %18
+  br i1 %40, label %322, label %41
+41:
+  %42 = phi i64 [ 0, %26 ], [ %46, %39 ]
+  %43 = phi i64 [ 0, %26 ], [ %44, %39 ]
+  %44 = add nuw nsw i64 %43, 1
+  %45 = getelementptr i64, ptr %16, i64 %43
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr i64, ptr %20, i64 %43
+  %48 = load i64, ptr %47, align 8
+  %49 = icmp slt i64 %48, 0
+  %50 = select i1 %49, i64 %24, i64 0
+  %51 = add i64 %50, %48
+  %52 = select i1 %49, i64 %12, i64 0
+  %53 = add i64 %52, %48
+  %54 = mul i64 %53, %14
+  %55 = getelementptr double, ptr %10, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = getelementptr i8, ptr %55, i64 8
+  %58 = load double, ptr %57, align 8
+  %59 = getelementptr i8, ptr %55, i64 16
+  %60 = load double, ptr %59, align 8
+  %61 = sub i64 %46, %42
+  %62 = icmp sgt i64 %61, 0
+  %63 = tail call i64 @llvm.smax.i64(i64 %61, i64 0)
+  %64 = mul i64 %35, %51
+  %65 = getelementptr i8, ptr %22, i64 %64
+  br i1 %62, label %69, label %66
+66:
+  %67 = getelementptr i8, ptr %65, i64 24
+  %68 = load double, ptr %67, align 8
   br label %36
-195:
-  %196 = load double, ptr %191, align 8
-  %197 = getelementptr i8, ptr %191, i64 8
-  %198 = load double, ptr %197, align 8
-  %199 = getelementptr i8, ptr %191, i64 16
-  %200 = load double, ptr %199, align 8
-  %201 = getelementptr i8, ptr %191, i64 24
-  %202 = load double, ptr %201, align 8
-  %203 = getelementptr i8, ptr %191, i64 32
-  %204 = load double, ptr %203, align 8
-  %205 = getelementptr i8, ptr %191, i64 40
-  %206 = load double, ptr %205, align 8
-  %207 = add nuw i64 %189, 1
-  br label %208
-208:
-  %209 = phi i64 [ %281, %208 ], [ %207, %195 ]
-  %210 = phi double [ %280, %208 ], [ %206, %195 ]
-  %211 = phi double [ %270, %208 ], [ %204, %195 ]
-  %212 = phi double [ %263, %208 ], [ %202, %195 ]
-  %213 = phi double [ %262, %208 ], [ %200, %195 ]
-  %214 = phi double [ %259, %208 ], [ %198, %195 ]
-  %215 = phi double [ %256, %208 ], [ %196, %195 ]
-  %216 = phi i64 [ %217, %208 ], [ %168, %195 ]
-  %217 = add i64 %216, 1
-  %218 = icmp slt i64 %217, %172
-  %219 = select i1 %218, i64 %217, i64 %168
-  %220 = icmp slt i64 %216, 0
-  %221 = select i1 %220, i64 %4, i64 0
-  %222 = add i64 %221, %216
-  %223 = mul i64 %222, %6
-  %224 = getelementptr double, ptr %2, i64 %223
-  %225 = load double, ptr %224, align 8
-  %226 = getelementptr i8, ptr %224, i64 8
-  %227 = load double, ptr %226, align 8
-  %228 = getelementptr i8, ptr %224, i64 16
-  %229 = load double, ptr %228, align 8
-  %230 = icmp slt i64 %219, 0
-  %231 = select i1 %230, i64 %4, i64 0
-  %232 = add i64 %231, %219
-  %233 = mul i64 %232, %6
-  %234 = getelementptr double, ptr %2, i64 %233
-  %235 = load double, ptr %234, align 8
-  %236 = getelementptr i8, ptr %234, i64 8
-  %237 = load double, ptr %236, align 8
-  %238 = getelementptr i8, ptr %234, i64 16
-  %239 = load double, ptr %238, align 8
-  %240 = fmul double %227, %239
-  %241 = fmul double %229, %237
-  %242 = fsub double %240, %241
-  %243 = fmul double %229, %235
-  %244 = fmul double %225, %239
-  %245 = fsub double %243, %244
-  %246 = fmul double %225, %237
-  %247 = fmul double %227, %235
-  %248 = fsub double %246, %247
-  %249 = fmul double %182, %242
-  %250 = fmul double %186, %248
-  %251 = fadd double %250, %249
-  %252 = fmul double %184, %245
-  %253 = fadd double %252, %251
-  %254 = fadd double %225, %235
-  %255 = fmul double %254, %253
-  %256 = fadd double %215, %255
-  store double %256, ptr %191, align 8
-  %257 = fadd double %227, %237
-  %258 = fmul double %257, %253
-  %259 = fadd double %214, %258
-  store double %259, ptr %197, align 8
-  %260 = fadd double %229, %239
-  %261 = fmul double %260, %253
-  %262 = fadd double %213, %261
-  store double %262, ptr %199, align 8
-  %263 = fadd double %212, %253
-  store double %263, ptr %201, align 8
-  %264 = fmul double %225, %235
-  %265 = fmul double %229, %239
-  %266 = fadd double %264, %265
-  %267 = fmul double %227, %237
-  %268 = fadd double %267, %266
-  %269 = tail call double @atan2(double %253, double %268)
-  %270 = fadd double %211, %269
-  store double %270, ptr %203, align 8
-  %271 = fsub double %235, %225
-  %272 = fsub double %237, %227
-  %273 = fsub double %239, %229
-  %274 = fmul double %271, %271
-  %275 = fmul double %272, %272
-  %276 = fadd double %274, %275
-  %277 = fmul double %273, %273
-  %278 = fadd double %276, %277
-  %279 = tail call double @llvm.sqrt.f64(double %278)
-  %280 = fadd double %210, %279
-  store double %280, ptr %205, align 8
-  %281 = add i64 %209, -1
-  %282 = icmp samesign ugt i64 %281, 1
-  br i1 %282, label %208, label %36
-283:
-  %284 = load double, ptr %191, align 8
-  %285 = fmul double %37, 3.000000e+00
-  %286 = fdiv double %284, %285
-  store double %286, ptr %191, align 8
-  %287 = getelementptr i8, ptr %191, i64 8
-  %288 = load double, ptr %287, align 8
-  %289 = fdiv double %288, %285
-  store double %289, ptr %287, align 8
-  %290 = getelementptr i8, ptr %191, i64 16
-  %291 = load double, ptr %290, align 8
-  %292 = fdiv double %291, %285
-  store double %292, ptr %290, align 8
-  %293 = icmp slt i64 %187, 1
-  br i1 %293, label %165, label %294
-294:
-  %295 = getelementptr i8, ptr %191, i64 48
-  %296 = load double, ptr %295, align 8
-  %297 = getelementptr i8, ptr %191, i64 56
-  %298 = load double, ptr %297, align 8
-  %299 = getelementptr i8, ptr %191, i64 80
-  %300 = load double, ptr %299, align 8
-  %301 = getelementptr i8, ptr %191, i64 88
-  %302 = load double, ptr %301, align 8
-  %303 = getelementptr i8, ptr %191, i64 96
-  %304 = load double, ptr %303, align 8
-  %305 = getelementptr i8, ptr %191, i64 64
-  %306 = load double, ptr %305, align 8
-  %307 = getelementptr i8, ptr %191, i64 104
-  %308 = load double, ptr %307, align 8
-  %309 = getelementptr i8, ptr %191, i64 112
-  %310 = load double, ptr %309, align 8
-  %311 = getelementptr i8, ptr %191, i64 120
-  %312 = load double, ptr %311, align 8
-  %313 = getelementptr i8, ptr %191, i64 72
-  %314 = load double, ptr %313, align 8
-  %315 = getelementptr i8, ptr %191, i64 128
-  %316 = load double, ptr %315, align 8
-  %317 = getelementptr i8, ptr %191, i64 136
-  %318 = load double, ptr %317, align 8
-  %319 = getelementptr i8, ptr %191, i64 144
-  %320 = load double, ptr %319, align 8
-  %321 = add nuw i64 %189, 1
-  br label %39
+69:
+  %70 = load double, ptr %65, align 8
+  %71 = getelementptr i8, ptr %65, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = getelementptr i8, ptr %65, i64 16
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr i8, ptr %65, i64 24
+  %76 = load double, ptr %75, align 8
+  %77 = getelementptr i8, ptr %65, i64 32
+  %78 = load double, ptr %77, align 8
+  %79 = getelementptr i8, ptr %65, i64 40
+  %80 = load double, ptr %79, align 8
+  %81 = add nuw i64 %63, 1
+  br label %82
+82:
+  %83 = phi i64 [ %155, %82 ], [ %81, %69 ]
+  %84 = phi double [ %154, %82 ], [ %80, %69 ]
+  %85 = phi double [ %144, %82 ], [ %78, %69 ]
+  %86 = phi double [ %137, %82 ], [ %76, %69 ]
+  %87 = phi double [ %136, %82 ], [ %74, %69 ]
+  %88 = phi double [ %133, %82 ], [ %72, %69 ]
+  %89 = phi double [ %130, %82 ], [ %70, %69 ]
+  %90 = phi i64 [ %91, %82 ], [ %42, %69 ]
+  %91 = add i64 %90, 1
+  %92 = icmp slt i64 %90, 0
+  %93 = select i1 %92, i64 %4, i64 0
+  %94 = add i64 %93, %90
+  %95 = mul i64 %94, %6
+  %96 = getelementptr double, ptr %2, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = getelementptr i8, ptr %96, i64 8
+  %99 = load double, ptr %98, align 8
+  %100 = getelementptr i8, ptr %96, i64 16
+  %101 = load double, ptr %100, align 8
+  %102 = icmp slt i64 %91, %46
+  %103 = select i1 %102, i64 %91, i64 %42
+  %104 = icmp slt i64 %103, 0
+  %105 = select i1 %104, i64 %4, i64 0
+  %106 = add i64 %105, %103
+  %107 = mul i64 %106, %6
+  %108 = getelementptr double, ptr %2, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = getelementptr i8, ptr %108, i64 8
+  %111 = load double, ptr %110, align 8
+  %112 = getelementptr i8, ptr %108, i64 16
+  %113 = load double, ptr %112, align 8
+  %114 = fmul double %99, %113
+  %115 = fmul double %101, %111
+  %116 = fsub double %114, %115
+  %117 = fmul double %101, %109
+  %118 = fmul double %97, %113
+  %119 = fsub double %117, %118
+  %120 = fmul double %97, %111
+  %121 = fmul double %99, %109
+  %122 = fsub double %120, %121
+  %123 = fmul double %56, %116
+  %124 = fmul double %60, %122
+  %125 = fadd double %124, %123
+  %126 = fmul double %58, %119
+  %127 = fadd double %126, %125
+  %128 = fadd double %97, %109
+  %129 = fmul double %128, %127
+  %130 = fadd double %89, %129
+  store double %130, ptr %65, align 8
+  %131 = fadd double %99, %111
+  %132 = fmul double %131, %127
+  %133 = fadd double %88, %132
+  store double %133, ptr %71, align 8
+  %134 = fadd double %101, %113
+  %135 = fmul double %134, %127
+  %136 = fadd double %87, %135
+  store double %136, ptr %73, align 8
+  %137 = fadd double %86, %127
+  store double %137, ptr %75, align 8
+  %138 = fmul double %97, %109
+  %139 = fmul double %101, %113
+  %140 = fadd double %138, %139
+  %141 = fmul double %99, %111
+  %142 = fadd double %141, %140
+  %143 = tail call double @atan2(double %127, double %142)
+  %144 = fadd double %85, %143
+  store double %144, ptr %77, align 8
+  %145 = fsub double %109, %97
+  %146 = fsub double %111, %99
+  %147 = fsub double %113, %101
+  %148 = fmul double %145, %145
+  %149 = fmul double %146, %146
+  %150 = fadd double %148, %149
+  %151 = fmul double %147, %147
+  %152 = fadd double %150, %151
+  %153 = tail call double @llvm.sqrt.f64(double %152)
+  %154 = fadd double %84, %153
+  store double %154, ptr %79, align 8
+  %155 = add i64 %83, -1
+  %156 = icmp samesign ugt i64 %155, 1
+  br i1 %156, label %82, label %36
+157:
+  %158 = load double, ptr %65, align 8
+  %159 = fmul double %37, 3.000000e+00
+  %160 = fdiv double %158, %159
+  store double %160, ptr %65, align 8
+  %161 = getelementptr i8, ptr %65, i64 8
+  %162 = load double, ptr %161, align 8
+  %163 = fdiv double %162, %159
+  store double %163, ptr %161, align 8
+  %164 = getelementptr i8, ptr %65, i64 16
+  %165 = load double, ptr %164, align 8
+  %166 = fdiv double %165, %159
+  store double %166, ptr %164, align 8
+  %167 = icmp slt i64 %61, 1
+  br i1 %167, label %39, label %168
+168:
+  %169 = getelementptr i8, ptr %65, i64 48
+  %170 = load double, ptr %169, align 8
+  %171 = getelementptr i8, ptr %65, i64 56
+  %172 = load double, ptr %171, align 8
+  %173 = getelementptr i8, ptr %65, i64 80
+  %174 = load double, ptr %173, align 8
+  %175 = getelementptr i8, ptr %65, i64 88
+  %176 = load double, ptr %175, align 8
+  %177 = getelementptr i8, ptr %65, i64 96
+  %178 = load double, ptr %177, align 8
+  %179 = getelementptr i8, ptr %65, i64 64
+  %180 = load double, ptr %179, align 8
+  %181 = getelementptr i8, ptr %65, i64 104
+  %182 = load double, ptr %181, align 8
+  %183 = getelementptr i8, ptr %65, i64 112
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr i8, ptr %65, i64 120
+  %186 = load double, ptr %185, align 8
+  %187 = getelementptr i8, ptr %65, i64 72
+  %188 = load double, ptr %187, align 8
+  %189 = getelementptr i8, ptr %65, i64 128
+  %190 = load double, ptr %189, align 8
+  %191 = getelementptr i8, ptr %65, i64 136
+  %192 = load double, ptr %191, align 8
+  %193 = getelementptr i8, ptr %65, i64 144
+  %194 = load double, ptr %193, align 8
+  %195 = add nuw i64 %63, 1
+  br label %196
+196:
+  %197 = phi i64 [ %320, %196 ], [ %195, %168 ]
+  %198 = phi double [ %319, %196 ], [ %194, %168 ]
+  %199 = phi double [ %317, %196 ], [ %192, %168 ]
+  %200 = phi double [ %315, %196 ], [ %190, %168 ]
+  %201 = phi double [ %313, %196 ], [ %188, %168 ]
+  %202 = phi double [ %311, %196 ], [ %186, %168 ]
+  %203 = phi double [ %309, %196 ], [ %184, %168 ]
+  %204 = phi double [ %307, %196 ], [ %182, %168 ]
+  %205 = phi double [ %305, %196 ], [ %180, %168 ]
+  %206 = phi double [ %303, %196 ], [ %178, %168 ]
+  %207 = phi double [ %301, %196 ], [ %176, %168 ]
+  %208 = phi double [ %299, %196 ], [ %174, %168 ]
+  %209 = phi double [ %297, %196 ], [ %172, %168 ]
+  %210 = phi double [ %287, %196 ], [ %170, %168 ]
+  %211 = phi i64 [ %212, %196 ], [ %42, %168 ]
+  %212 = add i64 %211, 1
+  %213 = icmp slt i64 %211, 0
+  %214 = select i1 %213, i64 %4, i64 0
+  %215 = add i64 %214, %211
+  %216 = mul i64 %215, %6
+  %217 = getelementptr double, ptr %2, i64 %216
+  %218 = load double, ptr %217, align 8
+  %219 = getelementptr i8, ptr %217, i64 8
+  %220 = load double, ptr %219, align 8
+  %221 = getelementptr i8, ptr %217, i64 16
+  %222 = load double, ptr %221, align 8
+  %223 = icmp slt i64 %212, %46
+  %224 = select i1 %223, i64 %212, i64 %42
+  %225 = icmp slt i64 %224, 0
+  %226 = select i1 %225, i64 %4, i64 0
+  %227 = add i64 %226, %224
+  %228 = mul i64 %227, %6
+  %229 = getelementptr double, ptr %2, i64 %228
+  %230 = load double, ptr %229, align 8
+  %231 = getelementptr i8, ptr %229, i64 8
+  %232 = load double, ptr %231, align 8
+  %233 = getelementptr i8, ptr %229, i64 16
+  %234 = load double, ptr %233, align 8
+  %235 = fadd double %218, %230
+  %236 = fmul double %235, 5.000000e-01
+  %237 = fadd double %220, %232
+  %238 = fmul double %237, 5.000000e-01
+  %239 = fadd double %222, %234
+  %240 = fmul double %239, 5.000000e-01
+  %241 = fsub double %230, %218
+  %242 = fsub double %232, %220
+  %243 = fsub double %234, %222
+  %244 = fmul double %241, %241
+  %245 = fmul double %242, %242
+  %246 = fadd double %244, %245
+  %247 = fmul double %243, %243
+  %248 = fadd double %246, %247
+  %249 = tail call double @llvm.sqrt.f64(double %248)
+  %250 = select i1 %213, i64 %34, i64 0
+  %251 = getelementptr i8, ptr %8, i64 %250
+  %252 = shl i64 %211, 3
+  %253 = getelementptr i8, ptr %251, i64 %252
+  %254 = load double, ptr %253, align 8
+  %255 = fsub double %236, %160
+  %256 = fsub double %238, %163
+  %257 = fsub double %240, %166
+  %258 = fsub double %218, %160
+  %259 = fsub double %220, %163
+  %260 = fsub double %222, %166
+  %261 = fmul double %258, %258
+  %262 = fmul double %259, %259
+  %263 = fadd double %261, %262
+  %264 = fmul double %260, %260
+  %265 = fadd double %263, %264
+  %266 = tail call double @llvm.sqrt.f64(double %265)
+  %267 = fmul double %255, %255
+  %268 = fmul double %256, %256
+  %269 = fadd double %267, %268
+  %270 = fmul double %257, %257
+  %271 = fadd double %269, %270
+  %272 = tail call double @llvm.sqrt.f64(double %271)
+  %273 = fmul double %272, 4.000000e+00
+  %274 = fadd double %266, %273
+  %275 = fsub double %230, %160
+  %276 = fsub double %232, %163
+  %277 = fsub double %234, %166
+  %278 = fmul double %275, %275
+  %279 = fmul double %276, %276
+  %280 = fadd double %278, %279
+  %281 = fmul double %277, %277
+  %282 = fadd double %280, %281
+  %283 = tail call double @llvm.sqrt.f64(double %282)
+  %284 = fadd double %283, %274
+  %285 = fdiv double %284, 6.000000e+00
+  %286 = fmul double %249, %285
+  %287 = fadd double %210, %286
+  store double %287, ptr %169, align 8
+  %288 = fmul double %254, %254
+  %289 = fsub double 1.000000e+00, %288
+  %290 = fcmp olt double %289, 0.000000e+00
+  %291 = select i1 %290, double 0.000000e+00, double %289
+  %292 = fadd double %33, %291
+  %293 = tail call double @llvm.sqrt.f64(double %292)
+  %294 = fdiv double %249, %293
+  %295 = fmul double %254, %294
+  %296 = fmul double %255, %295
+  %297 = fadd double %209, %296
+  store double %297, ptr %171, align 8
+  %298 = fmul double %236, %296
+  %299 = fadd double %208, %298
+  store double %299, ptr %173, align 8
+  %300 = fmul double %238, %296
+  %301 = fadd double %207, %300
+  store double %301, ptr %175, align 8
+  %302 = fmul double %240, %296
+  %303 = fadd double %206, %302
+  store double %303, ptr %177, align 8
+  %304 = fmul double %256, %295
+  %305 = fadd double %205, %304
+  store double %305, ptr %179, align 8
+  %306 = fmul double %236, %304
+  %307 = fadd double %204, %306
+  store double %307, ptr %181, align 8
+  %308 = fmul double %238, %304
+  %309 = fadd double %203, %308
+  store double %309, ptr %183, align 8
+  %310 = fmul double %240, %304
+  %311 = fadd double %202, %310
+  store double %311, ptr %185, align 8
+  %312 = fmul double %257, %295
+  %313 = fadd double %201, %312
+  store double %313, ptr %187, align 8
+  %314 = fmul double %236, %312
+  %315 = fadd double %200, %314
+  store double %315, ptr %189, align 8
+  %316 = fmul double %238, %312
+  %317 = fadd double %199, %316
+  store double %317, ptr %191, align 8
+  %318 = fmul double %240, %312
+  %319 = fadd double %198, %318
+  store double %319, ptr %193, align 8
+  %320 = add i64 %197, -1
+  %321 = icmp samesign ugt i64 %320, 1
+  br i1 %321, label %196, label %39
 322:
   ret i64 0
 }

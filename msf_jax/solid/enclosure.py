@@ -12,12 +12,11 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid import kernels
-from msf_jax.solid.geometry import ROUNDING, barycentric, cross, tree_of, unit
+from msf_jax.solid.geometry import ROUNDING, barycentric, cross, unit
 from msf_jax.solid.handles import Handles
-from msf_jax.solid.kernels import Mesh
+from msf_jax.solid.kernels import Mesh, tree_of
 
 SURE = 0.5  # share of an approximate clearance that counts as certain
-HITS_AT_FIRST = 8  # hits a ray for which memory is allocated first; few rays have more
 MOST_CROSSED = 10_000  # pairs of triangles that cross that are listed; the rest is counted
 MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a crossing; limbs of a fan have many more
 # Largest sides of the bounding box between samples of a triangle; more if `MOST_SAMPLES` requires it.
@@ -78,13 +77,6 @@ def reaches(triangles: np.ndarray) -> np.ndarray:
     return np.sqrt(reduce(np.maximum, [x[:, 0] ** 2 + x[:, 1] ** 2 + x[:, 2] ** 2 for x in away]))
 
 
-def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
-    """Squared distance (c,) from each point (c, 3) to its triangle (c, 3, 3), which may be degenerate."""
-    found = np.empty(len(point))
-    kernels.distances2(point, triangle, found)
-    return found
-
-
 class Crossed(NamedTuple):
     """Pairs (P, 2) of triangles that cross, at most ``MOST_CROSSED``; the number of all; whether the search was cut."""
 
@@ -130,11 +122,6 @@ class Enclosure:
         twins = np.empty(len(tail), dtype=np.int64)
         twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
         return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes(self.triangles)))
-
-    @cached_property
-    def _slack(self) -> float:
-        """By how much the box around a ray is enlarged."""
-        return ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
 
     @cached_property
     def extent(self) -> float:
@@ -245,19 +232,38 @@ class Enclosure:
         # Two axes perpendicular to each ray: seen along it, the ray is a point.
         across = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
         across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-        axes, capacity = np.stack([across, cross(directions, across), directions], axis=1), HITS_AT_FIRST * len(points)
+        axes = np.stack([across, cross(directions, across), directions], axis=1)
+        slack = ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
+        capacity = len(points) + len(self.faces)  # there are seldom more hits
         while True:
             ray, distance = np.empty(capacity, dtype=np.int64), np.empty(capacity)
-            count = kernels.hits(points, axes, reach, self._slack, self.mesh, np.empty((3, 3)), ray, distance)
+            count = kernels.hits(points, axes, reach, slack, self.mesh, ray, distance)
             if count <= capacity:
                 return ray[:count], distance[:count]
             capacity = count
 
     def holds(self, a: np.ndarray, b: np.ndarray, sliver: float) -> np.ndarray:
         """(E,) whether the segments from a (E, 3) to b (E, 3) are inside, up to stretches shorter than ``sliver``
-        between hits of the surface."""
-        is_in, capacity = np.empty(len(a), dtype=bool), HITS_AT_FIRST
-        while capacity:
-            scratch = np.empty((1, 3, 3)), np.empty((3, 3)), np.empty(capacity, dtype=np.int64), np.empty(capacity)
-            capacity = kernels.within(a, b, sliver, self._slack, self.mesh, *scratch, is_in)
+        between hits of the surface.
+
+        At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits
+        decide. A ray along a face, or from the surface, may miss its exit, so both ends are tested, too.
+        """
+        is_in = self.contains(a)
+        is_in[is_in] = self.contains(b[is_in])
+        rows = np.flatnonzero(is_in)
+        a, along = a[rows], b[rows] - a[rows]
+        length = np.linalg.norm(along, axis=1)
+        along /= np.maximum(length, 1e-300)[:, None]
+        ray, stop = self.ray_hits(a, along, length)
+        if not len(ray):
+            return is_in
+        hit = np.unique(ray)
+        ray, stop = np.concatenate([hit, ray, hit]), np.concatenate([np.zeros(len(hit)), stop, length[hit]])
+        order = np.lexsort((stop, ray))
+        ray, stop = ray[order], stop[order]
+        here = np.flatnonzero((np.diff(ray) == 0) & (np.diff(stop) > sliver))
+        half = (stop[here] + stop[here + 1]) / 2
+        middle = a[ray[here]] + half[:, None] * along[ray[here]]
+        is_in[rows[ray[here[~self.contains(middle)]]]] = False
         return is_in

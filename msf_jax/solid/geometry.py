@@ -1,7 +1,6 @@
-"""Shared geometry: vectors, polylines, normals, areas and volume of triangle lists, and trees of boxes."""
+"""Shared geometry: vectors, polylines, normals, areas and volume of triangle lists."""
 
 import numpy as np
-from scipy import spatial
 
 ROUNDING = 1e-9  # of the size of what is measured, such as a solid's extent: less may be an error of rounding
 
@@ -131,22 +130,3 @@ def together(points: np.ndarray, shortest: int) -> np.ndarray:
         order = order[np.lexsort((place[np.arange(len(points)), longest[run]], run))]
         length //= 2
     return order
-
-
-def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """``boxes`` (2n, 6) and ``order`` (n,) of the tree (see `kernels`) of boxes with corners ``low``, ``high`` (n, 3).
-
-    The leaves have the order of a k-d tree of the boxes' middles.
-    """
-    num = len(low)
-    order = spatial.KDTree((low + high) / 2, leafsize=4).indices.astype(np.int64)
-    boxes = np.zeros((2 * num, 6))
-    boxes[num:, :3], boxes[num:, 3:] = low[order], high[order]
-    stop = num
-    while stop > 1:
-        start = (stop + 1) // 2
-        left, right = boxes[2 * start : 2 * stop : 2], boxes[2 * start + 1 : 2 * stop : 2]
-        boxes[start:stop, :3] = np.minimum(left[:, :3], right[:, :3])
-        boxes[start:stop, 3:] = np.maximum(left[:, 3:], right[:, 3:])
-        stop = start
-    return boxes, order

@@ -21,8 +21,8 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax.numerics.compiled import Ints, Points, Rows, kernel, part
-from msf_jax.solid.geometry import ROUNDING, tree_of, unit, vertex_normals
-from msf_jax.solid.kernels import onward, overlaps
+from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
+from msf_jax.solid.kernels import Vector, onward, overlaps, point_of, tree_of
 from msf_jax.topology import graphs
 from msf_jax.topology.half_edges import HalfEdges, half_edges
 
@@ -150,40 +150,39 @@ class Curtains(NamedTuple):
 
 
 @part
-def side(points: Points, row: int, start: Points, end: Points, line: int) -> float:
+def side(point: Vector, start: Vector, end: Vector) -> float:
     """On which side of a line, seen along the curtains, a point is."""
-    x, y = end[line, 0] - start[line, 0], end[line, 1] - start[line, 1]
-    return x * (points[row, 1] - start[line, 1]) - y * (points[row, 0] - start[line, 0])
+    return (end[0] - start[0]) * (point[1] - start[1]) - (end[1] - start[1]) * (point[0] - start[0])
 
 
 @kernel
-def add_crossings(p: Points, p_end: Points, path: Ints, curtains: Curtains, found: Rows) -> None:
-    """Add to ``found`` (R, L) the signed crossings of segments from p to p_end (E, 3), each in the row ``path`` (E,),
-    with the curtains of each loop.
+def add_crossings(starts: Points, ends: Points, path: Ints, curtains: Curtains, found: Rows) -> None:
+    """Add to ``found`` (R, L) the signed crossings of segments from ``starts`` to ``ends`` (E, 3), each in the row
+    ``path`` (E,), with the curtains of each loop.
 
     Seen along the curtains, a segment crosses an edge if the ends of each are on different sides of the other.
     Segments that share an end compute the same side for it, so a path through it crosses once or not at all.
     """
-    q, q_end, num = curtains.tail, curtains.head, len(curtains.order)
-    for one in range(len(p)):
-        low_x, high_x = min(p[one, 0], p_end[one, 0]), max(p[one, 0], p_end[one, 0])
-        low_y, high_y = min(p[one, 1], p_end[one, 1]), max(p[one, 1], p_end[one, 1])
-        node, high_z = min(1, num), max(p[one, 2], p_end[one, 2])
+    num = len(curtains.order)
+    for row in range(len(starts)):
+        p, p_end = point_of(starts, row), point_of(ends, row)
+        low = min(p[0], p_end[0]), min(p[1], p_end[1]), -np.inf
+        high = max(p[0], p_end[0]), max(p[1], p_end[1]), max(p[2], p_end[2])
+        node = min(1, num)
         while node:
-            is_met = overlaps(curtains.boxes, node, low_x, low_y, -np.inf, high_x, high_y, high_z)
-            other = curtains.order[node - num] if is_met and node >= num else -1
+            is_met = overlaps(curtains.boxes, node, low, high)
+            edge = curtains.order[node - num] if is_met and node >= num else -1
             node = onward(node, num, is_met)
-            if other < 0:
+            if edge < 0:
                 continue
-            s, s_end = side(p, one, q, q_end, other), side(p_end, one, q, q_end, other)
-            t, t_end = side(q, other, p, p_end, one), side(q_end, other, p, p_end, one)
+            q, q_end = point_of(curtains.tail, edge), point_of(curtains.head, edge)
+            s, s_end, t, t_end = side(p, q, q_end), side(p_end, q, q_end), side(q, p, p_end), side(q_end, p, p_end)
             if (s >= 0) == (s_end >= 0) or (t >= 0) == (t_end >= 0):
                 continue
             at_p, at_q = s / (s - s_end), t / (t - t_end)
-            height = p[one, 2] + at_p * (p_end[one, 2] - p[one, 2]) - q[other, 2]
-            if height - at_q * (q_end[other, 2] - q[other, 2]) > 0:
-                for k in range(curtains.first[other], curtains.first[other + 1]):
-                    found[path[one], curtains.loop[k]] += -curtains.times[k] if s_end > s else curtains.times[k]
+            if p[2] + at_p * (p_end[2] - p[2]) - q[2] - at_q * (q_end[2] - q[2]) > 0:
+                for k in range(curtains.first[edge], curtains.first[edge + 1]):
+                    found[path[row], curtains.loop[k]] += -curtains.times[k] if s_end > s else curtains.times[k]
 
 
 class Handles:

@@ -11,18 +11,18 @@ pipe. There it is the middle of the shortest chord that halves the area (see `he
 over points p and q of the loop, where A(p, q) is the area between the chord and the loop from p to q.
 """
 
+from math import atan2, isqrt, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.solid import walks
+from msf_jax.numerics.compiled import Ints, Points, Reals, kernel, part
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, cross, repeated, unit
+from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
-SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
-FIRST_REACH = 1.5  # radii: reach of the first search
-LONGEST_LOOP = 20_000  # triangles after which a loop is given up
-CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
+REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
+DESCENT = 30  # triangles from the given one to the plane, after which the tree is searched instead
 CHORDS, ROUNDS = 24, 3  # from points evenly along a loop; rounds, each around the point of the shortest one before
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
@@ -70,6 +70,145 @@ class Sections(NamedTuple):
     turn: np.ndarray
 
 
+@part
+def height(mesh: Mesh, vertex: int, point: Vector, normal: Vector) -> float:
+    """Height of a vertex above the plane through a point: the same bits for every triangle at the vertex."""
+    away = minus(point_of(mesh.vertices, vertex), point)
+    return away[0] * normal[0] + away[1] * normal[1] + away[2] * normal[2]
+
+
+@part
+def edge_down(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
+    """The half-edge of a face that leads from above the plane to below it; -1 if there is none."""
+    for k in range(3):
+        tail, head = mesh.corners[3 * face + k], mesh.corners[3 * face + (k + 1) % 3]
+        if height(mesh, tail, point, normal) >= 0 > height(mesh, head, point, normal):
+            return 3 * face + k
+    return -1
+
+
+@part
+def descended(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
+    """The half-edge down through the plane that is reached from a face, face by face; -1 if it is too far."""
+    for _ in range(DESCENT):
+        edge = edge_down(mesh, point, normal, face)
+        if edge >= 0:
+            return edge
+        # To the neighbour across the edge opposite to the corner that is farthest from the plane.
+        farthest, most = 0, -1.0
+        for k in range(3):
+            away = abs(height(mesh, mesh.corners[3 * face + k], point, normal))
+            if away > most:
+                farthest, most = k, away
+        face = mesh.twins[3 * face + (farthest + 1) % 3] // 3
+    return -1
+
+
+@part
+def segment_distance(mesh: Mesh, point: Vector, normal: Vector, face: int) -> float:
+    """Distance from a point to the segment in which its plane cuts a face."""
+    start = end = point
+    for k in range(3):
+        tail, head = mesh.corners[3 * face + k], mesh.corners[3 * face + (k + 1) % 3]
+        a, b = height(mesh, tail, point, normal), height(mesh, head, point, normal)
+        if (a >= 0) != (b >= 0):
+            t, u, v = a / (a - b), point_of(mesh.vertices, tail), point_of(mesh.vertices, head)
+            place = u[0] + t * (v[0] - u[0]), u[1] + t * (v[1] - u[1]), u[2] + t * (v[2] - u[2])
+            start, end = (place, end) if a >= 0 else (start, place)
+    return norm(off_segment(minus(point, start), minus(end, start)))
+
+
+@kernel
+def loops(
+    points: Points, normals: Points, size: Reals, near: Ints, mesh: Mesh, ends: Ints, edges: Ints, parts: Reals
+) -> bool:
+    """For each point, the half-edges down through its plane along one loop.
+
+    The loop is reached from triangle ``near[p]``. If that is -1, or if the plane is far from there, it is the nearest
+    loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
+    triangle.
+
+    The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane. Returns False
+    if ``edges`` is too short.
+    """
+    num, count = len(mesh.order), 0
+    for row in range(len(points)):
+        point, normal, first = point_of(points, row), point_of(normals, row), -1
+        if near[row] >= 0:
+            first = descended(mesh, point, normal, near[row])
+        for reach in REACHES:
+            if first >= 0:
+                break
+            node, best, which = 1, reach * size[row], num
+            while node:
+                is_met = is_within(point, mesh.boxes, node, best * best)
+                if is_met and node >= num:
+                    face = mesh.order[node - num]
+                    edge = edge_down(mesh, point, normal, face)
+                    if edge >= 0:
+                        away = segment_distance(mesh, point, normal, face)
+                        if away < best or (away == best and face < which):
+                            first, best, which = edge, away, face
+                node = onward(node, num, is_met)
+        edge = first
+        while edge >= 0:
+            if count == len(edges):
+                return False
+            face, k = edge // 3, edge % 3
+            a = height(mesh, mesh.corners[edge], point, normal)
+            b = height(mesh, mesh.corners[3 * face + (k + 1) % 3], point, normal)
+            edges[count], parts[count] = edge, a / (a - b)
+            count += 1
+            # The loop leaves over the next edge if the opposite corner is above the plane, else over the one after.
+            opposite = (k + 2) % 3
+            is_up = height(mesh, mesh.corners[3 * face + opposite], point, normal) >= 0
+            edge = mesh.twins[3 * face + (k + 1) % 3 if is_up else 3 * face + opposite]
+            if edge == first:
+                break
+        ends[row] = count
+    return True
+
+
+@kernel
+def measures(
+    places: Points, leans: Reals, normals: Points, ends: Ints, rows: Ints, flattest: float, found: Points
+) -> None:
+    """Sums over loops with corners at ``places`` (C, 3) relative to their points, in planes with ``normals`` (P, 3).
+
+    Loop k belongs to point ``rows[k]``, and ends before ``ends[k]``. ``leans`` (C,) is the inward slope of the wall
+    after each corner: minus the product of the wall's and the plane's normals. Columns of ``found`` (P, 19), which are
+    0 at first: 0 to 2 the centroid, 3 twice the area, 4 the angle around the point, 5 the length, 6 the length times
+    the mean distance from the centroid; 7 to 9 and, row by row, 10 to 18 sums of the centroid's derivatives.
+    """
+    first = 0
+    for loop in range(len(ends)):
+        stop, sums, normal = ends[loop], found[rows[loop]], point_of(normals, rows[loop])
+        for here in range(first, stop):
+            a, b = point_of(places, here), point_of(places, here + 1 if here + 1 < stop else first)
+            twice = dot(times(a, b), normal)
+            for i in range(3):
+                sums[i] += twice * (a[i] + b[i])
+            sums[3] += twice
+            sums[4] += atan2(twice, dot(a, b))
+            sums[5] += norm(minus(b, a))
+        if sums[3] > 0:
+            for i in range(3):
+                sums[i] /= 3 * sums[3]
+            centroid = sums[0], sums[1], sums[2]
+            for here in range(first, stop):
+                a, b = point_of(places, here), point_of(places, here + 1 if here + 1 < stop else first)
+                middle = (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2
+                length, lean, off = norm(minus(b, a)), leans[here], minus(middle, centroid)
+                away = norm(minus(a, centroid)) + 4 * norm(off)
+                sums[6] += length * ((away + norm(minus(b, centroid))) / 6)  # Simpson's rule
+                lean *= length / sqrt(max(1 - lean * lean, 0.0) + flattest * flattest)
+                for i in range(3):
+                    sums[7 + i] += lean * off[i]
+                    for j in range(3):
+                        sums[10 + 3 * i + j] += lean * off[i] * middle[j]
+        first = stop
+
+
 def cut(
     shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
 ) -> Sections:
@@ -86,20 +225,19 @@ def corners(
     shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
 ) -> Corners:
     """The corners of the loops that `cut` measures."""
-    num = len(points)
+    num, num_faces = len(points), len(shape.faces)
     near = np.full(num, -1) if near is None else near
-    reach = FIRST_REACH * np.maximum(radii, 1e-3 * shape.extent)
-    capacity, ends = CAPACITY * num, np.empty(num, dtype=np.int64)
+    size, ends = np.maximum(radii, 1e-3 * shape.extent), np.empty(num, dtype=np.int64)
+    capacity = num_faces + 4 * num * isqrt(num_faces)  # a plane across a ball cuts some 2.3 roots of its triangles
     while True:
-        edge, part = np.empty(capacity, dtype=np.int64), np.empty(capacity)
-        limits, segment = (SEARCHES, LONGEST_LOOP), np.empty((2, 3))
-        if walks.loops(points, normals, reach, near, shape.mesh, *limits, segment, ends, edge, part):
+        edge, share = np.empty(capacity, dtype=np.int64), np.empty(capacity)
+        if loops(points, normals, size, near, shape.mesh, ends, edge, share):
             break
         capacity *= 2
     count = np.diff(ends, prepend=0)
     loop = np.repeat(np.arange(num), count)
-    edge, part = edge[: len(loop)], part[: len(loop)]
-    return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], part, edge // 3, count > 0)
+    edge, share = edge[: len(loop)], share[: len(loop)]
+    return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], share, edge // 3, count > 0)
 
 
 def nowhere(points: np.ndarray) -> Sections:
@@ -129,7 +267,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     leans = -np.einsum("ci,ci->c", shape.normals.take(corners.triangle, axis=0), normals.take(loop, axis=0))
     sums = np.zeros((len(points), 19))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
-    walks.measures(places, leans, normals, ends, loop[ends - 1], ADDED_SINE, sums)
+    measures(places, leans, normals, ends, loop[ends - 1], ADDED_SINE, sums)
     area2, angle, perimeter = sums[:, 3], sums[:, 4], np.maximum(sums[:, 5], 1e-300)
     is_found = area2 > 0
     size, radius = (np.where(is_found, column, 0.0) / perimeter for column in (area2, sums[:, 6]))

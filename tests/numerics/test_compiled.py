@@ -26,10 +26,14 @@ def test_arrays_of_another_kind_are_taken_as_copies():
 PROGRAM = """
 import sys
 import msf_jax
-from msf_jax.solid import enclosure
+from msf_jax.solid import kernels
 assert "llvmlite" not in sys.modules
 import numpy as np
-print(enclosure.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
+found, which, none = np.empty(1), np.empty(1, dtype=np.int64), np.zeros(2, dtype=np.int64)
+triangles, (boxes, order) = np.eye(3)[None], kernels.tree_of(np.zeros((1, 3)), np.ones((1, 3)))
+mesh = kernels.Mesh(np.eye(3), np.arange(3), triangles, np.arange(3), boxes, order)
+kernels.nearest(np.ones((1, 3)), mesh, none[:1], none, none[:0], True, found, which)
+print(found[0])
 assert "numba" not in sys.modules
 """
 

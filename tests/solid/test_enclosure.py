@@ -5,7 +5,7 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
-from msf_jax.solid.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.solid.enclosure import Enclosure
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -138,50 +138,6 @@ def test_distances_to_a_box():
     found = Enclosure(vertices, faces).distances(points)
     np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
     assert (excess < 0).all(axis=1).sum() > 50
-
-
-def segment_distance(point: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
-    """Distance from a point to the segment ab."""
-    t = np.clip((point - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
-    return float(np.linalg.norm(point - a - t * (b - a)))
-
-
-def test_a_triangle_that_is_a_segment_or_a_point():
-    """Corners on one line, in every order, two corners equal, all equal: the distance to what is left of it."""
-    random = np.random.default_rng(11)
-    a, b = np.array([1.0, 2, 3]), np.array([4.0, -1, 5])
-    for point in random.normal(size=(50, 3)) * 5:
-        for third in (0.0, 0.25, 0.5, 1.0):
-            corners = np.array([a, b, a + third * (b - a)])
-            for turn in range(3):
-                triangle = np.roll(corners, turn, axis=0)[None]
-                found = np.sqrt(point_triangle_distance2(point[None], triangle)[0])
-                assert found == pytest.approx(segment_distance(point, a, b), rel=1e-9)
-        single = np.sqrt(point_triangle_distance2(point[None], np.tile(a, (1, 3, 1)))[0])
-        assert single == pytest.approx(np.linalg.norm(point - a), rel=1e-12)
-
-
-def test_a_point_against_one_triangle():
-    """Above the face, beyond each edge, beyond each corner of the triangle (0,0,0) (4,0,0) (0,3,0)."""
-    triangle = np.array([[0.0, 0, 0], [4, 0, 0], [0, 3, 0]])
-    cases = {
-        (1, 1, 2): 2.0,
-        (1, 1, -2): 2.0,
-        (2, -3, 4): 5.0,
-        (-3, 1, 4): 5.0,
-        (2 + 3, 1.5 + 4, 0): 5.0,  # along the normal (3, 4) / 5 of the long edge, from its middle
-        (-3, -4, 0): 5.0,
-        (4 + 3, -4, 0): 5.0,
-        (-4, 3 + 3, 0): 5.0,
-        (0, 0, 0): 0.0,
-        (1, 1, 0): 0.0,
-    }
-    points = np.array(list(cases), dtype=float)
-    for turn in range(3):
-        for order in (1, -1):
-            corners = np.tile(np.roll(triangle, turn, axis=0)[::order], (len(points), 1, 1))
-            found = np.sqrt(point_triangle_distance2(points, corners))
-            np.testing.assert_allclose(found, list(cases.values()), atol=1e-12)
 
 
 def test_slivers_in_a_surface_do_not_disturb_its_distances():

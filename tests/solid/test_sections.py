@@ -225,7 +225,7 @@ def test_in_a_shell_the_cavity_bounds_no_section():
 
 
 def test_a_loop_is_looked_for_ever_farther_but_not_without_end():
-    farthest = 1.5 * 3 ** (sections.SEARCHES - 1)  # guesses
+    farthest = sections.REACHES[-1]  # guesses
     mesh = trimesh.creation.box().subdivide().subdivide()
     for guess, is_near in ((0.5, True), (0.1, True), (0.51 / farthest, True), (0.49 / farthest, False)):
         found = cut_one(mesh, [0, 0, 0.1], [0, 0, 1], guess)
@@ -246,19 +246,6 @@ def test_planes_through_vertices_and_along_faces():
         found = cut_one(mesh, [0.0, 0, 0], normal)
         assert found.is_found and found.is_around
         np.testing.assert_allclose(found.centroid, 0, atol=1e-12)
-
-
-def test_a_loop_that_takes_too_long_is_given_up(monkeypatch):
-    mesh = trimesh.util.concatenate(
-        [trimesh.creation.box(), trimesh.creation.icosphere(3).apply_translation([5, 0, 0])]
-    )
-    points, normals = np.array([[0.1, 0.1, 0.1], [5, 0.1, 0.1]]), np.tile([0.0, 0, 1], (2, 1))
-    before = cut(enclosure(mesh), points, normals, np.ones(2))
-    monkeypatch.setattr(sections, "LONGEST_LOOP", 10)  # a box has 8 triangles around
-    found = cut(enclosure(mesh), points, normals, np.ones(2))
-    assert before.is_found.all() and found.is_found.tolist() == [True, False]
-    assert_nothing(Sections(*(field[1] for field in found)), points[1])
-    np.testing.assert_array_equal(found.centroid[0], before.centroid[0])
 
 
 # What does not matter
@@ -299,8 +286,9 @@ def test_points_do_not_depend_on_each_other(monkeypatch):
     together = cut(shape, points, normals, radii)
     alone = [cut(shape, points[k : k + 1], normals[k : k + 1], radii[k : k + 1]) for k in range(30)]
     assert_same(Sections(*(np.concatenate(fields) for fields in zip(*alone, strict=True))), together)
-    monkeypatch.setattr(sections, "CAPACITY", 1)
-    assert_same(cut(shape, points, normals, radii), together)
+    monkeypatch.setattr(sections, "isqrt", lambda num: 0)
+    many = cut(shape, np.tile(points, (100, 1)), np.tile(normals, (100, 1)), np.tile(radii, 100))
+    assert_same(Sections(*(np.concatenate(100 * [field]) for field in together)), many)
 
 
 def test_the_centroid_moves_as_it_says_when_the_plane_slides_and_turns():

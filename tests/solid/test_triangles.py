@@ -6,8 +6,8 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.solid.enclosure import Enclosure, boxes, point_triangle_distance2
-from msf_jax.solid.geometry import tree_of
+from msf_jax.solid.enclosure import Enclosure, boxes
+from msf_jax.solid.kernels import tree_of
 
 lattice = st.integers(-2, 2).map(float)  # few values, so that points coincide, and lie on lines, edges and faces
 
@@ -34,21 +34,6 @@ def distance2_in_numpy(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
     w = np.einsum("ij,ij->i", np.cross(ab, offset), normal) / safe
     is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
     return np.where(is_over, np.minimum(best, np.einsum("ij,ij->i", offset, normal) ** 2 / safe), best)
-
-
-@given(st.lists(st.tuples(point, point, point, point), min_size=1, max_size=20))
-@settings(deadline=None, max_examples=60)
-def test_distances_are_those_of_numpy_bit_for_bit(rows):
-    """Triangles that are segments and points among them, and points on edges and corners."""
-    cases = np.array(rows)
-    found = point_triangle_distance2(cases[:, 0].copy(), cases[:, 1:].copy())
-    np.testing.assert_array_equal(found, distance2_in_numpy(cases[:, 0], cases[:, 1:]))
-
-
-def test_distances_of_triangles_in_general_position_are_those_of_numpy_bit_for_bit():
-    random = np.random.default_rng(1)
-    points, triangles = random.normal(size=(3000, 3)), random.normal(size=(3000, 3, 3))
-    np.testing.assert_array_equal(point_triangle_distance2(points, triangles), distance2_in_numpy(points, triangles))
 
 
 @given(st.lists(point, min_size=3, max_size=8), st.data())
