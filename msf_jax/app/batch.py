@@ -38,7 +38,7 @@ from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.flow.loop import checked_options
 from msf_jax.meshes import reading
 from msf_jax.meshes.repair import Repair, as_repair
-from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.formats import writers
 
 MANIFEST = "manifest.csv"  # the table, in the folder of the results
 ROWS = ".rows"  # the folder of the rows, likewise
@@ -108,7 +108,7 @@ def run(
     weights, config = checked_options(weights, config)
     if any(np.ndim(weight) for weight in vars(weights).values()):
         raise ConfigError("a batch takes weights that are numbers: expected no array with one for each vertex")
-    export.writer_for(f"curve{suffix}")  # refuses a wrong suffix before the runs
+    writers.writer_for(f"curve{suffix}")  # refuses a wrong suffix before the runs
     if jobs is not None and jobs < 1:
         raise ConfigError(f"jobs is {jobs}: expected a whole number of 1 or more")
     is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
@@ -192,7 +192,7 @@ def work(job: BatchJob) -> None:
             mesh = shaping.scaled(reading.read(job.source))
             row["vertices"] = len(mesh[0])
             skeleton = shaping.shaped(msf_jax.skeletonize(mesh, weights, config, repair=repair or False))
-            content = export.writer_for(job.target)(skeleton, mesh)
+            content = writers.writer_for(job.target)(skeleton, mesh)
         report = skeleton.report
         row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
         row |= report.to_dict() | {"is_sound": report.is_sound, "are_limbs": report.are_limbs}

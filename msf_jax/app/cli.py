@@ -20,7 +20,7 @@ from msf_jax.app.parser import REPAIRS, configured, shaping_of, whole_parser
 from msf_jax.base.clock import held_interrupts
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import made_folder, plain, write_whole
-from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.formats import writers
 
 if TYPE_CHECKING:
     import numpy as np
@@ -102,7 +102,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     """``skeletonize``, and ``view``, which differs in what it writes by default."""
     target = _target(arguments, ".html" if arguments.command == "view" else ".swc")
     suffix = target.suffix.lower()
-    render = None if suffix in (".html", ".png") else export.writer_for(target)  # refuses a suffix before the flow
+    render = None if suffix in (".html", ".png") else writers.writer_for(target)  # refuses a suffix before the flow
     shaping = shaping_of(arguments)
     mesh, skeleton, stopped = _curve_of(arguments)
     skeleton, notes = shaping.shaped(skeleton), ()
@@ -128,7 +128,7 @@ def _track(arguments: argparse.Namespace) -> int:
     from msf_jax.app import track
 
     paths = track.frames_in(arguments.folder, arguments.output)
-    export.writer_for(f"curve{arguments.format}")  # refuses a wrong suffix before the run, not after it
+    writers.writer_for(f"curve{arguments.format}")  # refuses a wrong suffix before the run, not after it
     if arguments.mesh.lower().endswith(".npz"):
         _start_jax(arguments)
         from msf_jax.skeleton.formats.importing import read_curve
@@ -185,7 +185,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     if own.exists() and own.read_bytes() != content.encode():
         raise ConfigError(f"{str(own)!r} exists with another content: name another folder with -o")
     skeleton = skeletonize(mesh, progress=not arguments.quiet)
-    curve, picture = export.writer_for("hand.swc")(skeleton, mesh), view.picture(skeleton, mesh)
+    curve, picture = writers.writer_for("hand.swc")(skeleton, mesh), view.picture(skeleton, mesh)
     _finish(arguments, skeleton, {own: content, folder / "hand.swc": curve, folder / "hand.png": picture})
     return 0
 

@@ -7,11 +7,11 @@ from typing import Any
 from msf_jax.app.shaping import Shaping
 from msf_jax.base.options import SYSTEMS, Config, Weights
 from msf_jax.base.version import VERSION
-from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.formats import writers
 
 REPAIRS = {None: False, "mend": True, "join": "join"}  # the argument of `skeletonize` for each value of --repair
 MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf, or VTK's where pyvista is installed"
-CURVES = f"one of {', '.join(export.WRITERS)}"
+CURVES = f"one of {', '.join(writers.WRITERS)}"
 
 # The help of each command. Its first line is in the list of commands, and a test parses its examples.
 HELP = {
@@ -106,7 +106,7 @@ def whole_parser() -> argparse.ArgumentParser:
     for each in (one, page, demo, many, series):
         each.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
         each.add_argument("-q", "--quiet", action="store_true", help="no progress bar and no report")
-    added["report"].add_argument("curve", metavar="CURVE", help=f"a saved curve: {export.HOLD_REPORT}")
+    added["report"].add_argument("curve", metavar="CURVE", help=f"a saved curve: {writers.HOLD_REPORT}")
     return parser
 
 

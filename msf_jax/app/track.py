@@ -11,7 +11,7 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.writing import made_folder, write_whole
 from msf_jax.gradients.track import FAULTS, Track, Tracker
 from msf_jax.meshes import reading
-from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.formats import writers
 from msf_jax.skeleton.skeleton import Skeleton
 
 TABLE = "frames.csv"  # file of the table, in the folder of the results
@@ -54,7 +54,7 @@ def run(
                 raise MeshError(f"{path.name!r}: {error}") from error
             has_curve, target = not len(frame.vanished), folder / f"{path.stem}{suffix}"
             if has_curve:
-                write_whole(target, export.writer_for(target)(Track(skeleton, (frame,)).curve(0), mesh))
+                write_whole(target, writers.writer_for(target)(Track(skeleton, (frame,)).curve(0), mesh))
             num_lacking += not has_curve
             if frame.wants_run:
                 doubts.append(f"{path.name}: {frame}")

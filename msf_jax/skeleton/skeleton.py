@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.framing import Frame
     from msf_jax.skeleton.rigging.rig import Rig
 
-NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
 MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
 STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
@@ -97,7 +96,7 @@ class Skeleton:
         radii: (N,) radius of the largest ball around the node that lies inside the surface; 0 for a node outside.
         mesh_map: (V,) int, the node of every input vertex.
         report: the figures of the run, and how far to trust it.
-        source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
+        source: the surface that the curve was made from; without it, a new node has the radius of the nearest old one.
         roots: of a tree that `to_tree` made, the root of each component, the chosen one first.
         openings: nodes at the centres of openings that repair has closed: ends of vessels that were cut.
         radius_of: the kind of ``radii``: "ball", or "section", see `with_radii`.
@@ -456,15 +455,14 @@ class Skeleton:
 
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report.
-        - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.graphml``
-          (NetworkX's).
+        - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges).
         - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
           where it has none), on the bones of ``rig()``. For another rig use ``rig(...).save(path, mesh)``.
 
-        `msf_jax.read_curve` reads all of these but ``.vtp``, ``.csv`` and ``.glb``.
+        `msf_jax.read_curve` reads ``.npz``, ``.json``, ``.swc`` and ``.polylines.txt``.
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` was requested without a mesh.
@@ -472,9 +470,9 @@ class Skeleton:
             OSError: the file cannot be written; what was there before is untouched.
         """
         from msf_jax.base.writing import write_whole
-        from msf_jax.skeleton.formats import export
+        from msf_jax.skeleton.formats import writers
 
-        write_whole(path, export.writer_for(path)(self, mesh))
+        write_whole(path, writers.writer_for(path)(self, mesh))
 
     def save_precomputed(self, folder: str | os.PathLike[str], segment: int = 1) -> None:
         """Write the curve as ``segment`` of Neuroglancer's precomputed skeletons: ``info``, radii, and SWC's labels
@@ -615,10 +613,8 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
         followed = None if vertex is None else mesh_map[vertex]
         report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
         report = replace(report, inside=_share_inside(skeleton, vertices, edges, radii))
-    else:  # radius of the largest ball inside one of the old balls
-        nearest = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))
-        away, near = (np.reshape(each, (len(vertices), -1)) for each in nearest)
-        radii = np.maximum((skeleton.radii[near] - away).max(axis=1), 0.0)
+    else:
+        radii = skeleton.radii[np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])]
     roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (skeleton.roots, skeleton.openings))
     curve = {"vertices": vertices, "edges": edges, "radii": radii, "mesh_map": mesh_map, "report": report}
     result = replace(skeleton, **curve, roots=roots, openings=openings, radius_of="ball")

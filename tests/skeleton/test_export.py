@@ -4,7 +4,6 @@ import json
 import warnings
 from itertools import pairwise
 
-import networkx as nx
 import numpy as np
 import pytest
 import trimesh
@@ -125,7 +124,7 @@ def test_vtk_reads_polydata(hand, saved):
     assert num_nodes - data.n_lines == len(skeleton.edges)
 
 
-def test_other_libraries_read_ply_graphml_and_npz(hand, saved):
+def test_other_libraries_read_ply_and_npz(hand, saved):
     plyfile = pytest.importorskip("plyfile")
     skeleton, _ = hand
     data = plyfile.PlyData.read(saved(".ply"))
@@ -133,10 +132,6 @@ def test_other_libraries_read_ply_graphml_and_npz(hand, saved):
     np.testing.assert_array_equal(data["vertex"]["x"], skeleton.vertices[:, 0])
     edges = np.stack([data["edge"]["vertex1"], data["edge"]["vertex2"]], axis=1)
     np.testing.assert_array_equal(edges, skeleton.edges)
-    graph = nx.read_graphml(saved(".graphml"), node_type=int)
-    assert {tuple(sorted(edge)) for edge in graph.edges} == set(map(tuple, skeleton.edges.tolist()))
-    assert [graph.nodes[node]["radius"] for node in range(len(skeleton.vertices))] == skeleton.radii.tolist()
-    assert graph.nodes[3]["y"] == skeleton.vertices[3, 1]
     with np.load(saved(".npz")) as file:
         for name in ("vertices", "edges", "radii", "mesh_map"):
             np.testing.assert_array_equal(file[name], getattr(skeleton, name))
@@ -160,16 +155,14 @@ def test_a_mesh_without_normals_is_smooth_in_a_glb_also_across_seams(tmp_path):
     np.testing.assert_allclose(part.vertex_normals[part.faces].reshape(-1, 3), expected, atol=1e-5)
 
 
-@pytest.mark.parametrize("suffix", [".obj", ".ply", ".graphml", ".json"])
-def test_graphs_are_read_as_they_were_saved(lollipop, tmp_path, suffix):
-    """With their nodes' numbers, a lone node and a loop; radii where the format has them."""
-    lollipop.save(tmp_path / f"a{suffix}")
-    found = msf_jax.read_curve(tmp_path / f"a{suffix}")
+def test_a_graph_is_read_as_it_was_saved(lollipop, tmp_path):
+    """With its nodes' numbers, a lone node and a loop."""
+    lollipop.save(tmp_path / "a.json")
+    found = msf_jax.read_curve(tmp_path / "a.json")
     np.testing.assert_array_equal(found.vertices, lollipop.vertices)
-    np.testing.assert_array_equal(found.radii, lollipop.radii if suffix != ".obj" else np.zeros(6))
-    if suffix == ".json":
-        np.testing.assert_array_equal(found.mesh_map, lollipop.mesh_map)
-        assert found.report == lollipop.report
+    np.testing.assert_array_equal(found.radii, lollipop.radii)
+    np.testing.assert_array_equal(found.mesh_map, lollipop.mesh_map)
+    assert found.report == lollipop.report
     np.testing.assert_array_equal(found.edges, np.unique(lollipop.edges, axis=0))  # in ascending order
 
 
@@ -186,7 +179,6 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
 
 
 ROOT = "1 1 0 0 0 1 -1\n"
-HUGE = "element vertex 99999999999999999999\nproperty float x\nend_header\n"
 
 
 @pytest.mark.parametrize(
@@ -204,14 +196,7 @@ HUGE = "element vertex 99999999999999999999\nproperty float x\nend_header\n"
         ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 is"),
         ("a.polylines.txt", f"{2**70} 0 0 0 1 1 1\n", "line 1 is"),
         ("a.vtp", "<VTKFile/>", r"cannot read 'a.vtp': expected one of .npz, .json, .swc"),
-        ("a.obj", "v 0 0 0\nl 1 2", "has edges to nodes that it does not have: expected ids below 1"),
-        ("a.obj", "v 0 0\n", "line 1 is 'v 0 0'.*expected lines of v and three numbers, or l"),
-        ("a.obj", f"v 0 0 0\nv 1 0 0\nl 1 {2**70}\n", "has no curve"),
-        ("a.ply", "ply\nformat binary_little_endian 1.0\nend_header\n", "binary_little_endian.*expected .* as text"),
-        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n", "has no curve"),
-        ("a.ply", "ply\nformat ascii 1.0\n" + HUGE, "has no curve"),
-        ("a.graphml", "<graphml/>", "expected plain GraphML"),
-        ("a.graphml", "<!DOCTYPE a>", "declares entities"),
+        ("a.obj", "v 0 0 0\n", r"cannot read 'a.obj'"),
         ("a.json", '{"format": "other", "version": 1}', "it is a 'other'"),
         ("a.json", "{", "has no curve"),
         ("a.json", "[" * 100_000, "has no curve"),
@@ -243,7 +228,7 @@ def test_other_programs_swc_is_read(tmp_path, name):
     json.loads((tmp_path / "a.json").read_text(), parse_constant=pytest.fail)  # no NaN: browsers do not read it
 
 
-@pytest.mark.parametrize("suffix", [".swc", ".ply", ".graphml", ".json", ".npz"])
+@pytest.mark.parametrize("suffix", [".swc", ".json", ".npz"])
 @pytest.mark.parametrize(("value", "says"), [(-5.0, "negative radius, -5"), (1e308, "choose another unit")])
 def test_a_radius_that_is_none_is_refused_in_every_format(lollipop, tmp_path, suffix, value, says):
     lollipop.radii[3] = value

@@ -92,8 +92,8 @@ def test_a_plate_is_sound_and_no_limb():
 
 
 def test_what_was_not_measured_is_no_limb(rod, tmp_path):
-    rod.save(tmp_path / "rod.obj")
-    found = msf_jax.read_curve(tmp_path / "rod.obj").report
+    rod.save(tmp_path / "rod.swc")
+    found = msf_jax.read_curve(tmp_path / "rod.swc").report
     assert not found.are_limbs and "not measured" in found.not_limbs[0] and "limbs" not in repr(found)
     rod.save(tmp_path / "rod.npz")
     assert msf_jax.read_curve(tmp_path / "rod.npz").report.are_limbs

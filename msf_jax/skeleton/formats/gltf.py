@@ -20,23 +20,8 @@ from msf_jax.solid.geometry import repeated
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig
-    from msf_jax.skeleton.skeleton import Skeleton
 
-MOST_JOINTS = 65535  # joints that the format can number
 FAR_FROM_ORIGIN = 100  # bounding-box diagonals from the origin: beyond, coordinates are relative to the mesh's centre
-FLOAT, USHORT = 5126, 5123  # component types of the format
-
-
-def skinned(skeleton: "Skeleton", mesh: "MeshLike | None") -> bytes:
-    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``skeleton``.
-
-    Raises:
-        ConfigError: there is no mesh.
-        MeshError: the mesh cannot be read, or has another number of vertices than the curve's map.
-    """
-    if mesh is None:
-        raise ConfigError("a .glb file contains the mesh, too: expected save(path, mesh)")
-    return of_rig(skeleton.rig(mesh=mesh), mesh)
 
 
 def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
@@ -46,8 +31,8 @@ def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
         ConfigError: there are more bones than the format can number.
         MeshError: the mesh cannot be read, or has another number of vertices than the rig.
     """
-    if len(rig.joints) > MOST_JOINTS:
-        raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {MOST_JOINTS}")
+    if len(rig.joints) > (most := np.iinfo(np.uint16).max):
+        raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {most}")
     parts = reading.parts(mesh)
     num = sum(len(part.vertices) for part in parts)
     reading.check_map(np.empty(rig.num_vertices), num)
@@ -85,10 +70,11 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
     """Put the joints of ``rig``, and nodes of the meshes that are bound to them, in place of the document's nodes.
     ``rows`` are those of the rig's weights, for the vertices of each part."""
 
-    def add(array: np.ndarray, kind: str, component: int) -> int:
+    def add(array: np.ndarray, kind: str) -> int:
         """Append ``array``, of a multiple of four bytes, to the binary content. Returns the index of its accessor."""
         number = len(document["accessors"])
         data["skin", number] = array.tobytes()  # trimesh numbers buffer views in their order
+        component = {"float32": 5126, "uint16": 5123}[array.dtype.name]
         accessor = {"bufferView": len(data) - 1, "componentType": component, "count": len(array), "type": kind}
         document["accessors"]["skin", number] = accessor
         return number
@@ -109,13 +95,13 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
             continue
         attributes = document["meshes"][meshes[name]]["primitives"][0]["attributes"]
         bound, weights = _four_of_each(rig.weights[row])
-        attributes |= {"JOINTS_0": add(bound, "VEC4", USHORT), "WEIGHTS_0": add(weights, "VEC4", FLOAT)}
+        attributes |= {"JOINTS_0": add(bound, "VEC4"), "WEIGHTS_0": add(weights, "VEC4")}
         nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0, **placed})
     top = len(nodes)
     nodes.append({"name": "rig", "children": np.flatnonzero(rig.parents < 0).tolist(), **placed})
     inverse = np.tile(np.eye(4, dtype=np.float32), (num, 1, 1))
     inverse[:, 3, :3] = -position  # matrices of the format are column-major
-    binds = add(inverse, "MAT4", FLOAT)
+    binds = add(inverse, "MAT4")
     document["nodes"], document["scenes"] = nodes, [{"nodes": list(range(num, top + 1))}]
     document["skins"] = [{"inverseBindMatrices": binds, "joints": list(range(num)), "skeleton": top}]
     document["asset"]["generator"] = f"msf_jax {VERSION}"

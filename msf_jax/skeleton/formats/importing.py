@@ -11,7 +11,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import networkx as nx
 import numpy as np
 
 from msf_jax.base import archive
@@ -19,26 +18,24 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import plain
 from msf_jax.curve import finishing
 from msf_jax.meshes.files import text
-from msf_jax.skeleton.formats import export
-from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, KIND, REPORT, UNITS
+from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, HOLD_REPORT, KIND, REPORT, UNITS
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
-LARGEST_NUMBER = 1e150  # coordinate or radius: squares of larger ones overflow
 Curve = dict[str, Any]  # attributes of a skeleton by name
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
-    """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.json``, ``.swc``, ``.obj``,
-    ``.ply``, ``.graphml`` or ``.polylines.txt``. It cannot read ``.vtp``, ``.csv``, ``.glb``.
+    """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.json``, ``.swc`` or
+    ``.polylines.txt``.
 
     Returns:
         A skeleton. That of an ``.npz`` has all but the stages of the flow, so that it can be pruned, resampled and
         followed. That of a ``.json`` has all but the surface. Others have an empty map, and a report with counts only.
-        SWC has radii, and of files of this program the units; edges that it cut are joined again. PLY and GraphML have
-        radii if the file has. In OBJ and polylines radii are 0, and coincident ends of polylines become one node.
+        SWC has radii, and of files of this program the units; edges that it cut are joined again. In polylines radii
+        are 0, and coincident ends become one node.
 
     Raises:
         ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was
@@ -77,7 +74,7 @@ def report_lines(path: str | os.PathLike[str]) -> list[str]:
     """
     name, suffix = Path(path).name, Path(path).suffix.lower()
     if suffix not in (".npz", ".json", ".swc"):
-        raise ConfigError(f"{name!r} has no report: expected an {export.HOLD_REPORT} file that msf_jax has written")
+        raise ConfigError(f"{name!r} has no report: expected an {HOLD_REPORT} file that msf_jax has written")
     lines = str(read_curve(path).report).splitlines()  # also of SWC: a report of a curve that is damaged says nothing
     if suffix == ".swc":
         lines = _comments(_lines_of(path), REPORT)
@@ -130,45 +127,6 @@ def _read_swc(lines: list[str]) -> Curve:
     return {"vertices": table[:, :3], "edges": edges, "radii": table[:, 3], "units": units[0] if units else ""}
 
 
-def _read_obj(lines: list[str]) -> Curve:
-    """Line elements may be polylines, and count from the end with negative numbers."""
-    nodes: list[tuple[float, float, float]] = []
-    edges: list[tuple[int, int]] = []
-
-    def parse(words: list[str]) -> None:
-        if words[0] == "v":
-            x, y, z = map(float, words[1:4])
-            nodes.append((x, y, z))
-        elif words[0] == "l":
-            chain = [int(word.split("/")[0]) for word in words[1:]]
-            edges.extend(pairwise(len(nodes) + node if node < 0 else node - 1 for node in chain))
-
-    _parse(lines, parse)
-    return {"vertices": np.array(nodes).reshape(-1, 3), "edges": edges}
-
-
-def _read_ply(lines: list[str]) -> Curve:
-    end = [line.strip() for line in lines].index("end_header")
-    header, rows = [line.split() for line in lines[:end]], [line.split() for line in lines[end + 1 :] if line.strip()]
-    if header[1:2] != [["format", "ascii", "1.0"]]:
-        raise ValueError(f"it begins with {header[:2]}")
-    tables: dict[str, dict[str, np.ndarray]] = {}
-    starts = [number for number, words in enumerate(header) if words[:1] == ["element"]]
-    for start, stop in pairwise([*starts, len(header)]):
-        num, names = int(header[start][2]), [words[2] for words in header[start:stop] if words[0] == "property"]
-        values = np.array(rows[:num], dtype=np.float64).reshape(num, len(names))
-        tables[header[start][1]], rows = dict(zip(names, values.T, strict=True)), rows[num:]
-    edges = np.stack([tables["edge"][end] for end in ("vertex1", "vertex2")], axis=1)
-    if rows or (edges != np.rint(edges)).any():
-        raise ValueError("it has more rows than its header says, or edges that are no whole numbers")
-    vertices = np.stack([tables["vertex"][axis] for axis in "xyz"], axis=1)
-    return {
-        "vertices": vertices,
-        "edges": edges.astype(np.int64),
-        "radii": tables["vertex"].get("radius", np.zeros(len(vertices))),
-    }
-
-
 def _read_polylines(lines: list[str]) -> Curve:
     """Coincident ends become one node, in the order of the file."""
     points: list[list[float]] = []
@@ -187,16 +145,6 @@ def _read_polylines(lines: list[str]) -> Curve:
     return {"vertices": given[first[order]], "edges": joined}
 
 
-def _read_graphml(lines: list[str]) -> Curve:
-    if any("<!ENTITY" in line or "<!DOCTYPE" in line for line in lines):
-        raise ValueError("it declares entities")
-    graph = nx.convert_node_labels_to_integers(nx.parse_graphml("\n".join(lines)))
-    data = [each for _, each in graph.nodes(data=True)]
-    nodes = np.array([[float(one[axis]) for axis in "xyz"] for one in data]).reshape(-1, 3)
-    radii = np.array([float(one.get("radius", 0.0)) for one in data])
-    return {"vertices": nodes, "edges": [edge[:2] for edge in graph.edges], "radii": radii}
-
-
 def _read_json(lines: list[str]) -> Curve:
     content = json.loads("\n".join(lines))
     if content["format"] != f"msf_jax {KIND}" or content["version"] != FORMAT_VERSION:
@@ -210,9 +158,6 @@ READERS: dict[str, tuple[Callable[[list[str]], Curve], str]] = {  # and what the
     ".json": (_read_json, "a file of msf_jax"),
     ".swc": (_read_swc, "id, type, x, y, z, radius, parent in each line, each id once, and -1 for no parent"),
     ".polylines.txt": (_read_polylines, "a count, and as many points of three numbers in each line"),
-    ".obj": (_read_obj, "lines of v and three numbers, or l and nodes from 1"),
-    ".ply": (_read_ply, "elements vertex, with x, y and z, and edge, with vertex1 and vertex2, as text without lists"),
-    ".graphml": (_read_graphml, "plain GraphML of nodes with x, y and z"),
 }
 
 
@@ -268,8 +213,9 @@ def checked_curve(values: Mapping[str, Any]) -> Curve:
     curve["radii"] = checked("radii", values["radii"], (num,))
     if not num:
         raise ValueError("it has 0 nodes: expected at least one")
-    if (largest := max(float(np.abs(curve[name]).max()) for name in ("vertices", "radii"))) > LARGEST_NUMBER:
-        raise ValueError(f"it has numbers up to {largest:.3g}, not under {LARGEST_NUMBER:g}: choose another unit")
+    largest, limit = max(float(np.abs(curve[name]).max()) for name in ("vertices", "radii")), np.finfo(np.float32).max
+    if largest > limit:  # some formats have no larger ones
+        raise ValueError(f"it has numbers up to {largest:.3g}, not under {limit:.3g}: choose another unit")
     if (least := curve["radii"].min()) < 0:
         raise ValueError(f"node {curve['radii'].argmin()} has a negative radius, {least:.6g}: expected 0 or more")
     pairs = finishing.in_order(checked("edges", values["edges"], (-1, 2), below=num))

@@ -1,28 +1,33 @@
-"""The content of files, as text or bytes: a function of a skeleton for each format, see `export`."""
+"""The formats of files: a function of a skeleton for each, which returns the content as text or bytes.
+
+The command line's help needs the suffixes, so nothing here that is slow to import is imported before it is used.
+"""
 
 import base64
 import csv
 import io
 import json
+import os
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import networkx as nx
 import numpy as np
 
-from msf_jax.base import archive
-from msf_jax.skeleton.centrelines import branch_columns, node_columns
-from msf_jax.topology import graphs
+from msf_jax.base.errors import ConfigError
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 KIND = "skeleton"  # of an .npz or a .json file, see `archive`
 FORMAT_VERSION = 2  # of these two formats
+HOLD_REPORT = ".npz, .json or .swc"  # formats that contain the report
 WRITTEN = "curve skeleton written by msf_jax"
 CUT = "# cut edge"  # begins the comment of an SWC file that lists a cut edge by its two ids
 REPORT = "# report: "  # begins the comment with a line of the report
 UNITS = "# units: "  # begins the comment with the unit of lengths
-SOMA, FORK, END, OTHER = 1, 5, 6, 0  # labels of SWC, as CNIC counts them
+LABELS = {"soma": 1, "fork": 5, "end": 6, "other": 0}  # of SWC, as CNIC counts them
 RADII = {"ball": "of the largest ball inside", "section": "of a disc with the area of the cross-section"}
 
 
@@ -38,13 +43,15 @@ def _point(position: np.ndarray) -> str:
 def swc(skeleton: "Skeleton") -> str:
     """SWC (id, label, x, y, z, radius, parent): ids from 1, parents before children, -1 for the parent of a root; a
     tree's root first. The root is labelled as soma only if that is sure."""
+    from msf_jax.topology import graphs
+
     parent = graphs.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
     row_of = {node: row for row, node in enumerate(parent, 1)} | {-1: -1}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
     header = [f"# {WRITTEN}"]
     if not np.isnan(skeleton.report.inside):  # a curve that was read from a file has no report
         header += [REPORT + " ".join(line.split()) for line in skeleton.report.lines()]
-    header.append(f"# labels: {SOMA} soma, {FORK} fork, {END} end, {OTHER} other")
+    header.append("# labels: " + ", ".join(f"{label} {name}" for name, label in LABELS.items()))
     header.append(f"# radius: {RADII[skeleton.radius_of]}")
     if units := " ".join(skeleton.units.split()):
         header += [UNITS + units, f"# Meta: {json.dumps({'units': units})}"]  # navis reads the second
@@ -61,9 +68,9 @@ def swc_labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
     """(N,) the label of each node in the tree of ``parent``."""
     above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
     children = np.bincount(above, minlength=len(skeleton.vertices))
-    label = np.select([children > 1, children == 0], [FORK, END], OTHER)
+    label = np.select([children > 1, children == 0], [LABELS["fork"], LABELS["end"]], LABELS["other"])
     if skeleton.roots and (soma := skeleton.soma()).is_sure and soma.node == skeleton.roots[0]:
-        label[soma.node] = SOMA
+        label[soma.node] = LABELS["soma"]
     return label
 
 
@@ -84,16 +91,10 @@ def ply(skeleton: "Skeleton") -> str:
 
 def polylines(skeleton: "Skeleton") -> str:
     """CGAL's polylines: a line for each branch, the number of points and their coordinates."""
+    from msf_jax.topology import graphs
+
     paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
     return "".join(f"{len(path)} {' '.join(map(_point, skeleton.vertices[path]))}\n" for path in paths)
-
-
-def graphml(skeleton: "Skeleton") -> str:
-    """Nodes with x, y, z and radius, edges with length, by NetworkX."""
-    graph = skeleton.to_networkx()
-    for _, data in graph.nodes(data=True):  # attributes must be numbers
-        data["x"], data["y"], data["z"] = data.pop("position")
-    return "\n".join(nx.generate_graphml(graph)) + "\n"
 
 
 def table(skeleton: "Skeleton", of: str) -> str:
@@ -109,6 +110,8 @@ def table(skeleton: "Skeleton", of: str) -> str:
 def vtp(skeleton: "Skeleton") -> str:
     """VTK's XML PolyData: a line for each branch, or a vertex for an isolated node; point data are the columns of
     nodes, cell data those of branches. A column without a known value is left out."""
+    from msf_jax.skeleton.centrelines import branch_columns, node_columns
+    from msf_jax.topology import graphs
 
     def array(name: str, values: np.ndarray) -> str:
         """The number of bytes and the values in base64, because VTK's text has no NaN."""
@@ -144,6 +147,8 @@ def vtp(skeleton: "Skeleton") -> str:
 
 def npz(skeleton: "Skeleton") -> bytes:
     """The arrays by name, the report as JSON, and the surface and pins that the curve was made from, if known."""
+    from msf_jax.base import archive
+
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
     arrays |= {name: np.array(getattr(skeleton, name), dtype=np.int64) for name in ("roots", "openings")}
     arrays |= {name: np.array(getattr(skeleton, name)) for name in ("radius_of", "units")}
@@ -163,3 +168,44 @@ def plain_json(skeleton: "Skeleton") -> str:
     others = {name: getattr(skeleton, name) for name in ("roots", "openings", "radius_of", "units")}
     kind = {"format": f"msf_jax {KIND}", "version": FORMAT_VERSION}
     return json.dumps({**kind, **arrays, **others, "report": skeleton.report.to_dict()}) + "\n"
+
+
+def glb(skeleton: "Skeleton", mesh: Any) -> bytes:
+    """The mesh on the bones of the skeleton, see `gltf`."""
+    from msf_jax.skeleton.formats import gltf
+
+    if mesh is None:
+        raise ConfigError("a .glb file contains the mesh, too: expected save(path, mesh)")
+    return gltf.of_rig(skeleton.rig(mesh=mesh), mesh)
+
+
+# Of each suffix. Longer suffixes stand before those with which they end.
+WRITERS: "dict[str, Callable[..., str | bytes]]" = {
+    ".swc": swc,
+    ".obj": obj,
+    ".polylines.txt": polylines,
+    ".ply": ply,
+    ".vtp": vtp,
+    ".nodes.csv": partial(table, of="nodes"),
+    ".axes.csv": partial(table, of="axes"),
+    ".cylinders.csv": partial(table, of="cylinders"),
+    ".csv": partial(table, of="branches"),
+    ".npz": npz,
+    ".json": plain_json,
+    ".glb": glb,
+}
+
+
+def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str | bytes]":
+    """The function from a skeleton and its mesh to the content of a file, for the suffix of ``path``.
+
+    Raises:
+        ConfigError: no format has that suffix.
+    """
+    name = Path(path).name
+    suffix = next((each for each in WRITERS if name.lower().endswith(each)), None)
+    if suffix is None:
+        beams = "; skeleton.frame().save(...) in Python writes beams" if name.lower().endswith(".inp") else ""
+        raise ConfigError(f"no format for {name!r}: expected one of the suffixes {', '.join(WRITERS)}{beams}")
+    write = WRITERS[suffix]
+    return write if suffix == ".glb" else lambda skeleton, mesh: write(skeleton)
