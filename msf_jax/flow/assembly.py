@@ -153,20 +153,26 @@ def _skeleton(
     clock: Clock,
     is_finished: bool = True,
 ) -> Skeleton:
-    vertices, edges, node_of_vertex = stitched
+    vertices, edges, node_of_vertex, slenderness = stitched
     solid = source.solid
     components, cycles = graphs.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    measure = partial(assessed, is_tubular=report.wavefronts > 0) if is_finished else loops_of
-    found: dict[str, Any] = {"doubts": (UNCHECKED,)}
-    if not clock.reason:
-        found = measure(solid.shape, solid.enter(vertices), edges, node_of_vertex)
-    report = replace(report, components=components, cycles=cycles, inside=inside, **found)
     is_used = checked.vertex_of_input >= 0  # a vertex of the caller's mesh that no face uses gets the nearest node
     mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
     mesh_map[~is_used] = spatial.KDTree(vertices).query(checked.strays)[1]
-    return Skeleton(vertices, edges, radii, mesh_map, report, source)
+    skeleton = Skeleton(vertices, edges, radii, mesh_map, report, source)
+    if slenderness is not None and not report.wavefronts:
+        vars(skeleton)["_slenderness"] = np.pad(
+            slenderness, (0, len(vertices) - len(slenderness)), constant_values=np.inf
+        )
+    found: dict[str, Any] = {"doubts": (UNCHECKED,)}
+    if not clock.reason:
+        curve = solid.shape, solid.enter(vertices), edges, node_of_vertex
+        found = assessed(*curve, lambda: skeleton.branches) if is_finished else loops_of(*curve)
+    # The frozen skeleton has no other reader yet, and keeps what it knows of its leaves.
+    vars(skeleton)["report"] = replace(report, components=components, cycles=cycles, inside=inside, **found)
+    return skeleton
 
 
 def _finished_skeleton(stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock) -> Skeleton:
@@ -178,7 +184,7 @@ def _finished_skeleton(stitched: Stitched, checked: Surface, report: Report, sou
     found = one_branch.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
     if not len(found.ends):
         return _skeleton(stitched, checked, report, source, clock)
-    source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
+    source = replace(source, solid=Solid(checked.vertices, checked.faces, found.lids))
     node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
     num = _counted(len(found.ends), "opening")

@@ -12,6 +12,7 @@ from msf_jax.curve import branches, extraction, finishing
 from msf_jax.curve.extraction import Curve
 from msf_jax.curve.finishing import Draft, Finished, Job
 from msf_jax.flow.state import State
+from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import Surface
 from msf_jax.meso import edits, surgery
 from msf_jax.meso.meso import Meso
@@ -24,6 +25,7 @@ class ComponentCurve(NamedTuple):
 
     curve: the flow's curve, without the branches that were pruned. finished: the same nodes, moved, and new ones.
     found: the curve as extracted from the surface ``meso``, with all branches. is_held: (n,) nodes that have a pin.
+    slenderness: (N,) of the finished curve's leaves (see `one_branch.slenderness`); None if limbs were not sought.
     """
 
     curve: Curve
@@ -31,6 +33,7 @@ class ComponentCurve(NamedTuple):
     finished: Finished
     meso: Meso
     is_held: np.ndarray
+    slenderness: np.ndarray | None
 
 
 def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
@@ -69,6 +72,9 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
             first=partial(_recentred, meso, found) if config.curve.surgery else None,
             clock=clock,
         )
+        slenderness = None
+        if state.limbs is not None and not clock.reason:
+            slenderness = one_branch.slenderness(state.limbs.result(), done.vertices, done.edges)
     state.limbs = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
@@ -78,7 +84,7 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
         finishing.in_order(edges[edges[:, 0] != edges[:, 1]]),
         stands_for[found.node_of_meso],
     )
-    return ComponentCurve(kept, found, done, meso, is_held[done.is_kept])
+    return ComponentCurve(kept, found, done, meso, is_held[done.is_kept], slenderness)
 
 
 def _thinned(meso: Meso, t_c: float) -> Meso:
@@ -113,11 +119,13 @@ def is_left(state: State, part: ComponentCurve) -> bool:
 
 
 class Stitched(NamedTuple):
-    """A curve in the caller's units: vertices (N, 3), edges (E, 2), node_of_vertex (V,) of the checked surface."""
+    """A curve in the caller's units: vertices (N, 3), edges (E, 2), node_of_vertex (V,) of the checked surface, and the
+    slenderness (N,) of leaves, if it is known."""
 
     vertices: np.ndarray
     edges: np.ndarray
     node_of_vertex: np.ndarray
+    slenderness: np.ndarray | None = None
 
 
 def stitched(
@@ -133,15 +141,22 @@ def stitched(
             node = branches.nearest_on_branch(done.vertices, done.edges, state.outside.vertices, node)
         flow.append((part.curve.nodes, part.curve.edges, own))
         finished.append((done.vertices, done.edges, node))
-    return _joined(checked, states, parts, flow), _joined(checked, states, parts, finished)
+    known = [part.slenderness for part in parts if part.slenderness is not None]
+    (as_left, _), (done, rows) = (_joined(checked, states, parts, curves) for curves in (flow, finished))
+    if len(known) == len(parts):
+        slenderness = np.empty(len(done.vertices))
+        slenderness[rows] = np.concatenate(known)
+        done = done._replace(slenderness=slenderness)
+    return as_left, done
 
 
 def _joined(
     checked: Surface, states: list[State], parts: list[ComponentCurve], curves: list[tuple[np.ndarray, ...]]
-) -> Stitched:
-    """One curve of ``curves``: nodes, edges, and node_of_vertex of each component, in its frame. The nodes of the
-    flow's curves come first. A pin has its input position, to the last bit."""
-    old, new, edges = [], [], []
+) -> tuple[Stitched, np.ndarray]:
+    """One curve of ``curves``: nodes, edges, and node_of_vertex of each component, in its frame; and the row of each of
+    these nodes, one component after the other. The nodes of the flow's curves come first. A pin has its input position,
+    to the last bit."""
+    old, new, edges, rows = [], [], [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
     num_old = num_new = 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
@@ -156,6 +171,7 @@ def _joined(
         new.append(placed[count:])
         row = np.arange(len(nodes))
         row = np.where(row < count, num_old + row, num_flow + num_new + row - count)
+        rows.append(row)
         edges.append(row[own_edges])
         node_of_vertex[member[state.order]] = row[node]
         nearest = np.asarray(
@@ -164,7 +180,8 @@ def _joined(
         node_of_vertex[lining] = row[nearest]
         num_old += count
         num_new += len(nodes) - count
-    return Stitched(np.concatenate([*old, *new]), finishing.in_order(np.concatenate(edges)), node_of_vertex)
+    joined = Stitched(np.concatenate([*old, *new]), finishing.in_order(np.concatenate(edges)), node_of_vertex)
+    return joined, np.concatenate(rows)
 
 
 def node_of_input(part: ComponentCurve) -> np.ndarray:

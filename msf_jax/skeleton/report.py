@@ -10,7 +10,7 @@ in one limb is longer. A is the median of the areas, or their mean along the bra
 junction cut the trunk, too, and in an ellipsoid most areas are above the mean.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -18,28 +18,24 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.curve import branches, handle_loops
-from msf_jax.limbs import one_branch
-from msf_jax.limbs.tree import LimbTree
+from msf_jax.limbs.one_branch import Branch, leaves_of
 from msf_jax.skeleton.measures import volumes_of
 from msf_jax.solid import crossings, sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, unit
-from msf_jax.solid.solid import bodies, without_cavities
+from msf_jax.solid.geometry import ROUNDING, arc_length, at, unit
+from msf_jax.solid.solid import bodies
 from msf_jax.topology import graphs
 
-MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
+MOST_NAMED = 5  # loops of one kind, or folds, that a report names; it counts the rest
 STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
-# With this many stubs, and this share of all limbs, the limbs are probably roughness of the surface. Armadillo has 10
-# stubs of 18 limbs, its fingers and toes; a statue in a robe with noise of 0.005 diagonals has 439 of 448.
-MANY = 25  # stubs: more than fingers and toes
-MOST_STUBS = 1 / 3  # share of all limbs
-MOSTLY = 1 / 2  # share of the curve's length: with more in sheets, the curve could as well be elsewhere: a doubt
+# With this many stubs, and if they are a third of all limbs, the limbs are probably roughness of the surface. Armadillo
+# has 10 stubs of 18 limbs, its fingers and toes; a statue in a robe with noise of 0.005 diagonals has 439 of 448.
+MANY = 25
 # Of 24 solids of limbs none has more in sheets than 0.39 of its curve's length (a rabbit with flat ears), or more
 # unexplained than 0.07. A plate with four holes has 0.45 in sheets, other plates, brackets and pipes more. A plant
 # whose curve has two strands in its stem, which is 10 % too long by them, has 0.084 unexplained.
 MOST_IN_SHEETS = 0.42  # share of the curve's length, above which these are no limbs
 MOST_UNEXPLAINED = 0.08  # likewise
-LEAST_ELONGATION = 1.0  # diameters: the longest branch of a ball or a cube is shorter
 # Of the curve's length between two places a radius before and after a node: their distance is less where it turns back.
 # So it turns by 166 degrees or more. In the corner of bars that meet at 25 degrees it rightly turns by 155: it is 0.22.
 FOLDED = 0.125
@@ -47,7 +43,6 @@ SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a r
 # Mean radius of a sheet's section, over twice its area over its edge: 1 for a disc, 1.1 for a square, 1.4 for the
 # rectangle above
 FLAT_SECTION = 1.35
-THINNEST = 1e-9  # diagonals: a branch whose balls are smaller is in a part without volume, and has no elongation
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
 UNMEASURED = "not measured, as the mesh or the finished curve is not known"
@@ -146,7 +141,7 @@ class Report:
             return (UNMEASURED,)
         parts, handles = (count_of(self.left_out, "part"), count_of(self.joined_handles, "handle"))
         found = (
-            (elongation < LEAST_ELONGATION, "no part is longer than it is wide"),
+            (elongation < 1, "no part is longer than it is wide"),
             (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
             (unexplained > MOST_UNEXPLAINED, f"{unexplained:.0%} of the curve's length {EXCESS}"),
             (self.left_out > 0, f"repair left out {parts}, which {'has' if self.left_out == 1 else 'have'} no curve"),
@@ -176,6 +171,7 @@ class Report:
     def lines(self) -> list[str]:
         """The printed lines without the seconds, which differ from run to run."""
         unsure = [note for note in self.notes if NOT_SURE in note]
+        around = "as many handles" if self.loops == self.cycles else f"ONLY {count_of(self.loops or 0, 'handle')}"
         lines = [
             *unsure,
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
@@ -184,7 +180,7 @@ class Report:
             + ", "
             + _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
             + (f", {self.cut} more cut" if self.cut else "")
-            + ("" if self.loops is None or not self.cycles else f", {_around(self.loops, self.cycles)}"),
+            + ("" if self.loops is None or not self.cycles else f", around {around}"),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
@@ -209,10 +205,6 @@ def _compare(found: int, what: str, expected: int, why: str) -> str:
 
 def count_of(number: int, what: str) -> str:
     return f"{number} {what}{'' if number == 1 else 's'}"
-
-
-def _around(loops: int, cycles: int) -> str:
-    return "around as many handles" if loops == cycles else f"around ONLY {count_of(loops, 'handle')}"
 
 
 def loops_of(
@@ -246,36 +238,25 @@ def assessed(
     vertices: np.ndarray,
     edges: np.ndarray,
     node_of_vertex: np.ndarray | None = None,
-    is_tubular: bool = False,
+    branches_of: Callable[[], list[Branch]] = list,
 ) -> dict[str, Any]:
     """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`.
 
-    ``is_tubular``: whether its branches are measured by their balls.
+    ``branches_of`` returns its branches; they are only asked for where many of them end.
     """
     about = loops_of(shape, vertices, edges, node_of_vertex)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
-    doubts = _stubs(shape, vertices, edges, is_tubular)
-    if shares["in_sheets"] > MOSTLY:
+    doubts = []
+    if len(leaves_of(edges)) >= MANY:
+        slender = [branch.slenderness for branch in branches_of() if np.isfinite(branch.slenderness)]
+        stubs = sum(each < STUB for each in slender)
+        if stubs >= MANY and 3 * stubs > len(slender):
+            doubts.append(f"{stubs} of {len(slender)} limbs are hardly longer than wide: the surface may be rough")
+    if shares["in_sheets"] > 1 / 2:  # the curve could as well be elsewhere
         doubts.append(IN_SHEETS.format(shares["in_sheets"]))
     doubts += _folds(shape, vertices, edges)
     doubts += _overlaps(shape, vertices, edges, node_of_vertex)
     return about | shares | {"doubts": (*about["doubts"], *doubts)}
-
-
-def _stubs(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_tubular: bool) -> list[str]:
-    """The doubt about a curve with many stubs. Limbs are only measured where so many branches end."""
-    if len(one_branch.leaves_of(edges)) < MANY:
-        return []
-    slenderness = (
-        one_branch.by_balls(vertices, shape.approximate_clearance(vertices)[0])
-        if is_tubular
-        else one_branch.slenderness(LimbTree(without_cavities(shape)), vertices, edges)
-    )
-    slender = [branch.slenderness for branch in one_branch.measure(vertices, edges, slenderness)]
-    ending, stubs = sum(np.isfinite(slender)), sum(each < STUB for each in slender)
-    if stubs < MANY or stubs <= MOST_STUBS * ending:
-        return []
-    return [f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough"]
 
 
 def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[str]:
@@ -367,5 +348,5 @@ def _of_branches(
             # Where parts overlap, the volume beside a branch may be negative: nothing of it is explained.
             unexplained += max(float(along[-1] - begin - end - max(volume[number], 0.0) / usual), 0.0)
         thickness = 2 * float(np.median(size))
-        elongation = max(elongation, float(along[-1]) / thickness if thickness > THINNEST else 0.0)
+        elongation = max(elongation, float(along[-1]) / thickness if thickness > ROUNDING else 0.0)
     return unexplained, elongation

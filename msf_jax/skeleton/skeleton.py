@@ -61,7 +61,8 @@ class Stage(NamedTuple):
     is_fixed: np.ndarray
 
 
-class Source(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Source:
     """The data that a curve was made from.
 
     areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place;
@@ -74,6 +75,11 @@ class Source(NamedTuple):
     pins: np.ndarray
     stages: tuple[Stage, ...] = ()
     input_of_vertex: np.ndarray | None = None
+
+    @cached_property
+    def limbs(self) -> LimbTree:
+        """The merge trees of the surface, made once for all curves of it."""
+        return LimbTree(self.solid.outside)
 
 
 class Soma(NamedTuple):
@@ -163,11 +169,11 @@ class Skeleton:
 
     @cached_property
     def _slenderness(self) -> np.ndarray | None:
-        """The slenderness of each leaf on the solid's surface; None if branches are measured by their balls."""
+        """(N,) the slenderness of each leaf on the solid's surface, which a run knows; None if branches are measured by
+        their balls."""
         if self.source is None or self.report.wavefronts:
             return None
-        solid = self.source.solid
-        return one_branch.slenderness(LimbTree(solid.outside), solid.enter(self.vertices), self.edges)
+        return one_branch.slenderness(self.source.limbs, self.source.solid.enter(self.vertices), self.edges)
 
     def prune(self, slenderness: float = 0.5, detail: float | None = None) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
@@ -194,8 +200,8 @@ class Skeleton:
         report, num, grown = self.report, len(self.vertices), 0
         if self.source is not None and not report.wavefronts and least:
             solid = self.source.solid
-            tree, finest = LimbTree(solid.outside), 0.5 if detail is None else float(detail)
-            choice = one_branch.choose(tree, solid.shape, solid.enter(x), edges, is_pinned, least, finest)
+            finest = 0.5 if detail is None else float(detail)
+            choice = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_pinned, least, finest)
             if detail is not None and (grown := choice.leaf.count(-1)):
                 new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
                 new, edges = containment.contain(solid.shape, new, edges, np.pad(is_pinned, (0, len(new) - num)))
@@ -605,20 +611,21 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
     ``node_of_old`` (N,) is the new node for each node of ``skeleton``.
     """
     edges, mesh_map, source = finishing.in_order(edges), node_of_old[skeleton.mesh_map], skeleton.source
+    nearest = np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
+    radii = skeleton.radii[nearest] if source is None else source.solid.radii(vertices)
     components, cycles = graphs.cycle_count(len(vertices), edges)
     report = replace(skeleton.report, components=components, cycles=cycles, loops=None, figures={})
-    if source is not None:
-        solid, vertex = source.solid, source.input_of_vertex
-        radii = solid.radii(vertices)
-        followed = None if vertex is None else mesh_map[vertex]
-        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
-        report = replace(report, inside=_share_inside(skeleton, vertices, edges, radii))
-    else:
-        radii = skeleton.radii[np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])]
     roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (skeleton.roots, skeleton.openings))
     curve = {"vertices": vertices, "edges": edges, "radii": radii, "mesh_map": mesh_map, "report": report}
     result = replace(skeleton, **curve, roots=roots, openings=openings, radius_of="ball")
-    return result if source is None or skeleton.radius_of == "ball" else _with_sections(result)
+    if source is None:
+        return result
+    solid, vertex = source.solid, source.input_of_vertex
+    followed = None if vertex is None else mesh_map[vertex]
+    found = assessed(solid.shape, solid.enter(vertices), edges, followed, lambda: result.branches)
+    found["inside"] = _share_inside(result, vertices, edges, radii)
+    result = replace(result, report=replace(report, **found))
+    return result if skeleton.radius_of == "ball" else _with_sections(result)
 
 
 def _with_sections(skeleton: Skeleton) -> Skeleton:

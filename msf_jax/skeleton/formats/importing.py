@@ -213,8 +213,8 @@ def checked_curve(values: Mapping[str, Any]) -> Curve:
     curve["radii"] = checked("radii", values["radii"], (num,))
     if not num:
         raise ValueError("it has 0 nodes: expected at least one")
-    largest, limit = max(float(np.abs(curve[name]).max()) for name in ("vertices", "radii")), np.finfo(np.float32).max
-    if largest > limit:  # some formats have no larger ones
+    largest = max(float(np.abs(curve[name]).max()) for name in ("vertices", "radii"))
+    if largest > (limit := float(np.finfo(np.float32).max)):  # some formats have no larger ones
         raise ValueError(f"it has numbers up to {largest:.3g}, not under {limit:.3g}: choose another unit")
     if (least := curve["radii"].min()) < 0:
         raise ValueError(f"node {curve['radii'].argmin()} has a negative radius, {least:.6g}: expected 0 or more")
