@@ -95,7 +95,7 @@ def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndar
     trial = 0
     while True:
         goal[changed] = x[changed] + part[changed, None] * step[changed]
-        new_clearance[changed], triangle[changed] = shape.approximate_closest(goal[changed])
+        new_clearance[changed], triangle[changed] = shape.nearest(goal[changed], is_exact=False)
         moved = changed[part[changed] > 0]
         is_bad, is_tried = np.zeros((2, len(x)), dtype=bool)
         is_tried[changed] = True

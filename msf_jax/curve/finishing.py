@@ -314,7 +314,7 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
         return draft
     x = draft.vertices
     stays, target, edges = branches.merge_junctions(
-        x, draft.edges, job.shape.approximate_closest(x)[0], draft.is_held, job.shape.handles
+        x, draft.edges, job.shape.nearest(x, is_exact=False)[0], draft.is_held, job.shape.handles
     )
     return reduced(draft._replace(edges=edges), stays, target)
 

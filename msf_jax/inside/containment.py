@@ -104,7 +104,7 @@ def refine(
 
     If that would need more than ``most`` nodes, all edges are split less, and the third result is True.
     """
-    radii = shape.approximate_closest(vertices)[0]
+    radii = shape.nearest(vertices, is_exact=False)[0]
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     target = np.maximum(spacing * radii[edges].min(axis=1), 1 / 400)
@@ -139,7 +139,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     _, triangle = shape.nearest(points)
     corner, normal = shape.triangles[triangle], shape.normals[triangle]
     entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
-    depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, 1.0).radius
+    depth = balls.shrinking_balls(entry, normal, shape.samples.tree, balls.FIRST, 1.0).radius
     shallower = 0.5 ** np.arange(SHALLOWER)
     choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
     clearance = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))

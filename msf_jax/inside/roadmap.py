@@ -314,7 +314,7 @@ def inner_balls(
         near = spatial.KDTree(points).query_ball_point(places, reach)
         asked = distinct(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))
         points, normals = points[asked], normals[asked]
-    tree = shape.sample_tree()
+    tree = shape.samples.tree
     radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, 1.0).radius
     left = np.arange(len(points))
     for _ in range(CORRECTIONS):  # large triangles can be nearer than any sample

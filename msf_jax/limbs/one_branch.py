@@ -28,8 +28,7 @@ from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis, is_near_end
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
-from msf_jax.solid.openings import JUST_INSIDE, Lid, is_end, lids_of
-from msf_jax.solid.solid import Solid
+from msf_jax.solid.solid import JUST_INSIDE, Lid, Solid, is_end, lids_of
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
@@ -220,7 +219,7 @@ def leaves_of(edges: np.ndarray) -> np.ndarray:
 
 def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     """The vertex (P,) nearest to each of ``points`` (P, 3), of the triangle nearest to it."""
-    near = shape.faces[shape.approximate_closest(points)[1]]
+    near = shape.faces[shape.nearest(points, is_exact=False)[1]]
     away = np.linalg.norm(shape.vertices[near] - points[:, None], axis=2)
     return near[np.arange(len(near)), away.argmin(axis=1)]
 

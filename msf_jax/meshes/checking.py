@@ -230,7 +230,7 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         parts.append(_component(vertices[member], local[faces[mine]], names[-1], fewest))
     volume = np.array([size for _, size in parts])
     nesting = nested([Enclosure(part.vertices, part.faces) for part, _ in parts], volume)
-    is_cavity = nesting.is_cavity
+    is_cavity = nesting.owner != np.arange(len(parts))
     is_flipped = (volume < 0) != is_cavity
     for number in np.flatnonzero(is_flipped).tolist():
         faces[faces_of[number]] = faces[faces_of[number]][:, ::-1]

@@ -28,10 +28,10 @@ from trimesh.triangles import closest_point
 from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
 from msf_jax.curve import branches as measures
 from msf_jax.curve import centring
-from msf_jax.solid import openings, sections
+from msf_jax.solid import sections
 from msf_jax.solid.frame import RESOLUTION
 from msf_jax.solid.geometry import together, unit
-from msf_jax.solid.solid import Solid
+from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
 
 REACH = 0.25  # limb sizes along the branch over which sections are averaged, and a frame is fitted
@@ -157,7 +157,7 @@ def _sections(
     normal = unit(chord @ x)
     away = np.linalg.norm(x[node] - found.centroid, axis=1)
     weight = weight / (1 + (away / (centring.STRAY * found.radius)) ** 2) ** 2
-    is_whole = (openings.moved_inside(x, normal, solid.openings) == x).all(axis=1)
+    is_whole = (moved_inside(x, normal, solid.openings) == x).all(axis=1)
     # The centroid across a whole sheet moves much farther by noise than its vertices.
     is_kept = (weight > SLIGHT) & is_whole[node] & (found.radius < measures.WIDE * found.size)
     node, weight = node[is_kept], weight[is_kept]

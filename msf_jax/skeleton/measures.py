@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.solid import openings, sections
+from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, cross, to_segment, unit
-from msf_jax.solid.solid import Solid
+from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
 
 FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
@@ -83,9 +83,9 @@ def sections_through(
     the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim.
     """
     given = solid.enter(points)
-    entered = openings.moved_inside(given, normals, solid.openings)
+    entered = moved_inside(given, normals, solid.openings)
     cut = sections.corners(solid.shape, entered, normals, radii / solid.diagonal)
-    is_whole = cut.is_closed & (sections.areas(solid.shape, cut, normals) > 0)
+    is_whole = sections.measured(solid.shape, entered, normals, cut).is_found
     middle, axes = points + solid.diagonal * (entered - given), axes_across(normals)
     corners = solid.leave(cut.places(solid.shape))
     bounds = np.searchsorted(cut.loop, np.arange(len(points) + 1))

@@ -321,10 +321,10 @@ def shares_of(
     # wall, the void is beside the curve, and the section is a wall around it.
     is_flat = (found.radius > FLAT_SECTION * found.size) | ~shape.contains(found.centroid)
     is_wide = (found.radius > SHEET * radius[asked]) & is_flat | ~found.is_found
-    known = own[asked] * corners.is_closed
+    known = own[asked] * np.isin(np.arange(len(asked)), corners.loop)
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area = np.full(len(vertices), np.nan)
-    area[asked] = np.where(corners.is_closed & found.is_found, sections.areas(shape, corners, normal), np.nan)
+    area[asked] = np.where(found.is_found, found.area, np.nan)
     volume = volumes_of(shape, vertices, edges, radius, node_of_vertex)
     unexplained, elongation = _of_branches(vertices, edges, radius, area, volume)
     total = max(float(length.sum()), 1e-300)

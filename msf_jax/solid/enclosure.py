@@ -32,49 +32,10 @@ class Samples(NamedTuple):
     fan: np.ndarray
 
 
-def sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:
-    """Every used vertex with its fan, and a grid of points in every large triangle with that triangle."""
-    spacing = max(
-        SAMPLE_SPACING * float(np.ptp(vertices, axis=0).max()), float(np.sqrt((reaches**2).sum() / MOST_SAMPLES))
-    )
-    corner = faces.ravel()
-    count = np.bincount(corner, minlength=len(vertices))
-    points, owners = [vertices[count > 0]], []
-    parts = np.ceil(reaches / spacing).astype(np.int64)
-    for number in np.unique(parts[parts > 1]):
-        i, j = (part.ravel() for part in np.indices((number + 1, number + 1)))
-        i, j = i[i + j <= number], j[i + j <= number]
-        weights = (np.stack([i, j, number - i - j], axis=1) + 1 / 3) / (number + 1)
-        large = np.flatnonzero(parts == number)
-        points.append(np.einsum("sk,fki->fsi", weights, vertices[faces[large]]).reshape(-1, 3))
-        owners.append(np.repeat(large, len(weights)))
-    fan = np.concatenate([np.argsort(corner, kind="stable") // 3, *owners])
-    first = np.concatenate([[0], np.cumsum(count[count > 0]), len(corner) + 1 + np.arange(len(fan) - len(corner))])
-    # Boxes that are split in the middle, and not shrunk, are built faster and are several times as fast for points
-    # on the axis of a cone, as far from many samples.
-    tree = spatial.KDTree(np.concatenate(points), leafsize=32, balanced_tree=False, compact_nodes=False)
-    return Samples(tree, first, fan)
-
-
-# The following go corner by corner, as NumPy is slow in reductions over axes of length 2 or 3.
-
-
-def middles(triangles: np.ndarray) -> np.ndarray:
-    """(F, 3) the middle of each triangle (F, 3, 3)."""
-    return (triangles[:, 0] + triangles[:, 1] + triangles[:, 2]) / 3
-
-
 def boxes(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(F, 3) the lowest and (F, 3) the highest coordinates of each triangle (F, 3, 3)."""
-    corners = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    corners = triangles[:, 0], triangles[:, 1], triangles[:, 2]  # NumPy is slow over axes of length 3
     return reduce(np.minimum, corners), reduce(np.maximum, corners)
-
-
-def reaches(triangles: np.ndarray) -> np.ndarray:
-    """(F,) the largest distance from the middle of each triangle (F, 3, 3) to one of its corners."""
-    middle = middles(triangles)
-    away = [triangles[:, k] - middle for k in range(3)]
-    return np.sqrt(reduce(np.maximum, [x[:, 0] ** 2 + x[:, 1] ** 2 + x[:, 2] ** 2 for x in away]))
 
 
 class Crossed(NamedTuple):
@@ -97,12 +58,13 @@ class Enclosure:
         self.vertices = np.require(vertices, np.float64, ["C", "W"])  # the kernels' type
         self.faces = np.require(faces, np.int64, ["C", "W"])
         self.triangles = self.vertices[self.faces]
-        self.centroids = middles(self.triangles)
+        self.centroids = (self.triangles[:, 0] + self.triangles[:, 1] + self.triangles[:, 2]) / 3
 
     @cached_property
     def reaches(self) -> np.ndarray:
         """(F,) the largest distance from the middle of each triangle to one of its corners."""
-        return reaches(self.triangles)
+        away = [self.triangles[:, k] - self.centroids for k in range(3)]
+        return np.sqrt(reduce(np.maximum, [x[:, 0] ** 2 + x[:, 1] ** 2 + x[:, 2] ** 2 for x in away]))
 
     @cached_property
     def normals(self) -> np.ndarray:
@@ -134,8 +96,26 @@ class Enclosure:
         return Handles(self.vertices, self.faces)
 
     @cached_property
-    def _samples(self) -> Samples:
-        return sampled(self.vertices, self.faces, self.reaches)
+    def samples(self) -> Samples:
+        """Every used vertex with its fan, and a grid of points in every large triangle with that triangle."""
+        reaches, vertices, corner = self.reaches, self.vertices, self.faces.ravel()
+        spacing = max(SAMPLE_SPACING * self.extent, float(np.sqrt((reaches**2).sum() / MOST_SAMPLES)))
+        count = np.bincount(corner, minlength=len(vertices))
+        points, owners = [vertices[count > 0]], []
+        parts = np.ceil(reaches / spacing).astype(np.int64)
+        for number in np.unique(parts[parts > 1]):
+            i, j = (part.ravel() for part in np.indices((number + 1, number + 1)))
+            i, j = i[i + j <= number], j[i + j <= number]
+            weights = (np.stack([i, j, number - i - j], axis=1) + 1 / 3) / (number + 1)
+            large = np.flatnonzero(parts == number)
+            points.append(np.einsum("sk,fki->fsi", weights, self.triangles[large]).reshape(-1, 3))
+            owners.append(np.repeat(large, len(weights)))
+        fan = np.concatenate([np.argsort(corner, kind="stable") // 3, *owners])
+        first = np.concatenate([[0], np.cumsum(count[count > 0]), len(corner) + 1 + np.arange(len(fan) - len(corner))])
+        # Boxes that are split in the middle, and not shrunk, are built faster and are several times as fast for points
+        # on the axis of a cone, as far from many samples.
+        tree = spatial.KDTree(np.concatenate(points), leafsize=32, balanced_tree=False, compact_nodes=False)
+        return Samples(tree, first, fan)
 
     @cached_property
     def crossed(self) -> "Crossed":
@@ -145,10 +125,6 @@ class Enclosure:
         most, least = MOST_TESTED * len(self.faces), ROUNDING * self.extent  # by less, they only touch
         num = kernels.crossed(corners, self.mesh, least, most, tested, pairs[0], pairs[1])
         return Crossed(pairs[:, :num].T, num, bool(tested[0] >= most))
-
-    def prepare(self) -> None:
-        """Make the trees of triangles and samples now, and not at the first query."""
-        _ = self.mesh, self._samples
 
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
@@ -164,27 +140,16 @@ class Enclosure:
         """Unsigned distance (P,) from each point to the surface."""
         return self.nearest(points)[0]
 
-    def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
+    def nearest(self, points: np.ndarray, is_exact: bool = True) -> tuple[np.ndarray, np.ndarray]:
+        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,), the first of several.
 
-        Of several at the same distance it is the first.
+        If not ``is_exact``, in half the time the nearest of the triangles at the nearest of `samples`. Its distance is
+        never too small. With samples s apart it is too large by at most about s^2 / 2d at a distance d > s, and by s
+        close to the surface.
         """
-        return self._nearest(points, is_exact=True)
-
-    def approximate_closest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Approximate `nearest`, in half the time: distance (P,) to a near triangle, and that triangle (P,).
-
-        It is the nearest of the triangles at the nearest sample of the surface. The samples are its vertices and a grid
-        of points in each triangle of more than a fiftieth of the extent. The distance is never too small. With samples
-        s apart it is too large by at most about s^2 / 2d at a distance d > s, and by s close to the surface.
-        """
-        return self._nearest(points, is_exact=False)
-
-    def _nearest(self, points: np.ndarray, is_exact: bool) -> tuple[np.ndarray, np.ndarray]:
-        tree, first, fan = self._samples
+        tree, first, fan = self.samples
         distance2, found = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
-        sample = tree.query(points)[1]
-        kernels.nearest(points, self.mesh, sample, first, fan, is_exact, distance2, found)
+        kernels.nearest(points, self.mesh, tree.query(points)[1], first, fan, is_exact, distance2, found)
         return np.sqrt(distance2), found
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
@@ -193,16 +158,12 @@ class Enclosure:
 
     def approximate_clearance(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Approximate `clearance`, in half the time, and a triangle (P,) near each point."""
-        away, near = self.approximate_closest(points)
+        away, near = self.nearest(points, is_exact=False)
         return np.where(self.contains(points), away, 0.0), near
-
-    def sample_tree(self) -> spatial.KDTree:
-        """A tree of samples of the surface, see `approximate_closest`."""
-        return self._samples.tree
 
     def surface_points(self, most: int) -> tuple[np.ndarray, np.ndarray]:
         """At most ``most`` samples (P, 3) of the surface inside its triangles, and the unit normals there."""
-        tree, first, fan = self._samples
+        tree, first, fan = self.samples
         sample = np.arange(0, len(first) - 1, -(-(len(first) - 1) // most))
         triangle = fan[first[sample]]
         normal = self.normals[triangle]
@@ -212,8 +173,8 @@ class Enclosure:
         return points[has_area], normal[has_area]
 
     def feet(self, points: np.ndarray) -> np.ndarray:
-        """The foot (P, 3) of each point's perpendicular on its triangle of `approximate_closest`, or nearest point."""
-        triangle = self.triangles[self.approximate_closest(points)[1]]
+        """The foot (P, 3) of each point's perpendicular on its nearly nearest triangle, or nearest point."""
+        triangle = self.triangles[self.nearest(points, is_exact=False)[1]]
         return np.einsum("pk,pki->pi", barycentric(points, triangle, 0.0), triangle)
 
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:

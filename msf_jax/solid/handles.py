@@ -53,10 +53,10 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     origin, target, twin = edges
     is_first = np.arange(len(origin)) < twin
     face = np.arange(len(origin)) // 3
-    parent, _ = graphs.forest(origin[is_first], target[is_first], int(faces.max(initial=-1)) + 1)
+    parent = graphs.forest(origin[is_first], target[is_first], int(faces.max(initial=-1)) + 1)
     in_tree = (parent[origin] == target) | (parent[target] == origin)
     is_left = is_first & ~in_tree
-    face_parent, _ = graphs.forest(face[is_left], face[twin[is_left]], len(faces))
+    face_parent = graphs.forest(face[is_left], face[twin[is_left]], len(faces))
     # Two faces can share several edges outside the tree; the cotree crosses the first of them.
     to_parent = np.full(len(faces), -1)
     leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[twin]))

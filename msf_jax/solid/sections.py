@@ -18,7 +18,7 @@ import numpy as np
 
 from msf_jax.numerics.compiled import Ints, Points, Reals, kernel, part
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, cross, repeated, unit
+from msf_jax.solid.geometry import arc_length, at, cross, unit
 from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
 REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
@@ -32,7 +32,6 @@ class Corners(NamedTuple):
 
     loop: (C,) the loop of each corner. tail, head: (C,) ends of its mesh edge, above and below the plane. part: (C,)
     fraction of the edge from tail to corner. triangle: (C,) the triangle from this corner to the next.
-    is_closed: (P,) which loops returned to their first corner.
     """
 
     loop: np.ndarray
@@ -40,7 +39,6 @@ class Corners(NamedTuple):
     head: np.ndarray
     part: np.ndarray
     triangle: np.ndarray
-    is_closed: np.ndarray
 
     def places(self, shape: Enclosure) -> np.ndarray:
         """(C, 3) the corners on ``shape``."""
@@ -54,6 +52,7 @@ class Sections(NamedTuple):
 
     centroid: (P, 3) of the area inside the loop; the point itself without a loop.
     radius: (P,) mean distance of the loop from its centroid; 0 without a loop.
+    area: (P,) inside the loop, negative for one around a cavity; 0 without a loop.
     size: (P,) twice the area over the loop's length: the radius of a disc, the thickness of a sheet; 0 without a loop.
     is_found: (P,) whether there is a loop that bounds the solid from outside.
     is_around: (P,) whether the loop goes around the point.
@@ -63,6 +62,7 @@ class Sections(NamedTuple):
 
     centroid: np.ndarray
     radius: np.ndarray
+    area: np.ndarray
     size: np.ndarray
     is_found: np.ndarray
     is_around: np.ndarray
@@ -234,30 +234,16 @@ def corners(
         if loops(points, normals, size, near, shape.mesh, ends, edge, share):
             break
         capacity *= 2
-    count = np.diff(ends, prepend=0)
-    loop = np.repeat(np.arange(num), count)
+    loop = np.repeat(np.arange(num), np.diff(ends, prepend=0))
     edge, share = edge[: len(loop)], share[: len(loop)]
-    return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], share, edge // 3, count > 0)
+    return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], share, edge // 3)
 
 
 def nowhere(points: np.ndarray) -> Sections:
     """The result for points without a loop."""
     zero, none = np.zeros(len(points)), np.zeros(len(points), dtype=bool)
     slide, turn = np.zeros_like(points), np.zeros((*points.shape, 3))
-    return Sections(points.copy(), zero, zero.copy(), none, none.copy(), slide, turn)
-
-
-def areas(shape: Enclosure, corners: Corners, normals: np.ndarray) -> np.ndarray:
-    """(P,) the area inside each loop of ``corners``, in planes across ``normals`` (P, 3); 0 without a loop."""
-    place, loop = corners.places(shape), corners.loop
-    if not len(loop):
-        return np.zeros(len(normals))
-    first = np.searchsorted(loop, loop)
-    is_last = np.append(loop[1:] != loop[:-1], True)
-    place = place - place.take(first, axis=0)
-    onward = place.take(np.where(is_last, first, np.arange(len(loop)) + 1), axis=0)
-    twice = np.einsum("ci,ci->c", cross(place, onward), normals.take(loop, axis=0))
-    return np.bincount(loop, weights=twice, minlength=len(normals)) / 2
+    return Sections(points.copy(), zero, zero.copy(), zero.copy(), none, none.copy(), slide, turn)
 
 
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
@@ -275,7 +261,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     slide, turn = sums[:, 7:10] / (safe / 2), -sums[:, 10:] / (safe / 2)
     centroid = np.where(is_found[:, None], sums[:, :3], 0.0)
     is_around = is_found & (angle > np.pi)
-    return Sections(points + centroid, radius, size, is_found, is_around, slide, turn.reshape(-1, 3, 3))
+    return Sections(points + centroid, radius, area2 / 2, size, is_found, is_around, slide, turn.reshape(-1, 3, 3))
 
 
 def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
@@ -285,28 +271,17 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     area: the corner of an angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there
     only. They run along the limb, so its derivatives are 0, and such a section counts as a round one: its size is its
     radius."""
-    out = np.flatnonzero(found.is_found & ~shape.contains(found.centroid))
-    if not len(out):
-        return found
     found = Sections(*(field.copy() for field in found))
-    normal, centroid = normals[out], found.centroid[out]
-    side = unit(cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)]))
-    frames = np.stack([side, cross(normal, side)], axis=1)
-    first, stop = np.searchsorted(corners.loop, out), np.searchsorted(corners.loop, out + 1)
-    row, place = repeated(stop - first)
-    each = first[row] + place
-    own = corners._replace(tail=corners.tail[each], head=corners.head[each], part=corners.part[each])
-    x = np.einsum("cij,cj->ci", frames[row], own.places(shape) - centroid[row])
-    end = np.cumsum(stop - first)
-    onward = np.roll(x, -1, axis=0)
-    onward[end - 1] = x[end - (stop - first)]
-    is_outside = np.bincount(row, weights=_is_crossed(x, onward), minlength=len(out)) % 2 == 0
-    for k in np.flatnonzero(is_outside).tolist():
-        loop = x[end[k] - stop[k] + first[k] : end[k]]
-        found.centroid[out[k]] += _narrowest(np.concatenate([loop, loop[:1]])) @ frames[k]
-    out = out[is_outside]
-    found.size[out] = found.radius[out]
-    found.slide[out], found.turn[out] = 0.0, 0.0
+    for row in np.flatnonzero(found.is_found & ~shape.contains(found.centroid)).tolist():
+        own = slice(*np.searchsorted(corners.loop, [row, row + 1]))
+        side = unit(cross(normals[row], np.eye(3)[np.abs(normals[row]).argmin()]))
+        frame = np.stack([side, cross(normals[row], side)])
+        places = corners._replace(tail=corners.tail[own], head=corners.head[own], part=corners.part[own]).places(shape)
+        x = np.einsum("cj,ij->ci", places - found.centroid[row], frame)
+        x = np.concatenate([x, x[:1]])
+        if not _is_around(x, np.zeros(2)):
+            found.centroid[row] += _narrowest(x) @ frame
+            found.size[row], found.slide[row], found.turn[row] = found.radius[row], 0.0, 0.0
     return found
 
 

@@ -1,8 +1,12 @@
-"""Solids: which closed parts of a surface bound them and their cavities; and a `Solid` in the caller's units.
+"""A solid in the caller's units, the closed parts of a surface that bound solids and cavities, and lids of openings.
 
 A part is nested in another if it is all inside. A part that is inverted beside the outermost part around it is a
 cavity, if it is in the full there. In a file that is inside out as a whole, outer parts are inverted, and cavities are
 not. A part that is not inverted beside the outermost one is a solid: where the full is around it, it overlaps it.
+
+Openings are boundary loops where a limb was cut off, such as a vessel's, and which repair closed with a lid. A lid is
+the end of a limb. It bounds no ball, and no section: where a plane across the limb cuts the lid, as it does near an
+oblique one, a part of the limb is missing.
 """
 
 from functools import cached_property
@@ -10,11 +14,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, signed_volume, triangle_areas
-from msf_jax.solid.openings import lids_of
+from msf_jax.solid.geometry import ROUNDING, cross, signed_volume, triangle_areas, unit
 from msf_jax.topology import graphs
 from msf_jax.topology.half_edges import by_label
+
+STEEPEST = 0.5  # cosine between a lid and the walls at its rim: 0 where a tube is cut off, 1 for a hole in a wall
+NARROWEST = 0.5  # radii of the limb: least radius of a lid; where a hole is in a ridge, the limb goes on beside it
+JUST_INSIDE = 0.05  # radii of a lid: depth below the lid at which the limb is whole
 
 
 class Nesting(NamedTuple):
@@ -23,11 +31,6 @@ class Nesting(NamedTuple):
     owner: np.ndarray
     is_within: np.ndarray
 
-    @property
-    def is_cavity(self) -> np.ndarray:
-        """(k,) which parts are cavities."""
-        return self.owner != np.arange(len(self.owner))
-
 
 def nested(parts: list[Enclosure], volume: np.ndarray) -> Nesting:
     """The nesting of closed connected ``parts`` with their signed ``volume`` (k,) as given, not 0."""
@@ -35,9 +38,13 @@ def nested(parts: list[Enclosure], volume: np.ndarray) -> Nesting:
     low = np.array([part.vertices.min(axis=0) for part in parts])
     high = np.array([part.vertices.max(axis=0) for part in parts])
     owner, winding, is_within = np.arange(num), np.ones(num, dtype=np.int64), np.zeros(num, dtype=bool)
+
+    def is_in(part: Enclosure, other: Enclosure) -> bool:
+        return all(other.winding_numbers(points).all() for points in (part.vertices[:1], part.vertices))
+
     for each in np.argsort(-sizes, kind="stable").tolist():
         is_around = ((low < low[each]) & (high > high[each])).all(axis=1) & (sizes > sizes[each])
-        around = [k for k in np.flatnonzero(is_around).tolist() if _is_in(parts[each], parts[k])]
+        around = [k for k in np.flatnonzero(is_around).tolist() if is_in(parts[each], parts[k])]
         if not around:
             continue
         outermost = max(around, key=lambda k: sizes[k])
@@ -48,11 +55,6 @@ def nested(parts: list[Enclosure], volume: np.ndarray) -> Nesting:
         else:
             is_within[each] = is_full
     return Nesting(owner, is_within)
-
-
-def _is_in(part: Enclosure, other: Enclosure) -> bool:
-    """Whether all of ``part`` is inside ``other``, however that is oriented."""
-    return bool(other.winding_numbers(part.vertices[:1])[0]) and bool(other.winding_numbers(part.vertices).all())
 
 
 class Body(NamedTuple):
@@ -70,11 +72,9 @@ class Body(NamedTuple):
 def bodies(shape: Enclosure) -> list[Body]:
     """The solids of a closed surface."""
     faces = shape.faces
-    label = graphs.pieces(faces, len(shape.vertices))
-    if not label.any():
-        every = np.arange(len(faces))
-        return [Body(np.unique(faces), every, every, False)]
-    rows, parts = by_label(label), []
+    rows, parts = by_label(graphs.pieces(faces, len(shape.vertices))), []
+    if len(rows) == 1:
+        return [Body(np.unique(faces), rows[0], rows[0], False)]
     for mine in rows:
         member, corners = np.unique(faces[mine], return_inverse=True)
         parts.append(Enclosure(shape.vertices[member], corners.reshape(-1, 3)))
@@ -90,6 +90,78 @@ def without_cavities(shape: Enclosure) -> Enclosure:
     """The outsides of the solids of a surface; ``shape`` itself if it has no cavity. Vertices keep their numbers."""
     outside = np.sort(np.concatenate([body.outside for body in bodies(shape)]))
     return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
+
+
+class Lid(NamedTuple):
+    """The lid of an opening.
+
+    faces: (l,). rim: (r, 3) the places of its corners. middle: (3,) of the area that is seen along the ``normal``, at
+    the mean height of the rim, so that it does not depend on the lid's triangles. normal: (3,) unit, outwards. area: as
+    seen along it. reach: the largest distance of the rim from the middle. uneven: the same along the normal; 0 for a
+    flat rim.
+    """
+
+    faces: np.ndarray
+    rim: np.ndarray
+    middle: np.ndarray
+    normal: np.ndarray
+    area: float
+    reach: float
+    uneven: float
+
+    def radius(self) -> float:
+        """The radius of a disc of the lid's area."""
+        return float(np.sqrt(self.area / np.pi))
+
+
+def lids_of(vertices: np.ndarray, faces: np.ndarray, lids: np.ndarray) -> list[Lid]:
+    """The lids that the faces ``lids`` (L,) of a surface ``(vertices (V, 3), faces (F, 3))`` make: a piece each."""
+    found = []
+    for own in by_label(graphs.pieces(faces[lids], len(vertices))) if len(lids) else []:
+        own = lids[own]
+        corner, rim = vertices[faces[own]], vertices[np.unique(faces[own])]
+        twice = cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+        normal = unit(twice.sum(axis=0))
+        seen = np.maximum(twice @ normal, 0.0)  # a lid that is folded over still has its middle between its corners
+        middle = seen @ corner.mean(axis=1) / max(float(seen.sum()), 1e-300)
+        middle += (rim.mean(axis=0) - middle) @ normal * normal
+        away = rim - middle
+        reach, uneven = np.linalg.norm(away, axis=1).max(), np.abs(away @ normal).max()
+        found.append(Lid(own, rim, middle, normal, float(seen.sum()) / 2, float(reach), float(uneven)))
+    return found
+
+
+def is_end(shape: Enclosure, lid: Lid) -> bool:
+    """Whether a limb of ``shape`` ends at the ``lid``, which else closes a hole in the wall of a limb.
+
+    The lid of a hole goes on as the wall around it does. A hole can also be in a ridge, such as the edge of an ear,
+    where the section just below the lid is much larger than the lid.
+    """
+    is_lid = np.zeros(len(shape.faces), dtype=bool)
+    is_lid[lid.faces] = True
+    twin = shape.mesh.twins.reshape(-1, 3)[lid.faces].ravel()
+    at_rim = ~is_lid[twin // 3]
+    edge = shape.triangles[lid.faces] - np.roll(shape.triangles[lid.faces], -1, axis=1)
+    length = np.linalg.norm(edge.reshape(-1, 3)[at_rim], axis=1)
+    walls = length @ shape.normals[twin[at_rim] // 3] / max(float(length.sum()), 1e-300)
+    if lid.area <= 0 or walls @ lid.normal > STEEPEST:
+        return False
+    place = moved_inside(lid.middle[None], lid.normal[None], [lid])
+    found = sections.cut(shape, place, lid.normal[None], np.array([lid.radius()]))
+    return bool(found.is_around[0]) and lid.area >= NARROWEST**2 * float(found.area[0])
+
+
+def moved_inside(points: np.ndarray, normals: np.ndarray, lids: list[Lid]) -> np.ndarray:
+    """``points`` (P, 3), moved along ``normals`` (P, 3) so far that planes across these cut none of the ``lids`` near
+    them."""
+    places = points.copy()
+    for lid in lids:
+        outward = normals * np.where(normals @ lid.normal < 0, -1.0, 1.0)[:, None]
+        depth = np.einsum("pri,pi->pr", points[:, None] - lid.rim, outward).max(axis=1) + JUST_INSIDE * lid.radius()
+        # A plane that cuts the rim of a lid ahead is across a point within the lid's reach.
+        is_near = (np.linalg.norm(points - lid.middle, axis=1) <= lid.reach) & (depth > 0)
+        places[is_near] = (points - depth[:, None] * outward)[is_near]
+    return places
 
 
 class Solid:
@@ -111,7 +183,7 @@ class Solid:
         self.diagonal = unit * float(np.linalg.norm((high - low) / unit))
         self.shape = Enclosure((vertices - self.centre) / self.diagonal, faces)
         self.lids = np.empty(0, dtype=np.int64) if lids is None else lids
-        self.openings = lids_of(self.shape.vertices, faces, self.lids) if len(self.lids) else []
+        self.openings = lids_of(self.shape.vertices, faces, self.lids)
         self._wall = None
         if len(self.lids):  # the wall has no vertices that only lids use
             used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
@@ -125,8 +197,7 @@ class Solid:
 
     def prepare(self) -> None:
         """Make now, beside the flow, what takes long after it: the shape's trees, and the areas."""
-        self.shape.prepare()
-        _ = self.vertex_areas
+        _ = self.shape.mesh, self.shape.samples, self.vertex_areas
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""

@@ -49,25 +49,27 @@ def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
     for a, b in np.unique(np.sort(edges, axis=1), axis=0).tolist():
         near[a].append(b)
         near[b].append(a)
-    ends = [node for node in range(num_nodes) if len(near[node]) != 2]
-    branches = [[node] for node in ends if not near[node]]
-    seen: set[tuple[int, int]] = set()
+    branches: list[list[int]] = []
+    seen: set[tuple[int, int]] = set()  # first steps of branches, from both ends
 
-    def follow(start: int, onward: int) -> list[int]:
+    def follow(start: int, onward: int) -> None:
         branch = [start, onward]
         while len(near[branch[-1]]) == 2 and branch[-1] != start:
             a, b = near[branch[-1]]
             branch.append(b if a == branch[-2] else a)
-        seen.add((branch[0], branch[1]))
-        seen.add((branch[-1], branch[-2]))
-        return branch
+        seen.update(((branch[0], branch[1]), (branch[-1], branch[-2])))
+        branches.append(branch)
 
+    ends = [node for node in range(num_nodes) if len(near[node]) != 2]
+    branches += [[node] for node in ends if not near[node]]
     for node in ends:
-        branches += [follow(node, onward) for onward in near[node] if (node, onward) not in seen]
+        for onward in near[node]:
+            if (node, onward) not in seen:
+                follow(node, onward)
     covered = {node for branch in branches for node in branch}
     for node in range(num_nodes):
         if node not in covered:
-            branches.append(follow(node, near[node][0]))
+            follow(node, near[node][0])
             covered.update(branches[-1])
     return branches
 
@@ -105,20 +107,13 @@ def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict
     graph = nx.Graph()
     graph.add_nodes_from(range(num_nodes))
     graph.add_edges_from(edges.tolist())
+    others = [component for component in nx.connected_components(graph) if component.isdisjoint(roots)]
+    starts = [min([node for node in each if graph.degree[node] == 1] or each) for each in others]
     parent: dict[int, int] = {}
-
-    def grow(root: int) -> None:
-        parent[root] = -1
-        parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
-
-    for root in roots:
+    for root in [*roots, *starts]:
         if root not in parent:
-            grow(root)
-    for component in nx.connected_components(graph):
-        if not component.isdisjoint(roots):
-            continue
-        leaves = [node for node in component if graph.degree[node] == 1]
-        grow(min(leaves or component))
+            parent[root] = -1
+            parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
     return parent
 
 
@@ -135,28 +130,13 @@ def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np
     return is_in & (edges[:, 0] != edges[:, 1])
 
 
-def forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
-    """The parent (num,) of each node in a breadth-first tree of its component, -1 at the root, and its depth (num,)."""
+def forest(a: np.ndarray, b: np.ndarray, num: int) -> np.ndarray:
+    """The parent (num,) of each node in a breadth-first tree of its component, -1 at the root."""
     roots = np.unique(labels(num, a, b), return_index=True)[1]
     tail, head = np.concatenate([a, np.full(len(roots), num)]), np.concatenate([b, roots])  # one root above them all
     joined = weighted(num + 1, np.concatenate([tail, head]), np.concatenate([head, tail]))
-    depth, parent = csgraph.dijkstra(joined, unweighted=True, indices=num, return_predecessors=True)
-    parent = parent[:num].astype(np.int64)
-    return np.where(parent == num, -1, parent), depth[:num].astype(np.int64) - 1
-
-
-def along_forest(num_nodes: int, edges: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """(N, ...) the sum of the ``values`` (E, ...) of a forest's edges (E, 2) along the path from a root to each node.
-
-    An edge that the path takes from its second node to its first counts with the opposite sign.
-    """
-    a, b = edges.T
-    parent, _ = forest(a, b, num_nodes)
-    last = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
-    for tail, head, sign in ((a, b, 1), (b, a, -1)):
-        leads = parent[head] == tail
-        last[head[leads]] = sign * values[leads]
-    return down_forest(parent, last)
+    parent = csgraph.dijkstra(joined, unweighted=True, indices=num, return_predecessors=True)[1][:num]
+    return np.where(parent == num, -1, parent.astype(np.int64))
 
 
 def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
@@ -176,11 +156,17 @@ def cycles(
     """A basis of a graph's cycles, each an edge with its path in the shortest spanning forest by ``length`` (E,).
 
     Returns the edge (C,) that closes each cycle, the shortest first, the sums (C, ...) of the ``values`` (E, ...)
-    around the cycles, and those (N, ...) along the forest, from a root to each node.
+    around the cycles, and those (N, ...) along the forest, from a root to each node. An edge that a path takes from
+    its second node to its first counts with the opposite sign.
     """
     in_forest = shortest_forest(num_nodes, edges, length)
-    along = along_forest(num_nodes, edges[in_forest], values[in_forest])
-    closing = np.flatnonzero(~in_forest)
+    a, b = edges[in_forest].T
+    parent = forest(a, b, num_nodes)
+    last = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
+    for tail, head, step in ((a, b, values[in_forest]), (b, a, -values[in_forest])):
+        leads = parent[head] == tail
+        last[head[leads]] = step[leads]
+    along, closing = down_forest(parent, last), np.flatnonzero(~in_forest)
     closing = closing[np.argsort(length[closing], kind="stable")]
     a, b = edges[closing].T
     return closing, values[closing] + along[a] - along[b], along
@@ -191,14 +177,10 @@ def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
 
     Its first vertex is not repeated at the end.
     """
-
-    def to_root(vertex: int) -> list[int]:
-        path = [vertex]
+    one, other = [start], [end]
+    for path in (one, other):
         while parent[path[-1]] >= 0:
             path.append(int(parent[path[-1]]))
-        return path
-
-    one, other = to_root(start), to_root(end)
     while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
         one.pop()
         other.pop()

@@ -16,24 +16,12 @@ class HalfEdges(NamedTuple):
 
 def half_edges(faces: np.ndarray) -> HalfEdges:
     """Half-edges of ``faces`` (F, 3) with their twins. The mesh may be open, but no half-edge may occur twice."""
-    origin = faces.ravel()
-    target = faces[:, [1, 2, 0]].ravel()
-    num = int(faces.max(initial=-1)) + 1
-    number = np.arange(1, len(origin) + 1)  # of half-edges, from 1: a stored 0 would count as no entry
-    there, back = (sparse.csr_matrix((number, pair), shape=(num, num)) for pair in ((origin, target), (target, origin)))
-    there.sort_indices()
-    back.sort_indices()
-    is_closed = there.nnz == len(number) and np.array_equal(there.indptr, back.indptr)
-    if is_closed and np.array_equal(there.indices, back.indices):  # then entries of both are twins
-        twin = np.empty(len(number), dtype=np.int64)
-        twin[np.asarray(there.data, dtype=np.int64) - 1] = np.asarray(back.data, dtype=np.int64) - 1
-        return HalfEdges(origin, target, twin)
-    forward = origin.astype(np.int64) * num + target
-    backward = target.astype(np.int64) * num + origin
-    order = np.argsort(forward, kind="stable")
-    place = np.searchsorted(forward, backward, sorter=order).clip(max=len(order) - 1)
-    twin = order[place] if len(order) else order
-    return HalfEdges(origin, target, np.where(forward[twin] == backward, twin, -1))
+    origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    if not len(faces):
+        return HalfEdges(origin, target, origin)
+    size = 2 * (int(faces.max()) + 1,)
+    number = sparse.csr_matrix((np.arange(1, len(origin) + 1), (origin, target)), shape=size)  # from 1: 0 is no entry
+    return HalfEdges(origin, target, np.asarray(number[target, origin]).ravel() - 1)
 
 
 def next_in_ring(edges: HalfEdges) -> np.ndarray:

@@ -9,8 +9,7 @@ import msf_jax
 from msf_jax.flow import assembly
 from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import prepare
-from msf_jax.solid.openings import is_end
-from msf_jax.solid.solid import Solid
+from msf_jax.solid.solid import Solid, is_end
 
 SLOW = pytest.mark.slow  # more cases
 AROUND = 48  # corners of a tube: its area is 0.3 % below a circle's, and its inner radius 0.2 %

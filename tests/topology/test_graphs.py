@@ -8,7 +8,7 @@ from graph_cases import GRAPHS, as_edges, degrees, graphs
 from hypothesis import given, settings
 from loop_cases import NO_EDGES
 
-from msf_jax.topology.graphs import along_forest, core, loop_along, nearest_along, shortest_forest, trace
+from msf_jax.topology.graphs import core, cycles, loop_along, nearest_along, shortest_forest, trace
 
 
 def test_a_forest_takes_the_shortest_of_edges_side_by_side():
@@ -25,8 +25,9 @@ def test_sums_along_a_forest_are_those_of_its_paths():
     edges = np.array([[k, random.integers(k)] for k in range(1, 40) if k != 20])
     edges = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
     place = random.integers(-9, 9, (40, 3))
-    found = along_forest(40, edges, place[edges[:, 1]] - place[edges[:, 0]])
-    np.testing.assert_array_equal(found[edges[:, 1]] - found[edges[:, 0]], place[edges[:, 1]] - place[edges[:, 0]])
+    step = place[edges[:, 1]] - place[edges[:, 0]]
+    found = cycles(40, edges, step, np.ones(len(edges)))[2]
+    np.testing.assert_array_equal(found[edges[:, 1]] - found[edges[:, 0]], step)
     assert not found[[0, 20]].any()
 
 
