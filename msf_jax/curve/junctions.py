@@ -128,7 +128,7 @@ def _put(
     """Put the nodes ``middle`` (m,), a junction, or two and the stretch between, where the lines of their branches
     meet, and those from there to each branch's axis on the way. ``x`` (N, 3) changes only if True is returned."""
     near = np.concatenate([middle, *(each.path[: each.first] for each in axes)])
-    meet, off = _nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[near[radii[near].argmax()]])
+    meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[near[radii[near].argmax()]])
     sizes = np.array([each.size for each in axes])
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
     # ball is smaller than those of its branches.
@@ -155,7 +155,7 @@ def _put(
     return True
 
 
-def _nearest_to_lines(line: np.ndarray, ball: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def nearest_to_lines(line: np.ndarray, ball: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The point (3,) nearest to each ``line`` (B, 2, 3), a place and a direction, held at ``ball`` (3,) where these do
     not tell; and its distances (B,) from them."""
     place, direction = line[:, 0], unit(line[:, 1])

@@ -14,20 +14,17 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from scipy import spatial
+from numpy.polynomial.polynomial import polyval
 
 from msf_jax.curve import branches
-from msf_jax.skeleton.measures import profiles_of, tangents_of, volumes_of
-from msf_jax.solid.geometry import arc_length, at, nearest_to_ray, unit
+from msf_jax.curve.junctions import AXIS, Branches
+from msf_jax.skeleton.measures import limb_sections, profile_of, tangents_of, volumes_of
+from msf_jax.solid.geometry import arc_length, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-AWAY = 1.5  # radii of a junction: nearer to it, a branch still bends towards its middle
-BEYOND = 2.0  # radii of a junction: a branch's direction is taken over this length, from `AWAY` on
-LEAST_BEYOND = 1.0  # radii of a junction: the least such length, where another junction is near
-INSERTION_REACH = 3.0  # mean radii of the parent: length, in one direction, over which directions are taken
 Columns = dict[str, np.ndarray]
 
 
@@ -100,7 +97,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "least_radius": size[:, 1],
         "largest_radius": size[:, 2],
         "volume": _branch_volumes(skeleton, len(paths)),
-        "angle": _fork_angles(skeleton, paths, parent, degree),
+        "angle": _fork_angles(skeleton, paths, parent),
         "slenderness": np.array([branch.slenderness for branch in skeleton.branches], dtype=float),
         "surface": np.array([branch.surface for branch in skeleton.branches], dtype=float),
     }
@@ -116,11 +113,10 @@ def node_columns(skeleton: "Skeleton") -> Columns:
         branch[nodes], along[nodes] = number, arc_length(points)
         if len(nodes) > 1 and arc_length(points)[-1] > 0:
             tangent[nodes], curvature[nodes] = tangents_of(points, skeleton.radii[nodes])
-    sections = np.full((num, 4), np.nan)
-    known = np.isfinite(tangent).all(axis=1)
-    if skeleton.source is not None and known.any():
-        places = skeleton.vertices[known], tangent[known], skeleton.radii[known]
-        sections[known] = profiles_of(skeleton.source.solid, *places)
+    profiles = np.full((num, 4), np.nan)
+    if skeleton.source is not None:
+        for node, loop in limb_sections(skeleton.source.solid, skeleton.vertices, skeleton.edges).items():
+            profiles[node] = profile_of(loop.corners)
     return {
         "node": np.arange(num),
         **dict(zip("xyz", skeleton.vertices.T, strict=True)),
@@ -129,7 +125,7 @@ def node_columns(skeleton: "Skeleton") -> Columns:
         "along": along,
         **dict(zip(("tangent_x", "tangent_y", "tangent_z"), tangent.T, strict=True)),
         "curvature": curvature,
-        **dict(zip(("area", "perimeter", "largest_diameter", "least_diameter"), sections.T, strict=True)),
+        **dict(zip(("area", "perimeter", "largest_diameter", "least_diameter"), profiles.T, strict=True)),
     }
 
 
@@ -155,34 +151,28 @@ def _degrees_between(one: np.ndarray, other: np.ndarray) -> float:
     return float(np.degrees(np.arccos(np.clip(one @ other, -1.0, 1.0))))
 
 
-def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray, degree: np.ndarray) -> np.ndarray:
+def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+    """The direction (3,) of a path that leaves a junction at its first node, in the middle of the stretch that gives
+    its axis (see `curve.junctions`); and a place (3,) on that axis, with the length of the path up to there. Of a path
+    that is too short for an axis, its chord and its start."""
+    axis = curve.axis(path)
+    if axis is None:
+        return unit(vertices[path[-1]] - vertices[path[0]]), vertices[path[0]], 0.0
+    middle = float(axis.along[axis.first]) + AXIS / 2 * axis.size
+    place = np.asarray(polyval(middle, axis.parabola))
+    return unit(axis.parabola[1] + 2 * middle * axis.parabola[2]), place, middle
+
+
+def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
     """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
     NaN at a root."""
-    angles = np.full(len(paths), np.nan)
+    angles, curve = np.full(len(paths), np.nan), Branches(skeleton.vertices, skeleton.edges, skeleton.radii)
     for number in np.flatnonzero((parent >= 0) & [len(nodes) > 1 for nodes in paths]).tolist():
         nodes, mother = paths[number], paths[parent[number]]
         mother = mother if mother[-1] != nodes[0] else mother[::-1]
-        ahead, back = (_direction_from(skeleton, each, degree) for each in (nodes, mother))
+        ahead, back = (_heading(curve, skeleton.vertices, each)[0] for each in (nodes, mother))
         angles[number] = _degrees_between(-ahead, back)
     return angles
-
-
-def _direction_from(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> np.ndarray:
-    """(3,) the direction of a branch away from the junction at its first node.
-
-    It leaves out the part that bends towards this junction, and the part that bends towards one at the last node.
-    """
-    points = skeleton.vertices[nodes]
-    along, radius = arc_length(points), float(skeleton.radii[nodes[0]])
-    first, last = AWAY * radius, AWAY * float(skeleton.radii[nodes[-1]]) * (degree[nodes[-1]] > 2)
-    least = min(LEAST_BEYOND * radius, along[-1] / 2)
-    begin, end = first, min(first + BEYOND * radius, along[-1] - last)
-    if end - begin < least:  # centred where both junctions are equally many radii away
-        middle = along[-1] * first / (first + last) if first + last > 0 else along[-1]
-        begin = min(max(middle - least / 2, 0.0), along[-1] - least)
-        end = begin + least
-    near, far = at(points, along, np.array([begin, end]))
-    return unit(far - near)
 
 
 def _branch_volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
@@ -211,7 +201,7 @@ def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, np.ndarray]:
     its tip; the Strahler order (B,) of each branch; and the number of edges (N,) at each node."""
     paths, parent, degree = direct_branches(skeleton)
     radius = np.array([radii_without_ends(skeleton, nodes, degree)[0] for nodes in paths])
-    angle = np.nan_to_num(_fork_angles(skeleton, paths, parent, degree))
+    angle = np.nan_to_num(_fork_angles(skeleton, paths, parent))
     worth = radius * (1 + np.cos(np.radians(angle))) / 2
     after = [np.flatnonzero(parent == number).tolist() for number in range(len(paths))]
     axes: list[Axis] = []
@@ -245,9 +235,25 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
     axes, strahler, degree = axes_of(skeleton)
     num, volume = len(axes), _branch_volumes(skeleton, len(strahler))
     size = np.array([radii_without_ends(skeleton, axis.nodes, degree)[:2] for axis in axes]).reshape(num, 2)
-    along = np.array([arc_length(skeleton.vertices[axis.nodes])[-1] for axis in axes])
-    inserted = [_insert_axis(skeleton, axes, axis, size[axis.parent, 0]) for axis in axes]
-    position, angle, length = np.array(inserted).reshape(num, 3).T
+    curve, along = Branches(skeleton.vertices, skeleton.edges, skeleton.radii), np.zeros(num)
+    position, angle, length = np.full((3, num), np.nan)
+    for number, axis in enumerate(axes):
+        length[number] = along[number] = float(arc_length(skeleton.vertices[axis.nodes])[-1])
+        if axis.parent >= 0 and along[number] > 0:
+            mother = axes[axis.parent].nodes
+            points, above = skeleton.vertices[mother], arc_length(skeleton.vertices[mother])
+            # Within the parent the curve bends towards the fork, so the line of the axis is extended backwards.
+            ahead, place, begin = _heading(curve, skeleton.vertices, axis.nodes)
+            near = np.flatnonzero(np.abs(above - axis.position)[:-1] <= along[number])
+            share, feet, off = nearest_to_ray(points[np.stack([near, near + 1], axis=1)], place, -ahead)
+            best = int(off.argmin())
+            position[number] = above[near[best]] + share[best] * np.diff(above)[near[best]]
+            length[number] += float(np.linalg.norm(place - feet[best])) - begin
+            fork = int(np.abs(above - position[number]).argmin())
+            ways = ((1, mother[fork:]), (-1, mother[fork::-1]))  # the parent may bend: both ways count
+            headings = [sign * _heading(curve, skeleton.vertices, way)[0] for sign, way in ways if len(way) > 1]
+            onward = unit(np.sum(headings, axis=0))
+            angle[number] = _degrees_between(ahead, onward)
     above = _whole([axis.parent for axis in axes])
     position += np.where(above >= 0, (length - along)[above], 0.0)  # from where the parent itself begins
     internode, last = np.full(num, np.nan), dict[int, float]()
@@ -272,33 +278,6 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
         "least_radius": size[:, 1],
         "volume": np.array([volume[axis.branches].sum() for axis in axes]),
     }
-
-
-def _insert_axis(skeleton: "Skeleton", axes: list[Axis], axis: Axis, size: float) -> tuple[float, float, float]:
-    """Where ``axis`` begins on its parent, of the mean radius ``size``: the length of the parent up to there, the angle
-    between both in degrees, and the length of the axis from there; NaN and its length for a main axis.
-
-    Within its parent the curve bends towards the fork. So its first part outside is extended backwards, straight, to
-    where it is nearest to the parent."""
-    points, radii = skeleton.vertices[axis.nodes], skeleton.radii[axis.nodes]
-    along, reach = arc_length(points), INSERTION_REACH * size
-    if axis.parent < 0 or along[-1] == 0:
-        return np.nan, np.nan, float(along[-1])
-    mother = skeleton.vertices[axes[axis.parent].nodes]
-    above = arc_length(mother)
-    near = np.abs(above - axis.position) <= along[-1] + size
-    away = spatial.KDTree(mother[near]).query(points)[0]
-    outside = np.flatnonzero(away > size + radii)
-    begin = float(along[outside[0]]) if len(outside) else 0.0
-    end = min(begin + reach, float(along[-1]))
-    base, ahead = at(points, along, np.array([begin, end if end > begin else along[-1]]))
-    onward = unit(ahead - base)
-    _, feet, off = nearest_to_ray(np.stack([mother[:-1], mother[1:]], axis=1), base, -onward)
-    foot = feet[off.argmin()]
-    t = float(above[off.argmin()] + np.linalg.norm(foot - mother[off.argmin()]))
-    before, after = at(mother, above, np.clip([t - reach, t + reach], 0.0, above[-1]))
-    angle = _degrees_between(onward, unit(after - before))
-    return t, angle, float(along[-1] - begin + np.linalg.norm(base - foot))
 
 
 def cylinder_columns(skeleton: "Skeleton") -> Columns:

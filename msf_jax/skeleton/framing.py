@@ -4,12 +4,9 @@ The graph comes first. Joints whose balls are nearer than the tolerance are one,
 joint's ball is no member. A branch is cut where it bends, such that the members between (Douglas and Peucker 1973) are
 within the tolerance of it. Near a joint it bends towards the middle of the joint, and is left out.
 
-Then lines. The axis of a member is the line nearest to the centroids c of cross-sections in its middle. A joint p is
-where the axes of its members, with directions d, meet: the minimum of
-
-    sum |(I - d d^T) (p - c)|^2 + LOOSE |p - q|^2,
-
-q the place of the joint on the curve. The end of a member without a joint is where its axis leaves the solid.
+Then lines. The axis of a member is the line nearest to the centroids of its limb's cross-sections in its middle half. A
+joint is where the axes of its members meet, as junctions of a curve are (see `curve.junctions`). The end of
+a member without a joint is where its axis leaves the solid.
 
 The torsion constant is Saint-Venant's estimate from the area A and the second moments, exact for an ellipse,
 
@@ -25,20 +22,16 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
+from msf_jax.curve.junctions import nearest_to_lines
 from msf_jax.skeleton.formats.writers import number
-from msf_jax.skeleton.measures import add_corners, axes_across, section_of, sections_through
-from msf_jax.solid.geometry import arc_length, at, cross, unit
-from msf_jax.solid.solid import Solid
+from msf_jax.skeleton.measures import SectionLoop, add_corners, axes_across, limb_sections, section_of
+from msf_jax.solid.geometry import arc_length, cross, unit
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 BENT = 2.5  # median radii from a joint, within which a branch may bend without a corner
-STATIONS = 9  # cross-sections of a member; its properties are their means
-OWN = 0.5  # share of a member's length, in its middle, where cross-sections are cut: at its ends it is in the joints
-WIDER = 1.3  # of the median area: larger cross-sections are in an acute joint, too
-LOOSE = 1e-3  # weight of the place on the curve: it decides only where axes are nearly parallel
 SOLVERS = ("abaqus", "calculix")
 STEEL = (210000.0, 0.3)  # Young's modulus in N/mm^2, Poisson's ratio
 SHEAR = 0.85  # Timoshenko's shear coefficient, between that of a rectangle, 5/6, and of a disc, 0.9
@@ -122,9 +115,15 @@ def frame_of(skeleton: "Skeleton", tolerance: float) -> Frame:
     places, members, wires = trace_wires(skeleton.vertices, skeleton.edges, skeleton.radii, tolerance)
     if not wires:
         raise ConfigError(f"no branch is longer than the tolerance, {tolerance:.3g}: expected a smaller one")
-    middles, lines, areas, moments = zip(*(_measure_bar(solid, skeleton, nodes) for nodes in wires), strict=True)
+    loops = limb_sections(solid, skeleton.vertices, skeleton.edges)
+    middles, lines, areas, moments = zip(*(_measure_bar(loops, skeleton, nodes) for nodes in wires), strict=True)
     middle, along = np.array(middles), np.array(lines)
-    joints = meet_axes(places, members, middle, along)
+    joints, off_axis, axes = places.copy(), np.zeros(len(wires)), np.stack([middle, along], axis=1)
+    for joint, place in enumerate(places):
+        own = np.flatnonzero((members == joint).any(axis=1))
+        # From there again: the pull to a place beside well-determined axes is then gone.
+        joints[joint], off = nearest_to_lines(axes[own], nearest_to_lines(axes[own], place)[0])
+        off_axis[own] = np.maximum(off_axis[own], off)
     is_end = np.bincount(members.ravel()) == 1
     for member, end in np.argwhere(is_end[members]).tolist():  # carry ends to the end faces
         onward = (2 * end - 1.0) * along[member]
@@ -132,8 +131,6 @@ def frame_of(skeleton: "Skeleton", tolerance: float) -> Frame:
         length = float(solid.shape.ray_lengths(*ray)[0]) * solid.diagonal
         joints[members[member, end]] = middle[member] + length * onward
     line = unit(joints[members[:, 1]] - joints[members[:, 0]])
-    offset = joints[members] - middle[:, None]
-    off_axis = np.linalg.norm(offset - (offset @ along[:, :, None]) * along[:, None], axis=2)
     flat = axes_across(line)
     values, vectors = np.linalg.eigh(flat @ np.array(moments) @ flat.transpose(0, 2, 1))
     # The integral of x x over the section is the second moment about the other axis.
@@ -146,7 +143,7 @@ def frame_of(skeleton: "Skeleton", tolerance: float) -> Frame:
         axes=np.stack([line, one, cross(line, one)], axis=1),
         moments=values[:, ::-1],
         torsion=area**4 / (4 * np.pi**2 * values.sum(axis=1)),
-        eccentricity=off_axis.max(axis=1),
+        eccentricity=off_axis,
         variation=np.array([each.std() for each in areas]) / area,
     )
 
@@ -196,38 +193,21 @@ def _find_corners(points: np.ndarray, radii: np.ndarray, tolerance: float, is_lo
     return [0, *merged, len(points) - 1]
 
 
-def _measure_bar(solid: Solid, skeleton: "Skeleton", nodes: np.ndarray) -> tuple[np.ndarray, ...]:
+def _measure_bar(loops: dict[int, SectionLoop], skeleton: "Skeleton", nodes: np.ndarray) -> tuple[np.ndarray, ...]:
     """Of the member along ``nodes``: a point (3,) on its axis, its direction (3,), the areas (k,) of its sections, and
     their mean second moments (3, 3), the integral of x x^T over the section."""
-    path = skeleton.vertices[nodes]
-    along = arc_length(path)
-    radii = np.full(STATIONS, float(np.median(skeleton.radii[nodes])))
-    points = at(path, along, np.linspace(along[-1] * (1 - OWN) / 2, along[-1] * (1 + OWN) / 2, STATIONS))
-    middle, direction, areas, moments = points.mean(axis=0), unit(points[-1] - points[0]), np.empty(0), np.eye(3)
-    for _ in range(2):  # across the curve, then across the axis that its sections have
-        loops = sections_through(solid, points, np.tile(direction, (STATIONS, 1)), radii).values()
-        if len(loops) < 2:
-            raise ConfigError(
-                f"the member from node {nodes[0]} to {nodes[-1]} has no cross-section: expected solid bars"
-            )
-        cuts = [(loop, section_of(loop.corners)) for loop in loops]
-        widest = WIDER * np.median([section.area for _, section in cuts])
-        cuts = [cut for cut in cuts if cut[1].area <= widest]
-        areas = np.array([section.area for _, section in cuts])
-        moments = np.mean([loop.axes.T @ section.moments @ loop.axes for loop, section in cuts], axis=0)
-        centres = np.array([loop.place + section.centroid @ loop.axes for loop, section in cuts])
-        middle = centres.mean(axis=0)
-        onward = np.linalg.svd(centres - middle)[2][0]
-        direction = onward * np.sign(onward @ direction)
-        points = middle + ((points - middle) @ direction)[:, None] * direction
-    return middle, direction, areas, moments
-
-
-def meet_axes(places: np.ndarray, members: np.ndarray, middle: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """(J, 3) where the axes through ``middle`` (M, 3) along ``along`` meet at each joint."""
-    left, right = np.tile(LOOSE * np.eye(3), (len(places), 1, 1)), LOOSE * places
-    across = np.eye(3) - along[:, :, None] * along[:, None, :]
-    for end in (0, 1):
-        np.add.at(left, members[:, end], across)
-        np.add.at(right, members[:, end], np.einsum("mij,mj->mi", across, middle))
-    return np.linalg.solve(left, right[:, :, None])[:, :, 0]
+    along = arc_length(skeleton.vertices[nodes])
+    in_middle = nodes[np.abs(along - along[-1] / 2) <= along[-1] / 4]
+    own = [loops[node] for node in in_middle.tolist() if node in loops and loops[node].weight > 1 / 2]
+    if len(own) < 2:
+        raise ConfigError(
+            f"the member from node {nodes[0]} to {nodes[-1]} has no cross-sections of its own: expected solid bars, "
+            "longer than thick beyond the joints at their ends"
+        )
+    cuts = [section_of(loop.corners) for loop in own]
+    moments = np.mean([loop.axes.T @ cut.moments @ loop.axes for loop, cut in zip(own, cuts, strict=True)], axis=0)
+    centres = np.array([loop.place + cut.centroid @ loop.axes for loop, cut in zip(own, cuts, strict=True)])
+    middle = centres.mean(axis=0)
+    direction = np.linalg.svd(centres - middle)[2][0]
+    onward = skeleton.vertices[nodes[-1]] - skeleton.vertices[nodes[0]]
+    return middle, direction * np.sign(direction @ onward), np.array([cut.area for cut in cuts]), moments

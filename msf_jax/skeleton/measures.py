@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.curve import branches
+from msf_jax.curve.centring import Budget, LimbSections
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, cross, to_segment, unit
@@ -66,32 +68,42 @@ def axes_across(normals: np.ndarray) -> np.ndarray:
 
 class SectionLoop(NamedTuple):
     """The edge of a cross-section. place: (3,) of its plane. axes: (2, 3) unit vectors in the plane. corners: (n, 2)
-    along the axes from the place, counterclockwise."""
+    along the axes from the place, counterclockwise. weight: from 0 to 1, how sure it is to be that of one limb, and
+    usual along its branch.
+    """
 
     place: np.ndarray
     axes: np.ndarray
     corners: np.ndarray
+    weight: float
 
 
-def sections_through(
-    solid: Solid, points: np.ndarray, normals: np.ndarray, radii: np.ndarray
-) -> dict[int, SectionLoop]:
-    """The sections of ``solid`` through ``points`` (P, 3) across ``normals`` (P, 3), with radii of about ``radii``
-    (P,), by the number of the point; none where there is no closed loop around an area. In the caller's units.
+def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict[int, SectionLoop]:
+    """The sections of the limbs of ``solid`` across a curve ``(vertices (N, 3), edges (E, 2))``, by node; none for a
+    node where several limbs are one. In the caller's units.
 
-    A point at an opening, or so near an oblique or uneven one that the plane cuts its lid, has the section just inside
+    A node at an opening, or so near an oblique or uneven one that the plane cuts its lid, has the section just inside
     the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim.
     """
-    given = solid.enter(points)
-    entered = moved_inside(given, normals, solid.openings)
-    cut = sections.corners(solid.shape, entered, normals, radii / solid.diagonal)
-    is_whole = sections.measured(solid.shape, entered, normals, cut).is_found
-    middle, axes = points + solid.diagonal * (entered - given), axes_across(normals)
-    corners = solid.leave(cut.places(solid.shape))
-    bounds = np.searchsorted(cut.loop, np.arange(len(points) + 1))
+    shape, given, none = solid.shape, solid.enter(vertices), np.zeros(len(vertices), dtype=bool)
+    paths = branches.paths_of(given, edges, none)
+    if not paths:
+        return {}
+    size = solid.radii(vertices) / solid.diagonal
+    x = moved_inside(given, unit(branches.chords(given, paths, size) @ given), solid.openings)
+    ball, near = shape.approximate_clearance(x)
+    curve = shape, x, edges, paths, none, Budget()
+    size = LimbSections(*curve).at(x, size, ball, near)[-1]  # the first time measures limbs' sizes
+    chord, node, _, weight, _ = LimbSections(*curve).at(x, size, ball, near)
+    normal = unit(chord @ x)[node]
+    cut, axes = sections.corners(shape, x[node], normal, size[node], near[node]), axes_across(normal)
+    middle = vertices[node] + solid.diagonal * (x - given)[node]
+    corners, bounds = solid.leave(cut.places(shape)), np.searchsorted(cut.loop, np.arange(len(node) + 1))
     return {
-        k: SectionLoop(middle[k], axes[k], (corners[bounds[k] : bounds[k + 1]] - middle[k]) @ axes[k].T)
-        for k in np.flatnonzero(is_whole).tolist()
+        number: SectionLoop(at, across, (corners[first:last] - at) @ across.T, float(value))
+        for number, at, across, first, last, value in zip(
+            node.tolist(), middle, axes, bounds[:-1], bounds[1:], weight, strict=True
+        )
     }
 
 
@@ -117,22 +129,18 @@ def section_of(corners: np.ndarray) -> Section:
     return Section(float(area), start + centroid, np.asarray(pairs) / 24)
 
 
-def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """(N, 4) of the sections through ``nodes`` (N, 3) across ``tangents`` (N, 3), see `sections_through`: the area, the
-    perimeter, and the largest and least diameter between parallel lines, as measured by a calliper; NaN without one."""
-    profiles = np.full((len(nodes), 4), np.nan)
-    for node, (_, _, corners) in sections_through(solid, nodes, tangents, radii).items():
-        perimeter = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1).sum()
-        profiles[node, :2] = section_of(corners).area, perimeter
-        try:
-            hull = spatial.ConvexHull(corners)
-        except spatial.QhullError:  # all in a line, but for rounding
-            continue
-        extreme = corners[hull.vertices]
-        # The least width of a polygon is across an edge of its convex hull.
-        widths = np.ptp(extreme @ hull.equations[:, :2].T, axis=0)
-        profiles[node, 2:] = spatial.distance.pdist(extreme).max(), widths.min()
-    return profiles
+def profile_of(corners: np.ndarray) -> tuple[float, float, float, float]:
+    """Of the polygon ``corners`` (n, 2): the area, the perimeter, and the largest and least diameter between parallel
+    lines, as measured by a calliper; NaN for these if all corners are in a line."""
+    perimeter = float(np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1).sum())
+    try:
+        hull = spatial.ConvexHull(corners)
+    except spatial.QhullError:  # all in a line, but for rounding
+        return section_of(corners).area, perimeter, np.nan, np.nan
+    extreme = corners[hull.vertices]
+    # The least width of a polygon is across an edge of its convex hull.
+    widths = np.ptp(extreme @ hull.equations[:, :2].T, axis=0)
+    return section_of(corners).area, perimeter, float(spatial.distance.pdist(extreme).max()), float(widths.min())
 
 
 def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
@@ -162,21 +170,21 @@ def volumes_of(
     the nearest if None. A face longer than the limb is thick, by the ``radii`` (N,), is split, and its new corners
     belong to the nearest node.
     """
-    branches = graphs.trace(len(nodes), edges)
+    traced = graphs.trace(len(nodes), edges)
     branch = np.full(len(nodes), -1)
-    for number, path in reversed(list(enumerate(branches))):
+    for number, path in reversed(list(enumerate(traced))):
         branch[path] = number
     corners, tree = shape.triangles, spatial.KDTree(nodes)
     node = np.asarray(tree.query(shape.vertices)[1] if node_of_vertex is None else node_of_vertex)[shape.faces]
-    volume = np.zeros(len(branches))
+    volume = np.zeros(len(traced))
     for _ in range(MOST_SPLITS):
         longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
         is_long = longest > LONGEST_FACE * radii[node].max(axis=1)
         if not is_long.any() or len(corners) > MOST_FACES:
             break
-        volume += swept_volumes(corners[~is_long], nodes[node[~is_long]], branch[node[~is_long, 0]], len(branches))
+        volume += swept_volumes(corners[~is_long], nodes[node[~is_long]], branch[node[~is_long, 0]], len(traced))
         corners, node = corners[is_long], node[is_long]
         middle = (corners + np.roll(corners, -1, axis=1)) / 2  # of the sides, from each corner to the next one
         corners = np.concatenate([corners, middle], axis=1)[:, PARTS].reshape(-1, 3, 3)
         node = np.concatenate([node, np.asarray(tree.query(middle)[1])], axis=1)[:, PARTS].reshape(-1, 3)
-    return volume + swept_volumes(corners, nodes[node], branch[node[:, 0]], len(branches))
+    return volume + swept_volumes(corners, nodes[node], branch[node[:, 0]], len(traced))

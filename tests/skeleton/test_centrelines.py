@@ -12,7 +12,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError
-from msf_jax.skeleton.measures import profiles_of, swept_volumes, tangents_of
+from msf_jax.skeleton.measures import swept_volumes, tangents_of
 from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
 from msf_jax.solid.solid import Solid
 from tests.benchmarks import ground_truth
@@ -68,15 +68,16 @@ def test_the_section_of_an_elliptic_tube_has_its_area_and_diameters():
     squeeze = turn.T @ np.diag([1.0, 2.0, 0.5]) @ turn
     mesh = trimesh.Trimesh(shape.mesh.vertices @ squeeze.T, shape.mesh.faces, process=False)
     nodes = shape.points[0] + np.linspace(0.2, 0.8, 9)[:, None] * axis
-    tangents = np.tile(axis / np.linalg.norm(axis), (9, 1))
-    found = profiles_of(Solid(mesh.vertices, mesh.faces), nodes, tangents, np.full(9, 0.1))
-    area, perimeter, largest, least = found.T
+    skeleton = measured(nodes, chain(9), mesh)
+    found = skeleton.columns("nodes")
+    area, perimeter, largest, least = (
+        found[name] for name in ("area", "perimeter", "largest_diameter", "least_diameter")
+    )
     np.testing.assert_allclose(area, np.pi * 0.12**2, rtol=0.02)  # of 24 corners: 1.1 % less than the disc
     np.testing.assert_allclose(largest, 4 * 0.12, rtol=0.01)
     np.testing.assert_allclose(least, 0.12, rtol=0.02)
     ellipse = np.pi * 0.12 * (3 * 2.5 - np.sqrt((3 * 2 + 0.5) * (2 + 3 * 0.5)))  # Ramanujan's
     np.testing.assert_allclose(perimeter, ellipse, rtol=0.01)
-    skeleton = measured(nodes, chain(9), mesh)
     round_ = skeleton.with_radii("section")
     np.testing.assert_allclose(round_.radii, 0.12, rtol=0.01)
     assert (skeleton.radii < 0.065).all() and round_.radius_of == "section"
@@ -195,5 +196,7 @@ def test_the_diameters_of_a_flat_section_do_not_depend_on_how_it_is_turned(turn)
     """A bar of 10 x 1 x 0.1: its diagonal and its thickness."""
     mesh = trimesh.creation.box([1.0, 0.1, 10.0])
     mesh.apply_transform(trimesh.transformations.rotation_matrix(turn, [0, 0, 1]))
-    found = profiles_of(Solid(mesh.vertices, mesh.faces), np.zeros((1, 3)), np.array([[0.0, 0, 1]]), np.array([0.05]))
-    np.testing.assert_allclose(found[0, 2:], [np.hypot(1, 0.1), 0.1], rtol=1e-6)
+    nodes = np.linspace(-4, 4, 9)[:, None] * [0.0, 0, 1]
+    found = measured(nodes, chain(9), mesh).columns("nodes")
+    np.testing.assert_allclose(found["largest_diameter"], np.hypot(1, 0.1), rtol=1e-6)
+    np.testing.assert_allclose(found["least_diameter"], 0.1, rtol=1e-6)
