@@ -2,8 +2,6 @@
 
 from typing import Any, NamedTuple
 
-from msf_jax.base.layout import Layout
-
 
 class Mixing(NamedTuple):
     """A sparse matrix by its entries (e,): ``share`` for positions, ``blend`` for weights."""
@@ -15,15 +13,12 @@ class Mixing(NamedTuple):
 
 
 class Polynomial(NamedTuple):
-    """The filter sum_j share_j T_j(1 - 2 L / top) of the graph Laplacian L on packed rows; a constant linear map.
+    """The filter sum_j share_j T_j(1 - 2 L / top) of the graph Laplacian L on n rows; a constant linear map.
 
-    vertex: (n,) the vertex of each row. row: (V,) the row of each vertex. neighbour, is_used: (S,). degree: (n,).
+    neighbour: (n, K) rows, of which the first ``degree`` (n,) count.
     """
 
-    vertex: Any
-    row: Any
     neighbour: Any
-    is_used: Any
     degree: Any
     share: Any
     top: Any
@@ -88,10 +83,3 @@ class Part(NamedTuple):
     centre: Any
     diagonal: Any
     axes: Any
-
-
-class Shape(NamedTuple):
-    """The static part of a component's tape: the layouts of its stretches and of its mesh filter's rings."""
-
-    layouts: tuple[Layout, ...]
-    mesh_layout: Layout | None

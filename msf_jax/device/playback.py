@@ -14,32 +14,37 @@ import jax
 import jax.numpy as jnp
 from jax import lax
 
-from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Shape, Stretch
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import Layout
 from msf_jax.base.options import StepSettings, Weights
 from msf_jax.device import laplacian
-from msf_jax.device.buffers import Buffers, Rings, slot_product
+from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.cg import keeps_solutions
 from msf_jax.device.iteration import move
 
 CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
 
 
-@partial(jax.jit, static_argnames=("shape", "settings"))
+@partial(jax.jit, static_argnames=("layouts", "settings"))
 def replay_part(
-    part: Part, weights: Weights, vertices: jax.Array, moved: jax.Array, shape: Shape, settings: StepSettings
+    part: Part,
+    weights: Weights,
+    vertices: jax.Array,
+    moved: jax.Array,
+    layouts: tuple[Layout, ...],
+    settings: StepSettings,
 ) -> tuple[jax.Array, jax.Array]:
     """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
 
     ``weights``: scalars, or one value for each of the caller's vertices. ``vertices`` (V, 3): of the caller's mesh.
-    ``moved`` (V, 3): their displacement from the recorded vertices.
+    ``moved`` (V, 3): their displacement from the recorded vertices. ``layouts``: of the stretches.
     Differentiable in: weights, vertices together with moved.
     """
     start = jnp.asarray(part.vertices) + (moved[part.vertex_of_input] / part.diagonal) @ part.axes.T
-    place, site_of_pole = _first_rows(part, weights, start, shape)
+    place, site_of_pole = _first_rows(part, weights, start)
     poles = _poles(part, site_of_pole)
     workspace, area = place, jnp.ones(len(place), place.dtype)
-    for number, (stretch, layout) in enumerate(zip(part.stretches, shape.layouts, strict=True)):
+    for number, (stretch, layout) in enumerate(zip(part.stretches, layouts, strict=True)):
         if settings.w_H_follows_area:  # then no edge is edited, and rows are the same in all stretches
             rings = Rings(*(table[-1] for table in stretch.rings))
             first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
@@ -54,10 +59,10 @@ def replay_part(
     return meso, jnp.where(part.is_held[:, None], pins, nodes)
 
 
-def _first_rows(part: Part, weights: Weights, start: jax.Array, shape: Shape) -> tuple[jax.Array, jax.Array]:
+def _first_rows(part: Part, weights: Weights, start: jax.Array) -> tuple[jax.Array, jax.Array]:
     """Position and weights (n, 3 + 4) of the rows at the start of the flow, and the sites of their poles (n, 3)."""
     if part.mesh_filter is not None:
-        kept = _filtered(part.mesh_filter, start, shape.mesh_layout)
+        kept = _filtered(part.mesh_filter, start)
         start = jnp.where(part.is_pin[:, None], start, kept)
     num = len(part.tetrahedron)
     positions = _mixed(part.gather, start, num, part.gather.share)
@@ -69,7 +74,7 @@ def _first_rows(part: Part, weights: Weights, start: jax.Array, shape: Shape) ->
         columns.append(jnp.broadcast_to(weight, num))
     sites = positions
     if part.site_filter is not None:
-        sites = _filtered(part.site_filter, positions, shape.layouts[0] if shape.layouts else None)
+        sites = _filtered(part.site_filter, positions)
     return jnp.concatenate([positions, jnp.stack(columns, axis=1)], axis=1), sites
 
 
@@ -77,23 +82,24 @@ def _mixed(mixing: Mixing, values: jax.Array, num: int, share: Any) -> jax.Array
     return jax.ops.segment_sum(share[:, None] * values[mixing.column], mixing.row, num)
 
 
-def _filtered(kept: Polynomial | Basis, x: jax.Array, layout: Any) -> jax.Array:
+def _filtered(kept: Polynomial | Basis, x: jax.Array) -> jax.Array:
     if isinstance(kept, Basis):
         num = kept.basis.shape[0]  # padded rows come after the vertices
         return x.at[:num].set(kept.basis @ (kept.basis.T @ x[:num]))
-    used = jnp.asarray(kept.is_used).astype(x.dtype)
+    num, width = kept.neighbour.shape
     degree = jnp.asarray(kept.degree, x.dtype)[:, None]
+    used = (jnp.arange(width) < degree).astype(x.dtype)[:, :, None]
 
     def cosine(y: jax.Array) -> jax.Array:
-        return y - 2 / kept.top * (degree * y - slot_product(layout, used, kept.neighbour, y))
+        return y - 2 / kept.top * (degree * y - (used * y[kept.neighbour]).sum(axis=1))
 
     def term(carry: tuple[jax.Array, ...], share: jax.Array) -> tuple[tuple[jax.Array, ...], None]:
         before, now, total = carry
         return (now, 2 * cosine(now) - before, total + share * now), None
 
-    rows = x[kept.vertex]
+    rows = x[:num]
     carry = cosine(rows), rows, jnp.zeros_like(rows)
-    return lax.scan(term, carry, jnp.asarray(kept.share, x.dtype))[0][2][kept.row]
+    return x.at[:num].set(lax.scan(term, carry, jnp.asarray(kept.share, x.dtype))[0][2])
 
 
 def _poles(part: Part, sites: jax.Array) -> jax.Array:

@@ -13,8 +13,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
-from msf_jax.base.decisions import Shape
 from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.base.layout import Layout
 from msf_jax.base.options import StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.nearest import clearance
@@ -107,20 +107,22 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
     solvers = [changed(run.solver, tolerance=t, max_steps=MOST_STEPS, preconditioner="jacobi") for t in (tight, loose)]
     settings = tuple(changed(run, solver=solver) for solver in solvers)
     results = [
-        _replayed_part(shape, settings, (part, weights, given + moved, moved))
-        for part, shape in zip(tape.parts, tape.shapes, strict=True)
+        _replayed_part(layouts, settings, (part, weights, given + moved, moved))
+        for part, layouts in zip(tape.parts, tape.layouts, strict=True)
     ]
     meso, nodes = map(jnp.concatenate, zip(*results, strict=True))
     return meso, nodes
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0, 1))
-def _replayed_part(shape: Shape, settings: tuple[StepSettings, ...], arguments: Any) -> tuple[jax.Array, jax.Array]:
+def _replayed_part(
+    layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...], arguments: Any
+) -> tuple[jax.Array, jax.Array]:
     """`replay_part` with the first of ``settings``. Under differentiation, value and derivative use the second."""
-    return replay_part(*arguments, shape, settings[0])
+    return replay_part(*arguments, layouts, settings[0])
 
 
-def _derivative(shape: Shape, settings: tuple[StepSettings, ...], primals: Any, tangents: Any) -> Any:
+def _derivative(layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...], primals: Any, tangents: Any) -> Any:
     leaves, structure = jax.tree_util.tree_flatten(primals[0])
     slopes = structure.flatten_up_to(tangents[0])
     places = [number for number, slope in enumerate(slopes) if not isinstance(slope, SymbolicZero)]
@@ -129,7 +131,7 @@ def _derivative(shape: Shape, settings: tuple[StepSettings, ...], primals: Any, 
         every = list(leaves)
         for place, value in zip(places, live, strict=True):
             every[place] = value
-        return replay_part(*jax.tree_util.tree_unflatten(structure, every), shape, settings[1])
+        return replay_part(*jax.tree_util.tree_unflatten(structure, every), layouts, settings[1])
 
     return jax.jvp(of_live, [leaves[place] for place in places], [slopes[place] for place in places])
 

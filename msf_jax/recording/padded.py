@@ -7,13 +7,13 @@ row, however many rounds there were. A split is not linear: its place, the proje
 three rows are recorded.
 """
 
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 from typing import Any
 
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Shape, Stretch
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import Layout, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
@@ -22,13 +22,11 @@ from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import ComponentRecord, FoundPoles, Step
 
 LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
-WORTH_A_LAYOUT = 0.7  # ratio of the cost of two layouts to that of one, below which two are compiled
 
 
-def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
-    """The tape of a component, and the layouts of its stretches and of its mesh filter."""
+def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]:
+    """The tape of a component, and the layouts of its stretches."""
     start, steps, num = record.start, record.steps, len(record.vertices)
-    kept = start.found.kept if start.found else None
     place, blend = edit_matrices(start.edits, num)
     plan = layouts_of(steps)
     order, capacity = (steps[0].order, plan[0][2].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
@@ -37,7 +35,12 @@ def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
     for first, last, layout in plan:
         stretch, row, site = record_stretch(steps[first:last], layout, row, site)
         stretches.append(stretch)
-    mesh_filter, mesh_layout = record_mesh_filter(start.mesh_filter, record.vertices, record.faces)
+    mesh_filter = site_filter = None
+    if start.mesh_filter:
+        meso = Meso.from_mesh(record.vertices, record.faces)
+        mesh_filter = record_filter(start.mesh_filter, np.arange(num), meso.rings, meso.degree)
+    if start.found and start.found.kept and steps:
+        site_filter = record_filter(start.found.kept, order, steps[0].rings, steps[0].degree)
     is_node = record.node_of_meso >= 0
     node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
     share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
@@ -49,7 +52,7 @@ def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
         is_pin=np.isin(np.arange(num), record.pins),
         mesh_filter=mesh_filter,
         gather=entries(place[order], blend[order]),
-        site_filter=record_site_filter(kept, steps[0], plan[0][2]) if kept and steps else None,
+        site_filter=site_filter,
         **record_poles(start.found, order, capacity),
         stretches=tuple(stretches),
         meso_row=row.astype(np.int32),
@@ -62,33 +65,23 @@ def record_component(record: ComponentRecord) -> tuple[Part, Shape]:
         diagonal=np.asarray(record.frame.diagonal),
         axes=record.frame.axes,
     )
-    return part, Shape(tuple(layout for *_, layout in plan), mesh_layout)
+    return part, tuple(layout for *_, layout in plan)
 
 
 def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
-    """One or two layouts for the iterations, whichever are cheaper, each after its first one and the first beyond it.
-
-    Each layout takes seconds to compile. But a surface shrinks fast, and with one layout for all iterations, the late
-    ones would consist mostly of padding.
-    """
-    beyond = [packing.rows_beyond(step.degree) for step in steps]
-    table = np.zeros((len(steps), max(map(len, beyond), default=0)), dtype=np.int64)
-    for line, counts in zip(table, beyond, strict=True):
-        line[: len(counts)] = counts
+    """One or two layouts for the iterations, whichever have fewer slots, each after its first one and the first beyond
+    it. Each takes seconds to compile, but with one for all, the late iterations would consist mostly of padding."""
 
     def planned(*bounds: int) -> list[tuple[int, int, Layout]]:
         plan = []
         for first, last in pairwise(bounds):
-            most, count = table[first:last].max(axis=0), max(len(step.order) for step in steps[first:last])
-            plan.append((first, last, layout_for(count, most[most > 0].tolist())))
+            beyond = zip_longest(*(packing.rows_beyond(step.degree) for step in steps[first:last]), fillvalue=0)
+            most = max(len(step.order) for step in steps[first:last])
+            plan.append((first, last, layout_for(most, list(map(max, beyond)))))
         return plan
 
-    def cost(plan: list[tuple[int, int, Layout]]) -> int:
-        return sum((last - first) * layout.num_slots for first, last, layout in plan)
-
-    whole = planned(0, len(steps)) if steps else []
-    best = min((planned(0, k, len(steps)) for k in range(1, len(steps))), key=cost, default=whole)
-    return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
+    plans = [planned(0, *cut, len(steps)) for cut in [(), *((k,) for k in range(1, len(steps)))]] if steps else [[]]
+    return min(plans, key=lambda plan: sum((last - first) * layout.num_slots for first, last, layout in plan))
 
 
 def record_stretch(
@@ -186,36 +179,12 @@ def entries(place: Any, blend: Any) -> Mixing:
     return Mixing(row.astype(np.int32), column.astype(np.int32), *shares)
 
 
-def record_site_filter(kept: LowPass, first: Step, layout: Layout) -> Basis | Polynomial:
-    """The filter of the sites of poles, for the first rows of the flow."""
+def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> Basis | Polynomial:
+    """The filter on vertices ``order`` (n,), with neighbours ``rings`` (n, K), of which ``degree`` (n,) count."""
     if kept.basis is not None:
-        return Basis(packing.pad(kept.basis[first.order], layout.capacity, 0, kept.basis.dtype))
-    own = np.arange(layout.capacity)
-    return _polynomial(kept, packing.slots(first.rings, first.degree, layout), first.degree, own, own)
-
-
-def record_mesh_filter(
-    kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray
-) -> tuple[Basis | Polynomial | None, Layout | None]:
-    """The filter of the mesh itself, with its own one-rings, and their layout."""
-    if kept is None:
-        return None, None
-    if kept.basis is not None:
-        return Basis(kept.basis), None
-    meso = Meso.from_mesh(vertices, faces)
-    layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
-    order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
-    vertex = packing.pad(order, layout.capacity, 0, order.dtype)
-    return _polynomial(kept, fields["rings"], fields["degree"], vertex, np.argsort(order)), layout
-
-
-def _polynomial(
-    kept: LowPass, rings: tuple[np.ndarray, ...], degree: np.ndarray, vertex: np.ndarray, row: np.ndarray
-) -> Polynomial:
-    neighbour, _, _, is_used = rings
-    degree = packing.pad(degree, len(vertex), 0, np.dtype(np.float64))
-    ids = vertex.astype(np.int32), row.astype(np.int32), neighbour
-    return Polynomial(*ids, is_used, degree, kept.share, np.asarray(kept.top))
+        return Basis(kept.basis[order])
+    rings = np.where(np.arange(rings.shape[1]) < degree[:, None], rings, 0)
+    return Polynomial(rings.astype(np.int32), degree.astype(np.float64), kept.share, np.asarray(kept.top))
 
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
@@ -228,17 +197,14 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
     corner, is_inside = found.sites[found.tetrahedron], found.is_inside[:, None]
-    a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
-    square = [np.einsum("ij,ij->i", edge, edge) for edge in (a, b, c)]
-    determinant = np.einsum("ij,ij->i", a, np.cross(b, c))
-    has_volume = np.abs(determinant) > LEAST_DETERMINANT * np.sqrt(square[0] * square[1] * square[2])
-    is_firm = found.is_inside & has_volume
-    sum_ = sum(s[:, None] * n for s, n in zip(square, (np.cross(b, c), np.cross(c, a), np.cross(a, b)), strict=True))
-    centre = corner[:, 0] + sum_ / (2 * np.where(is_firm, determinant, 1.0))[:, None]
-    offset = found.poles - np.where(is_firm[:, None], centre, corner.mean(axis=1))
+    edges = corner[:, 1:] - corner[:, :1]
+    square, determinant = (edges * edges).sum(axis=2), np.linalg.det(edges)
+    is_firm = found.is_inside & (np.abs(determinant) > LEAST_DETERMINANT * np.sqrt(square.prod(axis=1)))
+    centre = corner.mean(axis=1)
+    centre[is_firm] = corner[is_firm, 0] + np.linalg.solve(edges[is_firm], square[is_firm, :, None] / 2)[:, :, 0]
     fields = {
         "tetrahedron": np.where(is_inside, np.argsort(order)[found.tetrahedron], 0).astype(np.int32),
         "is_firm": is_firm,
-        "offset": np.where(is_inside, offset, 0.0),
+        "offset": np.where(is_inside, found.poles - centre, 0.0),
     }
     return {name: packing.pad(values[order], capacity, 0, values.dtype) for name, values in fields.items()}
