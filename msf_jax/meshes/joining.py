@@ -340,7 +340,7 @@ def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
 
     shape = Enclosure(vertices, faces)
     crossed = shape.crossed
-    if not crossed.num:
+    if not len(crossed.pairs):
         return Untangled(vertices, faces)
     places = _places(shape, crossed.pairs)
     whole, boxes, strands = solid_of(vertices, faces), [], []
@@ -373,7 +373,7 @@ def arrays_of(solid: "Manifold") -> MeshArrays:
 
 def _is_simple(piece: "Manifold") -> bool:
     """Whether a piece is a solid, no cavity, and does not cross itself."""
-    return piece.volume() > 0 and not Enclosure(*arrays_of(piece)).crossed.num
+    return piece.volume() > 0 and not Enclosure(*arrays_of(piece)).crossed.pairs.size
 
 
 def _places(shape: Enclosure, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:

@@ -1048,954 +1048,347 @@ define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
   %31 = load i64, ptr %30, align 8
   %32 = getelementptr i8, ptr %0, i64 208
   %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr i8, ptr %0, i64 216
-  %35 = load i64, ptr %34, align 8
-  %36 = getelementptr i8, ptr %0, i64 224
-  %37 = load ptr, ptr %36, align 8
-  %38 = getelementptr i8, ptr %0, i64 232
-  %39 = load i64, ptr %38, align 8
-  %40 = icmp slt i64 %4, 1
-  br i1 %40, label %327, label %41
-41:
-  %42 = getelementptr i8, ptr %0, i64 136
-  %43 = load i64, ptr %42, align 8
-  %44 = getelementptr i8, ptr %0, i64 40
+  %34 = getelementptr i8, ptr %0, i64 224
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 232
+  %37 = load i64, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 240
+  %39 = load ptr, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 248
+  %41 = load i64, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 256
+  %43 = load ptr, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 264
   %45 = load i64, ptr %44, align 8
-  %46 = mul i64 %45, %10
-  %47 = shl i64 %10, 4
-  %48 = getelementptr i8, ptr %8, i64 %47
-  %49 = mul i64 %43, %21
-  %50 = shl i64 %21, 4
-  br label %128
-51:
-  %52 = add nuw nsw i64 %130, 1
-  %53 = icmp eq i64 %52, %4
-  br i1 %53, label %327, label %128
-54:
-  %55 = phi i64 [ %110, %105 ], [ %185, %182 ]
-  %56 = phi i64 [ %106, %105 ], [ %184, %182 ]
-  %57 = shl i64 %55, 3
-  %58 = getelementptr i8, ptr %23, i64 %57
-  %59 = getelementptr i8, ptr %58, i64 8
-  %60 = load double, ptr %59, align 8
-  %61 = fcmp ogt double %60, %167
-  br i1 %61, label %114, label %62
-62:
-  %63 = getelementptr i8, ptr %58, i64 16
-  %64 = load double, ptr %63, align 8
-  %65 = fcmp ogt double %64, %170
-  br i1 %65, label %114, label %66
-66:
-  %67 = getelementptr i8, ptr %58, i64 24
-  %68 = load double, ptr %67, align 8
-  %69 = fcmp olt double %68, %155
-  br i1 %69, label %114, label %70
-70:
-  %71 = getelementptr i8, ptr %58, i64 32
-  %72 = load double, ptr %71, align 8
-  %73 = fcmp olt double %72, %158
-  br i1 %73, label %114, label %74
-74:
-  %75 = getelementptr i8, ptr %58, i64 40
-  %76 = load double, ptr %75, align 8
-  %77 = fcmp uge double %76, %161
-  br i1 %77, label %78, label %114
-78:
-  %79 = icmp slt i64 %56, %31
-  br i1 %79, label %105, label %189
-80:
-  %81 = fcmp ogt double %299, %296
-  %82 = select i1 %81, double %299, double %296
-  %83 = fcmp ogt double %293, %82
-  %84 = select i1 %83, double %293, double %82
-  %85 = fcmp ugt double %84, 0.000000e+00
-  br i1 %85, label %114, label %86
-86:
-  %87 = tail call double @llvm.fabs.f64(double %301)
-  %88 = fmul double %290, 0x3D06849B86A12B9B
-  %89 = fcmp ogt double %87, %88
-  br i1 %89, label %307, label %114
-90:
-  %91 = load double, ptr %181, align 8
-  %92 = fcmp ugt double %325, %91
-  br i1 %92, label %114, label %93
-93:
-  %94 = icmp slt i64 %183, %35
-  br i1 %94, label %95, label %103
-95:
-  %96 = icmp slt i64 %183, 0
-  %97 = select i1 %96, i64 %35, i64 0
-  %98 = getelementptr i64, ptr %33, i64 %183
-  %99 = getelementptr i64, ptr %98, i64 %97
-  store i64 %130, ptr %99, align 8
-  %100 = select i1 %96, i64 %39, i64 0
-  %101 = getelementptr double, ptr %37, i64 %183
-  %102 = getelementptr double, ptr %101, i64 %100
-  store double %325, ptr %102, align 8
-  br label %103
-103:
-  %104 = add nsw i64 %183, 1
-  br label %114
-105:
-  %106 = shl nsw i64 %56, 1
-  %107 = icmp slt i64 %56, 0
-  %108 = select i1 %107, i64 %25, i64 0
-  %109 = add i64 %108, %106
-  %110 = mul i64 %109, %27
-  %111 = getelementptr double, ptr %23, i64 %110
-  %112 = load double, ptr %111, align 8
-  %113 = fcmp ogt double %112, %164
-  br i1 %113, label %114, label %54
-114:
-  %115 = phi i64 [ %56, %103 ], [ %56, %80 ], [ %56, %86 ], [ %56, %307 ], [ %56, %90 ], [ %184, %182 ], [ %56, %74 ], [ %56, %70 ], [ %56, %66 ], [ %56, %62 ], [ %56, %54 ], [ %106, %105 ]
-  %116 = phi i64 [ %104, %103 ], [ %183, %80 ], [ %183, %86 ], [ %183, %307 ], [ %183, %90 ], [ %183, %182 ], [ %183, %54 ], [ %183, %62 ], [ %183, %66 ], [ %183, %70 ], [ %183, %74 ], [ %183, %105 ]
-  %117 = add nsw i64 %115, 1
-  %118 = and i64 %115, 1
-  %119 = icmp eq i64 %118, 0
-  br i1 %119, label %125, label %120
-120:
-  %121 = phi i64 [ %122, %120 ], [ %117, %114 ]
-  %122 = ashr i64 %121, 1
-  %123 = and i64 %121, 2
-  %124 = icmp eq i64 %123, 0
-  br i1 %124, label %120, label %125
-125:
-  %126 = phi i64 [ %117, %114 ], [ %122, %120 ]
-  %127 = icmp sgt i64 %126, 1
-  br i1 %127, label %182, label %51
-128:
-  %129 = phi i64 [ 0, %41 ], [ %116, %51 ]
-  %130 = phi i64 [ 0, %41 ], [ %52, %51 ]
-  %131 = mul i64 %130, %6
-  %132 = getelementptr double, ptr %2, i64 %131
-  %133 = load double, ptr %132, align 8
-  %134 = getelementptr i8, ptr %132, i64 8
-  %135 = load double, ptr %134, align 8
-  %136 = getelementptr i8, ptr %132, i64 16
-  %137 = load double, ptr %136, align 8
-  %138 = getelementptr double, ptr %13, i64 %130
-  %139 = load double, ptr %138, align 8
-  %140 = mul i64 %46, %130
-  %141 = getelementptr double, ptr %48, i64 %140
-  %142 = load double, ptr %141, align 8
-  %143 = fmul double %139, %142
-  %144 = fadd double %133, %143
-  %145 = getelementptr i8, ptr %141, i64 8
-  %146 = load double, ptr %145, align 8
-  %147 = fmul double %139, %146
-  %148 = fadd double %135, %147
-  %149 = getelementptr i8, ptr %141, i64 16
-  %150 = load double, ptr %149, align 8
-  %151 = fmul double %139, %150
-  %152 = fadd double %137, %151
-  %153 = fcmp olt double %144, %133
-  %154 = select i1 %153, double %144, double %133
-  %155 = fsub double %154, %15
-  %156 = fcmp olt double %148, %135
-  %157 = select i1 %156, double %148, double %135
-  %158 = fsub double %157, %15
-  %159 = fcmp olt double %152, %137
-  %160 = select i1 %159, double %152, double %137
-  %161 = fsub double %160, %15
-  %162 = fcmp ogt double %144, %133
-  %163 = select i1 %162, double %144, double %133
-  %164 = fadd double %15, %163
-  %165 = fcmp ogt double %148, %135
-  %166 = select i1 %165, double %148, double %135
-  %167 = fadd double %15, %166
-  %168 = fcmp ogt double %152, %137
-  %169 = select i1 %168, double %152, double %137
-  %170 = fadd double %15, %169
-  %171 = getelementptr double, ptr %8, i64 %140
-  %172 = getelementptr i8, ptr %171, i64 8
-  %173 = getelementptr i8, ptr %171, i64 16
-  %174 = getelementptr i8, ptr %171, i64 %11
-  %175 = getelementptr i8, ptr %174, i64 8
-  %176 = getelementptr i8, ptr %174, i64 16
-  %177 = getelementptr i8, ptr %171, i64 %47
-  %178 = getelementptr i8, ptr %177, i64 8
-  %179 = getelementptr i8, ptr %177, i64 16
-  %180 = shl i64 %130, 3
-  %181 = getelementptr i8, ptr %13, i64 %180
-  br label %182
-182:
-  %183 = phi i64 [ %116, %125 ], [ %129, %128 ]
-  %184 = phi i64 [ %126, %125 ], [ 1, %128 ]
-  %185 = mul i64 %184, %27
-  %186 = getelementptr double, ptr %23, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = fcmp ogt double %187, %164
-  br i1 %188, label %114, label %54
-189:
-  %190 = sub nsw i64 %56, %31
-  %191 = getelementptr i64, ptr %29, i64 %190
-  %192 = load i64, ptr %191, align 8
-  %193 = icmp slt i64 %192, 0
-  %194 = select i1 %193, i64 %19, i64 0
-  %195 = add i64 %194, %192
-  %196 = mul i64 %49, %195
-  %197 = getelementptr double, ptr %17, i64 %196
-  %198 = load double, ptr %197, align 8
-  %199 = getelementptr i8, ptr %197, i64 8
-  %200 = load double, ptr %199, align 8
-  %201 = getelementptr i8, ptr %197, i64 16
-  %202 = load double, ptr %201, align 8
-  %203 = fsub double %198, %133
-  %204 = fsub double %200, %135
-  %205 = fsub double %202, %137
-  %206 = load double, ptr %171, align 8
-  %207 = load double, ptr %172, align 8
-  %208 = load double, ptr %173, align 8
-  %209 = fmul double %203, %206
-  %210 = fmul double %205, %208
-  %211 = fadd double %209, %210
-  %212 = fmul double %204, %207
-  %213 = fadd double %212, %211
-  %214 = load double, ptr %174, align 8
-  %215 = load double, ptr %175, align 8
-  %216 = load double, ptr %176, align 8
-  %217 = fmul double %203, %214
-  %218 = fmul double %205, %216
-  %219 = fadd double %217, %218
-  %220 = fmul double %204, %215
-  %221 = fadd double %220, %219
-  %222 = load double, ptr %177, align 8
-  %223 = load double, ptr %178, align 8
-  %224 = load double, ptr %179, align 8
-  %225 = fmul double %203, %222
-  %226 = fmul double %205, %224
-  %227 = fadd double %225, %226
-  %228 = fmul double %204, %223
-  %229 = fadd double %228, %227
-  %230 = getelementptr double, ptr %197, i64 %21
-  %231 = load double, ptr %230, align 8
-  %232 = getelementptr i8, ptr %230, i64 8
-  %233 = load double, ptr %232, align 8
-  %234 = getelementptr i8, ptr %230, i64 16
-  %235 = load double, ptr %234, align 8
-  %236 = fsub double %231, %133
-  %237 = fsub double %233, %135
-  %238 = fsub double %235, %137
-  %239 = fmul double %206, %236
-  %240 = fmul double %208, %238
-  %241 = fadd double %239, %240
-  %242 = fmul double %207, %237
-  %243 = fadd double %242, %241
-  %244 = fmul double %214, %236
-  %245 = fmul double %216, %238
-  %246 = fadd double %244, %245
-  %247 = fmul double %215, %237
-  %248 = fadd double %247, %246
-  %249 = fmul double %222, %236
-  %250 = fmul double %224, %238
-  %251 = fadd double %249, %250
-  %252 = fmul double %223, %237
-  %253 = fadd double %252, %251
-  %254 = getelementptr i8, ptr %197, i64 %50
-  %255 = load double, ptr %254, align 8
-  %256 = getelementptr i8, ptr %254, i64 8
-  %257 = load double, ptr %256, align 8
-  %258 = getelementptr i8, ptr %254, i64 16
-  %259 = load double, ptr %258, align 8
-  %260 = fsub double %255, %133
-  %261 = fsub double %257, %135
-  %262 = fsub double %259, %137
-  %263 = fmul double %206, %260
-  %264 = fmul double %208, %262
-  %265 = fadd double %263, %264
-  %266 = fmul double %207, %261
-  %267 = fadd double %266, %265
-  %268 = fmul double %214, %260
-  %269 = fmul double %216, %262
-  %270 = fadd double %268, %269
-  %271 = fmul double %215, %261
-  %272 = fadd double %271, %270
-  %273 = fmul double %222, %260
-  %274 = fmul double %224, %262
-  %275 = fadd double %273, %274
-  %276 = fmul double %223, %261
-  %277 = fadd double %276, %275
-  %278 = fmul double %213, %213
-  %279 = fmul double %221, %221
-  %280 = fadd double %278, %279
-  %281 = fmul double %243, %243
-  %282 = fmul double %248, %248
-  %283 = fadd double %281, %282
-  %284 = fmul double %267, %267
-  %285 = fmul double %272, %272
-  %286 = fadd double %284, %285
-  %287 = fcmp ogt double %283, %280
-  %288 = select i1 %287, double %283, double %280
-  %289 = fcmp ogt double %286, %288
-  %290 = select i1 %289, double %286, double %288
-  %291 = fmul double %213, %248
-  %292 = fmul double %221, %243
-  %293 = fsub double %291, %292
-  %294 = fmul double %243, %272
-  %295 = fmul double %248, %267
-  %296 = fsub double %294, %295
-  %297 = fmul double %221, %267
-  %298 = fmul double %213, %272
-  %299 = fsub double %297, %298
-  %300 = fadd double %293, %296
-  %301 = fadd double %299, %300
-  %302 = fcmp olt double %299, %296
-  %303 = select i1 %302, double %299, double %296
-  %304 = fcmp olt double %293, %303
-  %305 = select i1 %304, double %293, double %303
-  %306 = fcmp ult double %305, 0.000000e+00
-  br i1 %306, label %80, label %86
-307:
-  %308 = fmul double %293, %277
-  %309 = fmul double %253, %299
-  %310 = fadd double %308, %309
-  %311 = fmul double %229, %296
-  %312 = fadd double %311, %310
-  %313 = fcmp olt double %253, %229
-  %314 = select i1 %313, double %253, double %229
-  %315 = fcmp olt double %277, %314
-  %316 = select i1 %315, double %277, double %314
-  %317 = fdiv double %312, %301
-  %318 = fcmp ogt double %316, %317
-  %319 = select i1 %318, double %316, double %317
-  %320 = fcmp ogt double %253, %229
-  %321 = select i1 %320, double %253, double %229
-  %322 = fcmp ogt double %277, %321
-  %323 = select i1 %322, double %277, double %321
-  %324 = fcmp olt double %323, %319
-  %325 = select i1 %324, double %323, double %319
-  %326 = fcmp ult double %325, 0.000000e+00
-  br i1 %326, label %114, label %90
-327:
-  %328 = phi i64 [ 0, %1 ], [ %116, %51 ]
-  ret i64 %328
-}
-define internal fastcc void @1(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
-  %9 = icmp slt i64 %5, 0
-  %10 = select i1 %9, i64 %2, i64 0
-  %11 = add i64 %10, %5
-  %12 = mul i64 %4, %3
-  %13 = mul i64 %11, %12
-  %14 = getelementptr double, ptr %1, i64 %13
-  %15 = load double, ptr %14, align 8
-  %16 = getelementptr i8, ptr %14, i64 8
-  %17 = load double, ptr %16, align 8
-  %18 = getelementptr i8, ptr %14, i64 16
-  %19 = load double, ptr %18, align 8
-  %20 = getelementptr double, ptr %14, i64 %4
-  %21 = load double, ptr %20, align 8
-  %22 = getelementptr i8, ptr %20, i64 8
-  %23 = load double, ptr %22, align 8
-  %24 = getelementptr i8, ptr %20, i64 16
-  %25 = load double, ptr %24, align 8
-  %26 = fsub double %21, %15
-  %27 = fsub double %23, %17
-  %28 = fsub double %25, %19
-  %29 = shl i64 %4, 4
-  %30 = getelementptr i8, ptr %14, i64 %29
-  %31 = load double, ptr %30, align 8
-  %32 = getelementptr i8, ptr %30, i64 8
-  %33 = load double, ptr %32, align 8
-  %34 = getelementptr i8, ptr %30, i64 16
-  %35 = load double, ptr %34, align 8
-  %36 = fsub double %31, %15
-  %37 = fsub double %33, %17
-  %38 = fsub double %35, %19
-  %39 = fmul double %27, %38
-  %40 = fmul double %28, %37
-  %41 = fsub double %39, %40
-  %42 = fmul double %28, %36
-  %43 = fmul double %26, %38
-  %44 = fsub double %42, %43
-  %45 = fmul double %26, %37
-  %46 = fmul double %27, %36
-  %47 = fsub double %45, %46
-  %48 = fmul double %41, %41
-  %49 = fmul double %44, %44
-  %50 = fadd double %48, %49
-  %51 = fmul double %47, %47
-  %52 = fadd double %51, %50
-  %53 = fcmp ogt double %52, 0.000000e+00
-  br i1 %53, label %56, label %107
-54:
-  %55 = phi i8 [ %123, %117 ], [ 0, %107 ]
-  store i8 %55, ptr %0, align 1
-  ret void
-56:
-  %57 = tail call double @llvm.sqrt.f64(double %52)
-  %58 = icmp slt i64 %6, 0
-  %59 = select i1 %58, i64 %2, i64 0
-  %60 = add i64 %59, %6
-  %61 = mul i64 %60, %12
-  %62 = getelementptr double, ptr %1, i64 %61
+  %46 = icmp slt i64 %4, 1
+  br i1 %46, label %342, label %47
+47:
+  %48 = getelementptr i8, ptr %0, i64 136
+  %49 = load i64, ptr %48, align 8
+  %50 = getelementptr i8, ptr %0, i64 40
+  %51 = load i64, ptr %50, align 8
+  %52 = mul i64 %51, %10
+  %53 = shl i64 %10, 4
+  %54 = getelementptr i8, ptr %8, i64 %53
+  %55 = mul i64 %49, %21
+  %56 = shl i64 %21, 4
+  br label %57
+57:
+  %58 = phi i64 [ 0, %47 ], [ %199, %198 ]
+  %59 = phi i64 [ 0, %47 ], [ %60, %198 ]
+  %60 = add nuw nsw i64 %59, 1
+  %61 = mul i64 %59, %6
+  %62 = getelementptr double, ptr %2, i64 %61
   %63 = load double, ptr %62, align 8
   %64 = getelementptr i8, ptr %62, i64 8
   %65 = load double, ptr %64, align 8
   %66 = getelementptr i8, ptr %62, i64 16
   %67 = load double, ptr %66, align 8
-  %68 = fsub double %63, %15
-  %69 = fsub double %65, %17
-  %70 = fsub double %67, %19
-  %71 = fmul double %41, %68
-  %72 = fmul double %47, %70
-  %73 = fadd double %71, %72
-  %74 = fmul double %44, %69
-  %75 = fadd double %74, %73
-  %76 = fdiv double %75, %57
-  %77 = getelementptr double, ptr %62, i64 %4
-  %78 = load double, ptr %77, align 8
-  %79 = getelementptr i8, ptr %77, i64 8
-  %80 = load double, ptr %79, align 8
-  %81 = getelementptr i8, ptr %77, i64 16
-  %82 = load double, ptr %81, align 8
-  %83 = fsub double %78, %15
-  %84 = fsub double %80, %17
-  %85 = fsub double %82, %19
-  %86 = fmul double %41, %83
-  %87 = fmul double %47, %85
-  %88 = fadd double %86, %87
-  %89 = fmul double %44, %84
-  %90 = fadd double %89, %88
-  %91 = fdiv double %90, %57
-  %92 = getelementptr i8, ptr %62, i64 %29
-  %93 = load double, ptr %92, align 8
-  %94 = getelementptr i8, ptr %92, i64 8
-  %95 = load double, ptr %94, align 8
-  %96 = getelementptr i8, ptr %92, i64 16
-  %97 = load double, ptr %96, align 8
-  %98 = fsub double %93, %15
-  %99 = fsub double %95, %17
-  %100 = fsub double %97, %19
-  %101 = fmul double %41, %98
-  %102 = fmul double %47, %100
-  %103 = fadd double %101, %102
-  %104 = fmul double %44, %99
-  %105 = fadd double %104, %103
-  %106 = fdiv double %105, %57
-  br label %107
-107:
-  %108 = phi double [ %91, %56 ], [ 0.000000e+00, %8 ]
-  %109 = phi double [ %76, %56 ], [ 0.000000e+00, %8 ]
-  %110 = phi double [ %106, %56 ], [ 0.000000e+00, %8 ]
-  %111 = fcmp olt double %108, %109
-  %112 = select i1 %111, double %108, double %109
-  %113 = fcmp olt double %110, %112
-  %114 = select i1 %113, double %110, double %112
-  %115 = fneg double %7
-  %116 = fcmp olt double %114, %115
-  br i1 %116, label %117, label %54
-117:
-  %118 = fcmp ogt double %108, %109
-  %119 = select i1 %118, double %108, double %109
-  %120 = fcmp ogt double %110, %119
-  %121 = select i1 %120, double %110, double %119
-  %122 = fcmp ogt double %121, %7
-  %123 = zext i1 %122 to i8
-  br label %54
-}
-define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
-  %10 = freeze i64 %6
-  %11 = add i64 %10, 1
-  %12 = icmp eq i64 %11, 3
-  %13 = select i1 %12, i64 0, i64 %11
-  %14 = icmp slt i64 %7, 0
-  %15 = select i1 %14, i64 %2, i64 0
-  %16 = add i64 %15, %7
-  %17 = mul i64 %16, %3
-  %18 = mul i64 %17, %4
-  %19 = getelementptr double, ptr %1, i64 %18
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr i8, ptr %19, i64 8
-  %22 = load double, ptr %21, align 8
-  %23 = getelementptr i8, ptr %19, i64 16
-  %24 = load double, ptr %23, align 8
-  %25 = getelementptr double, ptr %19, i64 %4
-  %26 = load double, ptr %25, align 8
-  %27 = getelementptr i8, ptr %25, i64 8
-  %28 = load double, ptr %27, align 8
-  %29 = getelementptr i8, ptr %25, i64 16
-  %30 = load double, ptr %29, align 8
-  %31 = fsub double %26, %20
-  %32 = fsub double %28, %22
-  %33 = fsub double %30, %24
-  %34 = shl i64 %4, 4
-  %35 = getelementptr i8, ptr %19, i64 %34
-  %36 = load double, ptr %35, align 8
-  %37 = getelementptr i8, ptr %35, i64 8
-  %38 = load double, ptr %37, align 8
-  %39 = getelementptr i8, ptr %35, i64 16
-  %40 = load double, ptr %39, align 8
-  %41 = fsub double %36, %20
-  %42 = fsub double %38, %22
-  %43 = fsub double %40, %24
-  %44 = fmul double %32, %43
-  %45 = fmul double %33, %42
-  %46 = fsub double %44, %45
-  %47 = fmul double %33, %41
-  %48 = fmul double %31, %43
-  %49 = fsub double %47, %48
-  %50 = fmul double %31, %42
-  %51 = fmul double %32, %41
-  %52 = fsub double %50, %51
-  %53 = fmul double %46, %46
-  %54 = fmul double %49, %49
-  %55 = fadd double %53, %54
-  %56 = fmul double %52, %52
-  %57 = fadd double %56, %55
-  %58 = fcmp ogt double %57, 0.000000e+00
-  br i1 %58, label %61, label %101
-59:
-  %60 = phi i8 [ %222, %112 ], [ 0, %108 ], [ 0, %101 ]
-  store i8 %60, ptr %0, align 1
-  ret void
-61:
-  %62 = tail call double @llvm.sqrt.f64(double %57)
-  %63 = icmp slt i64 %5, 0
-  %64 = select i1 %63, i64 %2, i64 0
-  %65 = add i64 %64, %5
-  %66 = mul i64 %65, %3
-  %67 = add i64 %66, %10
-  %68 = mul i64 %67, %4
-  %69 = getelementptr double, ptr %1, i64 %68
-  %70 = load double, ptr %69, align 8
-  %71 = getelementptr i8, ptr %69, i64 8
+  %68 = getelementptr double, ptr %13, i64 %59
+  %69 = load double, ptr %68, align 8
+  %70 = mul i64 %52, %59
+  %71 = getelementptr double, ptr %54, i64 %70
   %72 = load double, ptr %71, align 8
-  %73 = getelementptr i8, ptr %69, i64 16
-  %74 = load double, ptr %73, align 8
-  %75 = fsub double %70, %20
-  %76 = fsub double %72, %22
-  %77 = fsub double %74, %24
-  %78 = fmul double %46, %75
-  %79 = fmul double %52, %77
-  %80 = fadd double %78, %79
-  %81 = fmul double %49, %76
-  %82 = fadd double %81, %80
-  %83 = fdiv double %82, %62
-  %84 = add i64 %13, %66
-  %85 = mul i64 %84, %4
-  %86 = getelementptr double, ptr %1, i64 %85
-  %87 = load double, ptr %86, align 8
-  %88 = getelementptr i8, ptr %86, i64 8
-  %89 = load double, ptr %88, align 8
-  %90 = getelementptr i8, ptr %86, i64 16
-  %91 = load double, ptr %90, align 8
-  %92 = fsub double %87, %20
-  %93 = fsub double %89, %22
-  %94 = fsub double %91, %24
-  %95 = fmul double %46, %92
-  %96 = fmul double %52, %94
-  %97 = fadd double %95, %96
-  %98 = fmul double %49, %93
-  %99 = fadd double %98, %97
-  %100 = fdiv double %99, %62
-  br label %101
-101:
-  %102 = phi double [ %83, %61 ], [ 0.000000e+00, %9 ]
-  %103 = phi double [ %100, %61 ], [ 0.000000e+00, %9 ]
-  %104 = fcmp olt double %103, %102
-  %105 = select i1 %104, double %103, double %102
-  %106 = fneg double %8
-  %107 = fcmp olt double %105, %106
-  br i1 %107, label %108, label %59
-108:
-  %109 = fcmp ogt double %103, %102
-  %110 = select i1 %109, double %103, double %102
-  %111 = fcmp ogt double %110, %8
-  br i1 %111, label %112, label %59
-112:
-  %113 = icmp slt i64 %5, 0
-  %114 = select i1 %113, i64 %2, i64 0
-  %115 = add i64 %114, %5
-  %116 = mul i64 %115, %3
-  %117 = add i64 %116, %10
-  %118 = mul i64 %117, %4
-  %119 = getelementptr double, ptr %1, i64 %118
-  %120 = load double, ptr %119, align 8
-  %121 = getelementptr i8, ptr %119, i64 8
-  %122 = load double, ptr %121, align 8
-  %123 = getelementptr i8, ptr %119, i64 16
+  %73 = fmul double %69, %72
+  %74 = fadd double %63, %73
+  %75 = getelementptr i8, ptr %71, i64 8
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %69, %76
+  %78 = fadd double %65, %77
+  %79 = getelementptr i8, ptr %71, i64 16
+  %80 = load double, ptr %79, align 8
+  %81 = fmul double %69, %80
+  %82 = fadd double %67, %81
+  %83 = fcmp olt double %74, %63
+  %84 = select i1 %83, double %74, double %63
+  %85 = fsub double %84, %15
+  %86 = fcmp olt double %78, %65
+  %87 = select i1 %86, double %78, double %65
+  %88 = fsub double %87, %15
+  %89 = fcmp olt double %82, %67
+  %90 = select i1 %89, double %82, double %67
+  %91 = fsub double %90, %15
+  %92 = fcmp ogt double %74, %63
+  %93 = select i1 %92, double %74, double %63
+  %94 = fadd double %15, %93
+  %95 = fcmp ogt double %78, %65
+  %96 = select i1 %95, double %78, double %65
+  %97 = fadd double %15, %96
+  %98 = fcmp ogt double %82, %67
+  %99 = select i1 %98, double %82, double %67
+  %100 = fadd double %15, %99
+  %101 = load i64, ptr %33, align 8
+  %102 = icmp eq i64 %101, 0
+  br i1 %102, label %198, label %103
+103:
+  %104 = getelementptr double, ptr %8, i64 %70
+  %105 = getelementptr i8, ptr %104, i64 8
+  %106 = getelementptr i8, ptr %104, i64 16
+  %107 = getelementptr i8, ptr %104, i64 %11
+  %108 = getelementptr i8, ptr %107, i64 8
+  %109 = getelementptr i8, ptr %107, i64 16
+  %110 = getelementptr i8, ptr %104, i64 %53
+  %111 = getelementptr i8, ptr %110, i64 8
+  %112 = getelementptr i8, ptr %110, i64 16
+  %113 = shl i64 %59, 3
+  %114 = getelementptr i8, ptr %13, i64 %113
+  br label %115
+115:
+  %116 = phi i64 [ %194, %193 ], [ %101, %103 ]
+  %117 = phi i64 [ %196, %193 ], [ %58, %103 ]
+  %118 = phi i64 [ %195, %193 ], [ 1, %103 ]
+  %119 = icmp slt i64 %118, 0
+  %120 = select i1 %119, i64 %25, i64 0
+  %121 = add i64 %120, %118
+  %122 = mul i64 %121, %27
+  %123 = getelementptr double, ptr %23, i64 %122
   %124 = load double, ptr %123, align 8
-  %125 = add i64 %13, %116
-  %126 = mul i64 %125, %4
-  %127 = getelementptr double, ptr %1, i64 %126
-  %128 = load double, ptr %127, align 8
-  %129 = getelementptr i8, ptr %127, i64 8
+  %125 = fcmp ogt double %124, %94
+  br i1 %125, label %178, label %126
+126:
+  %127 = shl i64 %122, 3
+  %128 = getelementptr i8, ptr %23, i64 %127
+  %129 = getelementptr i8, ptr %128, i64 8
   %130 = load double, ptr %129, align 8
-  %131 = getelementptr i8, ptr %127, i64 16
-  %132 = load double, ptr %131, align 8
-  %133 = fsub double %128, %120
-  %134 = fsub double %130, %122
-  %135 = fsub double %132, %124
-  %136 = add i64 %17, 1
-  %137 = mul i64 %136, %4
-  %138 = getelementptr double, ptr %1, i64 %137
-  %139 = load double, ptr %138, align 8
-  %140 = getelementptr i8, ptr %138, i64 8
-  %141 = load double, ptr %140, align 8
-  %142 = getelementptr i8, ptr %138, i64 16
-  %143 = load double, ptr %142, align 8
-  %144 = fsub double %20, %120
-  %145 = fsub double %22, %122
-  %146 = fsub double %24, %124
-  %147 = fsub double %139, %120
-  %148 = fsub double %141, %122
-  %149 = fsub double %143, %124
-  %150 = fmul double %145, %149
-  %151 = fmul double %146, %148
-  %152 = fsub double %150, %151
-  %153 = fmul double %146, %147
-  %154 = fmul double %144, %149
-  %155 = fsub double %153, %154
-  %156 = fmul double %144, %148
-  %157 = fmul double %145, %147
-  %158 = fsub double %156, %157
-  %159 = fmul double %133, %152
-  %160 = fmul double %135, %158
-  %161 = fadd double %160, %159
-  %162 = fmul double %134, %155
-  %163 = fadd double %162, %161
-  %164 = fcmp oge double %163, 0.000000e+00
-  %165 = zext i1 %164 to i64
-  %166 = fcmp ole double %163, 0.000000e+00
-  %167 = zext i1 %166 to i64
-  %168 = add i64 %17, 2
-  %169 = mul i64 %168, %4
-  %170 = getelementptr double, ptr %1, i64 %169
-  %171 = load double, ptr %170, align 8
-  %172 = getelementptr i8, ptr %170, i64 8
-  %173 = load double, ptr %172, align 8
-  %174 = getelementptr i8, ptr %170, i64 16
-  %175 = load double, ptr %174, align 8
-  %176 = fsub double %171, %120
-  %177 = fsub double %173, %122
-  %178 = fsub double %175, %124
-  %179 = fmul double %148, %178
-  %180 = fmul double %149, %177
-  %181 = fsub double %179, %180
-  %182 = fmul double %149, %176
-  %183 = fmul double %147, %178
-  %184 = fsub double %182, %183
-  %185 = fmul double %147, %177
-  %186 = fmul double %148, %176
-  %187 = fsub double %185, %186
-  %188 = fmul double %133, %181
-  %189 = fmul double %135, %187
-  %190 = fadd double %189, %188
-  %191 = fmul double %134, %184
-  %192 = fadd double %191, %190
-  %193 = fcmp oge double %192, 0.000000e+00
-  %194 = zext i1 %193 to i64
-  %195 = add nuw nsw i64 %194, %165
-  %196 = fcmp ole double %192, 0.000000e+00
-  %197 = zext i1 %196 to i64
-  %198 = add nuw nsw i64 %197, %167
-  %199 = fmul double %146, %177
-  %200 = fmul double %145, %178
-  %201 = fsub double %199, %200
-  %202 = fmul double %144, %178
-  %203 = fmul double %146, %176
-  %204 = fsub double %202, %203
-  %205 = fmul double %145, %176
-  %206 = fmul double %144, %177
-  %207 = fsub double %205, %206
-  %208 = fmul double %133, %201
-  %209 = fmul double %135, %207
-  %210 = fadd double %209, %208
-  %211 = fmul double %134, %204
-  %212 = fadd double %211, %210
-  %213 = fcmp oge double %212, 0.000000e+00
-  %214 = zext i1 %213 to i64
-  %215 = add nuw nsw i64 %195, %214
-  %216 = fcmp ole double %212, 0.000000e+00
-  %217 = zext i1 %216 to i64
-  %218 = add nuw nsw i64 %198, %217
-  %219 = icmp eq i64 %215, 3
-  %220 = icmp eq i64 %218, 3
-  %221 = select i1 %219, i1 true, i1 %220
-  %222 = zext i1 %221 to i8
-  br label %59
-}
-define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
-  %2 = alloca i8, align 1
-  %3 = alloca i8, align 1
-  %4 = alloca i8, align 1
-  %5 = alloca i8, align 1
-  %6 = load ptr, ptr %0, align 8
-  %7 = getelementptr i8, ptr %0, i64 8
-  %8 = load i64, ptr %7, align 8
-  %9 = getelementptr i8, ptr %0, i64 56
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr i8, ptr %0, i64 64
-  %12 = load i64, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 72
-  %14 = load i64, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 80
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 104
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 112
-  %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 120
-  %22 = load i64, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 128
-  %24 = load ptr, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 136
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 144
-  %28 = load double, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 152
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 160
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 176
-  %34 = load ptr, ptr %33, align 8
-  %35 = getelementptr i8, ptr %0, i64 184
-  %36 = load i64, ptr %35, align 8
-  %37 = getelementptr i8, ptr %0, i64 192
-  %38 = load ptr, ptr %37, align 8
-  %39 = getelementptr i8, ptr %0, i64 200
-  %40 = load i64, ptr %39, align 8
-  store i64 0, ptr %32, align 8
-  %41 = icmp slt i64 %26, 1
-  br i1 %41, label %229, label %42
-42:
-  %43 = shl i64 %8, 3
-  br label %44
-44:
-  %45 = phi i64 [ %200, %199 ], [ 0, %42 ]
-  %46 = phi i64 [ %48, %199 ], [ %26, %42 ]
-  %47 = phi i64 [ %49, %199 ], [ %26, %42 ]
-  %48 = add nsw i64 %46, -1
-  %49 = add i64 %47, 1
-  %50 = sub nsw i64 %47, %26
-  %51 = getelementptr i64, ptr %24, i64 %50
-  %52 = load i64, ptr %51, align 8
-  %53 = and i64 %47, 1
-  %54 = icmp eq i64 %53, 0
-  br i1 %54, label %202, label %55
-55:
-  %56 = phi i64 [ %57, %55 ], [ %49, %44 ]
-  %57 = ashr i64 %56, 1
-  %58 = and i64 %56, 2
-  %59 = icmp eq i64 %58, 0
-  br i1 %59, label %55, label %202
-60:
-  %61 = load i64, ptr %32, align 8
-  %62 = icmp slt i64 %61, %30
-  br i1 %62, label %63, label %199
-63:
-  %64 = mul nsw i64 %52, 3
-  %65 = getelementptr i64, ptr %6, i64 %64
-  %66 = icmp slt i64 %52, 0
-  %67 = add i64 %64, 1
-  %68 = icmp slt i64 %67, 0
-  %69 = getelementptr i64, ptr %6, i64 %67
-  %70 = add i64 %64, 2
-  %71 = icmp slt i64 %70, 0
-  %72 = getelementptr i64, ptr %6, i64 %70
-  %73 = select i1 %66, i64 %43, i64 0
-  %74 = getelementptr inbounds i8, ptr %65, i64 %73
-  %75 = select i1 %68, i64 %43, i64 0
-  %76 = getelementptr inbounds i8, ptr %69, i64 %75
-  %77 = select i1 %71, i64 %43, i64 0
-  %78 = getelementptr inbounds i8, ptr %72, i64 %77
-  br label %79
-79:
-  %80 = phi i64 [ %195, %194 ], [ %61, %63 ]
-  %81 = phi i64 [ %197, %194 ], [ %45, %63 ]
-  %82 = phi i64 [ %196, %194 ], [ %203, %63 ]
-  %83 = mul i64 %82, %22
-  %84 = getelementptr double, ptr %18, i64 %83
-  %85 = load double, ptr %84, align 8
-  %86 = fcmp ogt double %85, %216
-  br i1 %86, label %179, label %87
-87:
-  %88 = shl i64 %83, 3
-  %89 = getelementptr i8, ptr %18, i64 %88
-  %90 = getelementptr i8, ptr %89, i64 8
-  %91 = load double, ptr %90, align 8
-  %92 = fcmp ogt double %91, %218
-  br i1 %92, label %179, label %93
-93:
-  %94 = getelementptr i8, ptr %89, i64 16
-  %95 = load double, ptr %94, align 8
-  %96 = fcmp ogt double %95, %220
-  br i1 %96, label %179, label %97
-97:
-  %98 = getelementptr i8, ptr %89, i64 24
-  %99 = load double, ptr %98, align 8
-  %100 = fcmp olt double %99, %210
-  br i1 %100, label %179, label %101
-101:
-  %102 = getelementptr i8, ptr %89, i64 32
-  %103 = load double, ptr %102, align 8
-  %104 = fcmp olt double %103, %212
-  br i1 %104, label %179, label %105
-105:
-  %106 = getelementptr i8, ptr %89, i64 40
-  %107 = load double, ptr %106, align 8
-  %108 = fcmp uge double %107, %214
-  br i1 %108, label %109, label %179
-109:
-  %110 = icmp slt i64 %82, %26
-  br i1 %110, label %227, label %111
-111:
-  %112 = sub nsw i64 %82, %26
-  %113 = getelementptr i64, ptr %24, i64 %112
-  %114 = load i64, ptr %113, align 8
-  %115 = load i64, ptr %74, align 8
-  %116 = mul i64 %114, 24
-  %117 = getelementptr i8, ptr %6, i64 %116
-  %118 = icmp slt i64 %114, 0
-  %119 = select i1 %118, i64 %8, i64 0
-  %120 = getelementptr i64, ptr %117, i64 %119
-  %121 = load i64, ptr %120, align 8
-  %122 = icmp eq i64 %115, %121
-  br i1 %122, label %179, label %123
-123:
-  %124 = getelementptr i8, ptr %117, i64 8
-  %125 = getelementptr i64, ptr %124, i64 %119
-  %126 = load i64, ptr %125, align 8
-  %127 = icmp eq i64 %115, %126
-  br i1 %127, label %179, label %128
-128:
-  %129 = getelementptr i8, ptr %117, i64 16
-  %130 = getelementptr i64, ptr %129, i64 %119
-  %131 = load i64, ptr %130, align 8
-  %132 = icmp eq i64 %115, %131
-  br i1 %132, label %179, label %133
-133:
-  %134 = load i64, ptr %76, align 8
-  %135 = icmp eq i64 %134, %121
-  %136 = icmp eq i64 %134, %126
-  %137 = or i1 %135, %136
-  %138 = icmp eq i64 %134, %131
-  %139 = or i1 %138, %137
-  br i1 %139, label %179, label %140
+  %131 = fcmp ogt double %130, %97
+  br i1 %131, label %178, label %132
+132:
+  %133 = getelementptr i8, ptr %128, i64 16
+  %134 = load double, ptr %133, align 8
+  %135 = fcmp ogt double %134, %100
+  br i1 %135, label %178, label %136
+136:
+  %137 = getelementptr i8, ptr %128, i64 24
+  %138 = load double, ptr %137, align 8
+  %139 = fcmp olt double %138, %85
+  br i1 %139, label %178, label %140
 140:
-  %141 = load i64, ptr %78, align 8
-  %142 = icmp eq i64 %141, %121
-  %143 = icmp eq i64 %141, %126
-  %144 = or i1 %142, %143
-  br i1 %144, label %179, label %145
-145:
-  %146 = icmp ne i64 %141, %131
-  %147 = zext i1 %146 to i64
-  %148 = add nsw i64 %80, %147
-  store i64 %148, ptr %32, align 8
-  br i1 %146, label %149, label %179
-149:
-  call fastcc void @1(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 %114, double %28)
-  %150 = load i8, ptr %2, align 1
-  %151 = icmp eq i8 %150, 0
-  br i1 %151, label %179, label %221
-152:
-  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 0, i64 %114, double %28)
-  %153 = load i8, ptr %4, align 1
-  %154 = icmp eq i8 %153, 0
-  br i1 %154, label %224, label %167
-155:
-  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 1, i64 %114, double %28)
-  %156 = load i8, ptr %4, align 1
-  %157 = icmp eq i8 %156, 0
-  br i1 %157, label %158, label %167
-158:
-  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 1, i64 %52, double %28)
-  %159 = load i8, ptr %5, align 1
-  %160 = icmp eq i8 %159, 0
-  br i1 %160, label %161, label %167
-161:
-  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %52, i64 2, i64 %114, double %28)
-  %162 = load i8, ptr %4, align 1
-  %163 = icmp eq i8 %162, 0
-  br i1 %163, label %164, label %167
-164:
-  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 2, i64 %52, double %28)
-  %165 = load i8, ptr %5, align 1
-  %166 = icmp eq i8 %165, 0
-  br i1 %166, label %179, label %167
-167:
-  %168 = icmp slt i64 %81, %36
-  br i1 %168, label %169, label %177
-169:
-  %170 = icmp slt i64 %81, 0
-  %171 = select i1 %170, i64 %36, i64 0
-  %172 = getelementptr i64, ptr %34, i64 %81
-  %173 = getelementptr i64, ptr %172, i64 %171
-  store i64 %52, ptr %173, align 8
-  %174 = select i1 %170, i64 %40, i64 0
-  %175 = getelementptr i64, ptr %38, i64 %81
-  %176 = getelementptr i64, ptr %175, i64 %174
-  store i64 %114, ptr %176, align 8
-  br label %177
-177:
-  %178 = add nsw i64 %81, 1
-  br label %179
-179:
-  %180 = phi i64 [ %81, %79 ], [ %81, %105 ], [ %81, %93 ], [ %81, %97 ], [ %81, %101 ], [ %81, %87 ], [ %81, %140 ], [ %81, %128 ], [ %81, %145 ], [ %178, %177 ], [ %81, %123 ], [ %81, %221 ], [ %81, %133 ], [ %81, %111 ], [ %81, %164 ], [ %81, %149 ]
-  %181 = add nuw nsw i64 %82, 1
-  %182 = and i64 %82, 1
-  %183 = icmp eq i64 %182, 0
-  br i1 %183, label %189, label %184
-184:
-  %185 = phi i64 [ %186, %184 ], [ %181, %179 ]
-  %186 = lshr i64 %185, 1
-  %187 = and i64 %185, 2
-  %188 = icmp eq i64 %187, 0
-  br i1 %188, label %184, label %189
-189:
-  %190 = phi i64 [ %181, %179 ], [ %186, %184 ]
-  %191 = icmp sgt i64 %190, 1
-  br i1 %191, label %192, label %199
-192:
-  %193 = load i64, ptr %32, align 8
-  br label %194
-194:
-  %195 = phi i64 [ %80, %227 ], [ %193, %192 ]
-  %196 = phi i64 [ %228, %227 ], [ %190, %192 ]
-  %197 = phi i64 [ %81, %227 ], [ %180, %192 ]
-  %198 = icmp slt i64 %195, %30
-  br i1 %198, label %79, label %199
-199:
-  %200 = phi i64 [ %45, %60 ], [ %45, %202 ], [ %197, %194 ], [ %180, %189 ]
-  %201 = icmp sgt i64 %46, 1
-  br i1 %201, label %44, label %229
-202:
-  %203 = phi i64 [ %49, %44 ], [ %57, %55 ]
-  %204 = icmp slt i64 %203, 2
-  %205 = icmp slt i64 %47, 0
-  %206 = select i1 %205, i64 %20, i64 0
-  %207 = add i64 %206, %47
-  %208 = mul i64 %207, %22
-  %209 = getelementptr double, ptr %18, i64 %208
-  %210 = load double, ptr %209, align 8
-  %211 = getelementptr i8, ptr %209, i64 8
-  %212 = load double, ptr %211, align 8
-  %213 = getelementptr i8, ptr %209, i64 16
-  %214 = load double, ptr %213, align 8
-  %215 = getelementptr i8, ptr %209, i64 24
-  %216 = load double, ptr %215, align 8
-  %217 = getelementptr i8, ptr %209, i64 32
-  %218 = load double, ptr %217, align 8
-  %219 = getelementptr i8, ptr %209, i64 40
-  %220 = load double, ptr %219, align 8
-  br i1 %204, label %199, label %60
-221:
-  call fastcc void @1(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 %52, double %28)
-  %222 = load i8, ptr %3, align 1
-  %223 = icmp eq i8 %222, 0
-  br i1 %223, label %179, label %152
-224:
-  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %114, i64 0, i64 %52, double %28)
-  %225 = load i8, ptr %5, align 1
-  %226 = icmp eq i8 %225, 0
-  br i1 %226, label %155, label %167
-227:
-  %228 = shl nuw nsw i64 %82, 1
-  br label %194
-229:
-  %230 = phi i64 [ 0, %1 ], [ %200, %199 ]
-  ret i64 %230
+  %141 = getelementptr i8, ptr %128, i64 32
+  %142 = load double, ptr %141, align 8
+  %143 = fcmp olt double %142, %88
+  br i1 %143, label %178, label %144
+144:
+  %145 = getelementptr i8, ptr %128, i64 40
+  %146 = load double, ptr %145, align 8
+  %147 = fcmp uge double %146, %91
+  br i1 %147, label %148, label %178
+148:
+  %149 = icmp slt i64 %118, %31
+  br i1 %149, label %340, label %201
+150:
+  %151 = fcmp ogt double %312, %309
+  %152 = select i1 %151, double %312, double %309
+  %153 = fcmp ogt double %306, %152
+  %154 = select i1 %153, double %306, double %152
+  %155 = fcmp ugt double %154, 0.000000e+00
+  br i1 %155, label %178, label %156
+156:
+  %157 = tail call double @llvm.fabs.f64(double %314)
+  %158 = fmul double %303, 0x3D06849B86A12B9B
+  %159 = fcmp ogt double %157, %158
+  br i1 %159, label %320, label %178
+160:
+  %161 = load double, ptr %114, align 8
+  %162 = fcmp ugt double %338, %161
+  br i1 %162, label %178, label %163
+163:
+  %164 = icmp slt i64 %117, %37
+  br i1 %164, label %165, label %176
+165:
+  %166 = icmp slt i64 %117, 0
+  %167 = select i1 %166, i64 %37, i64 0
+  %168 = getelementptr i64, ptr %35, i64 %117
+  %169 = getelementptr i64, ptr %168, i64 %167
+  store i64 %59, ptr %169, align 8
+  %170 = select i1 %166, i64 %41, i64 0
+  %171 = getelementptr i64, ptr %39, i64 %117
+  %172 = getelementptr i64, ptr %171, i64 %170
+  store i64 %204, ptr %172, align 8
+  %173 = select i1 %166, i64 %45, i64 0
+  %174 = getelementptr double, ptr %43, i64 %117
+  %175 = getelementptr double, ptr %174, i64 %173
+  store double %338, ptr %175, align 8
+  br label %176
+176:
+  %177 = add nsw i64 %117, 1
+  br label %178
+178:
+  %179 = phi i64 [ %117, %115 ], [ %117, %144 ], [ %117, %132 ], [ %117, %136 ], [ %117, %140 ], [ %117, %126 ], [ %117, %150 ], [ %117, %156 ], [ %117, %320 ], [ %117, %160 ], [ %177, %176 ]
+  %180 = add nsw i64 %118, 1
+  %181 = and i64 %118, 1
+  %182 = icmp eq i64 %181, 0
+  br i1 %182, label %188, label %183
+183:
+  %184 = phi i64 [ %185, %183 ], [ %180, %178 ]
+  %185 = ashr i64 %184, 1
+  %186 = and i64 %184, 2
+  %187 = icmp eq i64 %186, 0
+  br i1 %187, label %183, label %188
+188:
+  %189 = phi i64 [ %180, %178 ], [ %185, %183 ]
+  %190 = icmp sgt i64 %189, 1
+  br i1 %190, label %191, label %198
+191:
+  %192 = load i64, ptr %33, align 8
+  br label %193
+193:
+  %194 = phi i64 [ %116, %340 ], [ %192, %191 ]
+  %195 = phi i64 [ %341, %340 ], [ %189, %191 ]
+  %196 = phi i64 [ %117, %340 ], [ %179, %191 ]
+  %197 = icmp eq i64 %194, 0
+  br i1 %197, label %198, label %115
+198:
+  %199 = phi i64 [ %58, %57 ], [ %196, %193 ], [ %179, %188 ]
+  %200 = icmp eq i64 %60, %4
+  br i1 %200, label %342, label %57
+201:
+  %202 = sub nsw i64 %118, %31
+  %203 = getelementptr i64, ptr %29, i64 %202
+  %204 = load i64, ptr %203, align 8
+  %205 = add nsw i64 %116, -1
+  store i64 %205, ptr %33, align 8
+  %206 = icmp slt i64 %204, 0
+  %207 = select i1 %206, i64 %19, i64 0
+  %208 = add i64 %207, %204
+  %209 = mul i64 %55, %208
+  %210 = getelementptr double, ptr %17, i64 %209
+  %211 = load double, ptr %210, align 8
+  %212 = getelementptr i8, ptr %210, i64 8
+  %213 = load double, ptr %212, align 8
+  %214 = getelementptr i8, ptr %210, i64 16
+  %215 = load double, ptr %214, align 8
+  %216 = fsub double %211, %63
+  %217 = fsub double %213, %65
+  %218 = fsub double %215, %67
+  %219 = load double, ptr %104, align 8
+  %220 = load double, ptr %105, align 8
+  %221 = load double, ptr %106, align 8
+  %222 = fmul double %216, %219
+  %223 = fmul double %218, %221
+  %224 = fadd double %222, %223
+  %225 = fmul double %217, %220
+  %226 = fadd double %225, %224
+  %227 = load double, ptr %107, align 8
+  %228 = load double, ptr %108, align 8
+  %229 = load double, ptr %109, align 8
+  %230 = fmul double %216, %227
+  %231 = fmul double %218, %229
+  %232 = fadd double %230, %231
+  %233 = fmul double %217, %228
+  %234 = fadd double %233, %232
+  %235 = load double, ptr %110, align 8
+  %236 = load double, ptr %111, align 8
+  %237 = load double, ptr %112, align 8
+  %238 = fmul double %216, %235
+  %239 = fmul double %218, %237
+  %240 = fadd double %238, %239
+  %241 = fmul double %217, %236
+  %242 = fadd double %241, %240
+  %243 = getelementptr double, ptr %210, i64 %21
+  %244 = load double, ptr %243, align 8
+  %245 = getelementptr i8, ptr %243, i64 8
+  %246 = load double, ptr %245, align 8
+  %247 = getelementptr i8, ptr %243, i64 16
+  %248 = load double, ptr %247, align 8
+  %249 = fsub double %244, %63
+  %250 = fsub double %246, %65
+  %251 = fsub double %248, %67
+  %252 = fmul double %219, %249
+  %253 = fmul double %221, %251
+  %254 = fadd double %252, %253
+  %255 = fmul double %220, %250
+  %256 = fadd double %255, %254
+  %257 = fmul double %227, %249
+  %258 = fmul double %229, %251
+  %259 = fadd double %257, %258
+  %260 = fmul double %228, %250
+  %261 = fadd double %260, %259
+  %262 = fmul double %235, %249
+  %263 = fmul double %237, %251
+  %264 = fadd double %262, %263
+  %265 = fmul double %236, %250
+  %266 = fadd double %265, %264
+  %267 = getelementptr i8, ptr %210, i64 %56
+  %268 = load double, ptr %267, align 8
+  %269 = getelementptr i8, ptr %267, i64 8
+  %270 = load double, ptr %269, align 8
+  %271 = getelementptr i8, ptr %267, i64 16
+  %272 = load double, ptr %271, align 8
+  %273 = fsub double %268, %63
+  %274 = fsub double %270, %65
+  %275 = fsub double %272, %67
+  %276 = fmul double %219, %273
+  %277 = fmul double %221, %275
+  %278 = fadd double %276, %277
+  %279 = fmul double %220, %274
+  %280 = fadd double %279, %278
+  %281 = fmul double %227, %273
+  %282 = fmul double %229, %275
+  %283 = fadd double %281, %282
+  %284 = fmul double %228, %274
+  %285 = fadd double %284, %283
+  %286 = fmul double %235, %273
+  %287 = fmul double %237, %275
+  %288 = fadd double %286, %287
+  %289 = fmul double %236, %274
+  %290 = fadd double %289, %288
+  %291 = fmul double %226, %226
+  %292 = fmul double %234, %234
+  %293 = fadd double %291, %292
+  %294 = fmul double %256, %256
+  %295 = fmul double %261, %261
+  %296 = fadd double %294, %295
+  %297 = fmul double %280, %280
+  %298 = fmul double %285, %285
+  %299 = fadd double %297, %298
+  %300 = fcmp ogt double %296, %293
+  %301 = select i1 %300, double %296, double %293
+  %302 = fcmp ogt double %299, %301
+  %303 = select i1 %302, double %299, double %301
+  %304 = fmul double %226, %261
+  %305 = fmul double %234, %256
+  %306 = fsub double %304, %305
+  %307 = fmul double %256, %285
+  %308 = fmul double %261, %280
+  %309 = fsub double %307, %308
+  %310 = fmul double %234, %280
+  %311 = fmul double %226, %285
+  %312 = fsub double %310, %311
+  %313 = fadd double %306, %309
+  %314 = fadd double %312, %313
+  %315 = fcmp olt double %312, %309
+  %316 = select i1 %315, double %312, double %309
+  %317 = fcmp olt double %306, %316
+  %318 = select i1 %317, double %306, double %316
+  %319 = fcmp ult double %318, 0.000000e+00
+  br i1 %319, label %150, label %156
+320:
+  %321 = fmul double %306, %290
+  %322 = fmul double %266, %312
+  %323 = fadd double %321, %322
+  %324 = fmul double %242, %309
+  %325 = fadd double %324, %323
+  %326 = fcmp olt double %266, %242
+  %327 = select i1 %326, double %266, double %242
+  %328 = fcmp olt double %290, %327
+  %329 = select i1 %328, double %290, double %327
+  %330 = fdiv double %325, %314
+  %331 = fcmp ogt double %329, %330
+  %332 = select i1 %331, double %329, double %330
+  %333 = fcmp ogt double %266, %242
+  %334 = select i1 %333, double %266, double %242
+  %335 = fcmp ogt double %290, %334
+  %336 = select i1 %335, double %290, double %334
+  %337 = fcmp olt double %336, %332
+  %338 = select i1 %337, double %336, double %332
+  %339 = fcmp ult double %338, 0.000000e+00
+  br i1 %339, label %178, label %160
+340:
+  %341 = shl nsw i64 %118, 1
+  br label %193
+342:
+  %343 = phi i64 [ 0, %1 ], [ %199, %198 ]
+  ret i64 %343
 }
 declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
 define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {

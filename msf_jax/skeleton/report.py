@@ -286,7 +286,7 @@ def _overlaps(
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     doubts = []
     if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
-        least = "at least " if shape.crossed.num > len(shape.crossed.pairs) or shape.crossed.is_cut else ""
+        least = "at least " if shape.crossed.is_cut else ""
         doubts.append(
             f"the surface crosses itself, in {least}{count_of(num, 'pair')} of triangles: radii count "
             'walls inside the solid, and loops may be missing; repair="join" makes one solid'

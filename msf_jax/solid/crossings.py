@@ -18,7 +18,7 @@ ALONG = 2.0  # radii: least distance along the curve of nodes whose faces are ap
 def apart_pairs(
     shape: Enclosure, node: np.ndarray, radii: np.ndarray, edges: np.ndarray, length: np.ndarray
 ) -> np.ndarray:
-    """(P, 2) the pairs of faces of ``shape`` that cross and are apart, among those of `Crossed`.
+    """(P, 2) the pairs of faces of ``shape`` that cross and are apart, see `Crossed`.
 
     node: (V,) the node of the curve that each vertex goes to. radii: (N,) of the nodes. edges: (E, 2) of the curve,
     length: (E,) theirs.

@@ -17,8 +17,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import Mesh, tree_of
 
 SURE = 0.5  # share of an approximate clearance that counts as certain
-MOST_CROSSED = 10_000  # pairs of triangles that cross that are listed; the rest is counted
-MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a crossing; limbs of a fan have many more
+MOST_TESTED = 200  # tests of a side against a triangle, for each triangle, to find those that cross; fans need more
 # Largest sides of the bounding box between samples of a triangle; more if `MOST_SAMPLES` requires it.
 SAMPLE_SPACING = 0.02
 MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for memory
@@ -39,10 +38,9 @@ def boxes(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 class Crossed(NamedTuple):
-    """Pairs (P, 2) of triangles that cross, at most ``MOST_CROSSED``; the number of all; whether the search was cut."""
+    """Pairs (P, 2) of triangles that cross, and whether the search was cut short."""
 
     pairs: np.ndarray
-    num: int
     is_cut: bool
 
 
@@ -118,13 +116,30 @@ class Enclosure:
         return Samples(tree, first, fan)
 
     @cached_property
-    def crossed(self) -> "Crossed":
-        """Where the surface crosses itself: pairs of triangles that have no corner in common."""
-        corners = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()[self.faces.ravel()]
-        pairs, tested = np.empty((2, MOST_CROSSED), dtype=np.int64), np.zeros(1, dtype=np.int64)
-        most, least = MOST_TESTED * len(self.faces), ROUNDING * self.extent  # by less, they only touch
-        num = kernels.crossed(corners, self.mesh, least, most, tested, pairs[0], pairs[1])
-        return Crossed(pairs[:, :num].T, num, bool(tested[0] >= most))
+    def crossed(self) -> Crossed:
+        """Where the surface crosses itself: a side of a triangle passes through another, and both
+        have corners on both sides of the other's plane. Triangles with a corner in common do not count."""
+        half = np.flatnonzero(np.arange(len(self.heads)) < self.mesh.twins)
+        a, b = self.vertices[self.mesh.corners[half]], self.vertices[self.heads[half]]
+        length = np.linalg.norm(b - a, axis=1)
+        along = (b - a) / np.maximum(length, 1e-300)[:, None]
+        start, reach = a + ROUNDING * (b - a), (1 - 2 * ROUNDING) * length  # not at a corner, where a fan is met
+        ray, face, _, is_cut = self.ray_hits(start, along, reach, MOST_TESTED * len(self.faces))
+        half = half[ray]
+        sides = np.concatenate([half, self.mesh.twins[half]])
+        pairs = np.stack([sides // 3, np.tile(face, 2)], axis=1)
+        ends = np.stack([self.mesh.corners[sides], self.heads[sides]], axis=1)
+        is_through = np.ones(len(pairs), dtype=bool)
+        for corner, over in ((ends, pairs[:, 1]), (self.faces[pairs[:, 1]], pairs[:, 0])):
+            off = self.vertices[corner] - self.centroids[over][:, None]
+            height = np.einsum("pki,pi->pk", off, self.normals[over]) / (ROUNDING * self.extent)  # within 1, they touch
+            is_through &= (height.min(axis=1) < -1) & (height.max(axis=1) > 1)
+        pairs = np.unique(np.sort(pairs[is_through], axis=1), axis=0)
+        if len(pairs):
+            place = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()
+            one, other = place[self.faces[pairs.T]]
+            pairs = pairs[(one[:, :, None] != other[:, None]).all(axis=(1, 2))]
+        return Crossed(pairs, is_cut)
 
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
@@ -180,12 +195,15 @@ class Enclosure:
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """Distance (P,) to the surface from each point along its unit vector, at most ``reach`` (P,)."""
         length = reach.astype(float)
-        ray, distance = self.ray_hits(points, directions, reach)
+        ray, _, distance, _ = self.ray_hits(points, directions, reach)
         np.minimum.at(length, ray, distance)
         return length
 
-    def ray_hits(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Every hit (H,) of the rays from ``points`` (P, 3) along unit vectors, up to ``reach`` (P,): ray and distance.
+    def ray_hits(
+        self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray, most: int = -1
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool]:
+        """Every hit (H,) of the rays from ``points`` (P, 3) along unit vectors, up to ``reach`` (P,): ray, triangle and
+        distance; and whether the search ended after ``most`` tests of a ray and a triangle, if that is positive.
 
         A hit on an edge or a vertex may count for one or several of the triangles there. A ray that starts on the
         surface may hit it at 0 or not at all.
@@ -197,10 +215,10 @@ class Enclosure:
         slack = ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
         capacity = len(points) + len(self.faces)  # there are seldom more hits
         while True:
-            ray, distance = np.empty(capacity, dtype=np.int64), np.empty(capacity)
-            count = kernels.hits(points, axes, reach, slack, self.mesh, ray, distance)
+            left, (ray, face), distance = np.array([most]), np.empty((2, capacity), dtype=np.int64), np.empty(capacity)
+            count = kernels.hits(points, axes, reach, slack, self.mesh, left, ray, face, distance)
             if count <= capacity:
-                return ray[:count], distance[:count]
+                return ray[:count], face[:count], distance[:count], left[0] == 0
             capacity = count
 
     def holds(self, a: np.ndarray, b: np.ndarray, sliver: float) -> np.ndarray:
@@ -216,7 +234,7 @@ class Enclosure:
         a, along = a[rows], b[rows] - a[rows]
         length = np.linalg.norm(along, axis=1)
         along /= np.maximum(length, 1e-300)[:, None]
-        ray, stop = self.ray_hits(a, along, length)
+        ray, _, stop, _ = self.ray_hits(a, along, length)
         if not len(ray):
             return is_in
         hit = np.unique(ray)

@@ -1,4 +1,4 @@
-"""The compiled loops of a solid: nearest triangles, winding numbers, ray hits, and pairs of triangles that cross.
+"""The compiled loops of a solid: nearest triangles, winding numbers, and hits of rays.
 
 They search a tree of bounding boxes of n triangles. The tree is a heap: the children of node k are 2 k and 2 k + 1, and
 node n + i is the box of triangle ``order[i]``: its lowest and its highest x, y and z. The search needs no stack. After
@@ -215,11 +215,21 @@ def seen_along(axes: Triangles, row: int, away: Vector) -> Vector:
 
 
 @kernel
-def hits(points: Points, axes: Triangles, reach: Reals, slack: float, mesh: Mesh, ray: Ints, distance: Reals) -> int:
+def hits(
+    points: Points,
+    axes: Triangles,
+    reach: Reals,
+    slack: float,
+    mesh: Mesh,
+    tests: Ints,
+    ray: Ints,
+    face: Ints,
+    distance: Reals,
+) -> int:
     """Every hit of the rays from ``points`` (P, 3) along the last of their ``axes`` (P, 3, 3), up to ``reach`` (P,).
 
-    Boxes around rays are enlarged by ``slack``. Returns the number of hits; ``ray`` and ``distance`` hold the first of
-    them, up to their length.
+    Boxes around rays are enlarged by ``slack``. Returns the number of hits; ``ray``, ``face`` and ``distance`` hold the
+    first of them, up to their length. The search ends when no ``tests`` (1,) of a ray and a triangle are left.
     """
     num, count = len(mesh.order), 0
     for row in range(len(points)):
@@ -228,10 +238,11 @@ def hits(points: Points, axes: Triangles, reach: Reals, slack: float, mesh: Mesh
         low = min(x, u) - slack, min(y, v) - slack, min(z, w) - slack
         high = max(x, u) + slack, max(y, v) + slack, max(z, w) + slack
         node = 1
-        while node:
+        while node and tests[0]:
             is_met = overlaps(mesh.boxes, node, low, high)
             if is_met and node >= num:
                 triangle = mesh.order[node - num]
+                tests[0] -= 1
                 a = seen_along(axes, row, minus(corner_of(mesh.triangles, triangle, 0), (x, y, z)))
                 b = seen_along(axes, row, minus(corner_of(mesh.triangles, triangle, 1), (x, y, z)))
                 c = seen_along(axes, row, minus(corner_of(mesh.triangles, triangle, 2), (x, y, z)))
@@ -246,77 +257,7 @@ def hits(points: Points, axes: Triangles, reach: Reals, slack: float, mesh: Mesh
                     t = min(max(t, min(a[2], b[2], c[2])), max(a[2], b[2], c[2]))
                     if 0 <= t <= reach[row]:
                         if count < len(ray):
-                            ray[count], distance[count] = row, t
+                            ray[count], face[count], distance[count] = row, triangle, t
                         count += 1
-            node = onward(node, num, is_met)
-    return count
-
-
-@part
-def height(triangles: Triangles, row: int, other: int, k: int) -> float:
-    """Height of corner ``k`` of triangle ``other`` above the plane of triangle ``row``; 0 if that has no area."""
-    a = corner_of(triangles, row, 0)
-    normal = times(minus(corner_of(triangles, row, 1), a), minus(corner_of(triangles, row, 2), a))
-    size = norm(normal)
-    return dot(minus(corner_of(triangles, other, k), a), normal) / size if size > 0 else 0.0
-
-
-@part
-def straddles(triangles: Triangles, row: int, other: int, least: float) -> bool:
-    """Whether triangle ``other`` has corners on both sides of the plane of triangle ``row``, ``least`` off it."""
-    first = height(triangles, row, other, 0)
-    second, third = height(triangles, row, other, 1), height(triangles, row, other, 2)
-    return min(first, second, third) < -least and max(first, second, third) > least
-
-
-@part
-def passes(triangles: Triangles, row: int, k: int, other: int, least: float) -> bool:
-    """Whether side ``k`` of triangle ``row`` passes through triangle ``other``, its ends ``least`` off its plane."""
-    j = (k + 1) % 3
-    above, below = height(triangles, other, row, k), height(triangles, other, row, j)
-    if not (min(above, below) < -least and max(above, below) > least):
-        return False
-    start = corner_of(triangles, row, k)
-    along = minus(corner_of(triangles, row, j), start)
-    num_left = num_right = 0
-    for i in range(3):
-        u, v = corner_of(triangles, other, i), corner_of(triangles, other, (i + 1) % 3)
-        turn = dot(along, times(minus(u, start), minus(v, start)))
-        num_left += turn >= 0
-        num_right += turn <= 0
-    return num_left == 3 or num_right == 3
-
-
-@kernel
-def crossed(corners: Ints, mesh: Mesh, least: float, most: int, tested: Ints, one: Ints, other: Ints) -> int:
-    """Pairs of triangles that cross: a side of one passes through the other, its ends ``least`` off the other's plane.
-
-    Triangles that share one of ``corners`` (3F,) do not count. Returns the number of pairs; ``one`` and ``other`` hold
-    the first of them, up to their length. The search ends after ``most`` pairs; ``tested`` (1,) counts them.
-    """
-    triangles, boxes, num, count = mesh.triangles, mesh.boxes, len(mesh.order), 0
-    tested[0] = 0
-    for leaf in range(num, 2 * num):
-        row, node = mesh.order[leaf - num], onward(leaf, num, False)  # each pair is met from its first leaf
-        low, high = point_of(boxes, leaf), (boxes[leaf, 3], boxes[leaf, 4], boxes[leaf, 5])
-        while node and tested[0] < most:
-            is_met = overlaps(boxes, node, low, high)
-            if is_met and node >= num:
-                found = mesh.order[node - num]
-                is_pair = True
-                for k in range(9):
-                    is_pair = is_pair and corners[3 * row + k // 3] != corners[3 * found + k % 3]
-                tested[0] += is_pair
-                is_pair = (
-                    is_pair and straddles(triangles, row, found, least) and straddles(triangles, found, row, least)
-                )
-                is_crossed = False
-                for k in range(3 if is_pair else 0):
-                    is_crossed = is_crossed or passes(triangles, row, k, found, least)
-                    is_crossed = is_crossed or passes(triangles, found, k, row, least)
-                if is_crossed:
-                    if count < len(one):
-                        one[count], other[count] = row, found
-                    count += 1
             node = onward(node, num, is_met)
     return count

@@ -69,7 +69,7 @@ def test_a_part_that_crosses_itself_keeps_its_vertices():
     np.testing.assert_array_equal(found.vertices[own], mesh.vertices[found.input_of_vertex[own]])
     (line,) = found.repairs
     assert line.startswith("resolved ") and line.endswith("where a part crossed itself")
-    assert not enclosure(trimesh.Trimesh(found.vertices, found.faces, process=False)).crossed.num
+    assert not enclosure(trimesh.Trimesh(found.vertices, found.faces, process=False)).crossed.pairs.size
 
 
 def test_cavities_are_known_by_nesting_and_winding():

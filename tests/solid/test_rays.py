@@ -149,7 +149,7 @@ def test_every_hit_of_a_ray_is_found(shape):
     random, num = np.random.default_rng(10), 120
     points, rays, reach = random_points(shape, random, num), random_directions(random, num), np.full(num, 80.0)
     reach[::3] = random.uniform(0, 2, len(reach[::3]))
-    ray, distance = shape.ray_hits(points, rays, reach)
+    ray, _, distance, _ = shape.ray_hits(points, rays, reach)
     counts = []
     for row in range(num):
         expected = all_hits(points[row], rays[row], shape.triangles)
