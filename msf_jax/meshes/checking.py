@@ -229,8 +229,8 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         names.append("the mesh" if len(members) == 1 else f"component {number} (the one with vertex {first})")
         parts.append(_component(vertices[member], local[faces[mine]], names[-1], fewest))
     volume = np.array([size for _, size in parts])
-    nesting = nested([Enclosure(part.vertices, part.faces) for part, _ in parts], volume)
-    is_cavity = nesting.owner != np.arange(len(parts))
+    owner, _ = nested([Enclosure(part.vertices, part.faces) for part, _ in parts], volume)
+    is_cavity = owner != np.arange(len(parts))
     is_flipped = (volume < 0) != is_cavity
     for number in np.flatnonzero(is_flipped).tolist():
         faces[faces_of[number]] = faces[faces_of[number]][:, ::-1]
@@ -243,7 +243,7 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         repairs.append(f"flipped {is_flipped.sum()} {flipped} inside out")
     components, linings = [], []
     for number in np.flatnonzero(~is_cavity).tolist():
-        within = np.flatnonzero(is_cavity & (nesting.owner == number)).tolist()
+        within = np.flatnonzero(is_cavity & (owner == number)).tolist()
         linings.append(np.concatenate([members[k] for k in within]) if within else np.empty(0, dtype=np.int64))
         local[linings[-1]] = np.arange(len(linings[-1]))
         hollow = local[np.concatenate([faces[faces_of[k]] for k in within])] if within else None

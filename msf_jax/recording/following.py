@@ -61,14 +61,13 @@ class BoundSurface(NamedTuple):
 class BoundCorners(NamedTuple):
     """The corners (C,) of S sections, one section after the other; section: (C,); tail, head, part: `sections.Corners`.
 
-    is_loop: (S,) False for a cloud. centroid: (S, 3). node: (S,). weight: (S,) w.
+    centroid: (S, 3). node: (S,). weight: (S,) w.
     """
 
     section: np.ndarray
     tail: np.ndarray
     head: np.ndarray
     part: np.ndarray
-    is_loop: np.ndarray
     centroid: np.ndarray
     node: np.ndarray
     weight: np.ndarray
@@ -87,8 +86,8 @@ def record(
     distance, nearest = shape.nearest(x)
     here, paths = shape.winding_numbers(x), measures.paths_of(x, edges, is_held)
     inside = here > 0
-    corners, size = _sections(solid, x, edges, paths, is_held, np.where(inside, distance, 0.0), nearest)
-    corners = _with_clouds(surface, edges, corners, len(x))
+    loops, size = _sections(solid, x, edges, paths, is_held, np.where(inside, distance, 0.0), nearest)
+    corners = _with_clouds(surface, edges, loops, len(x))
     a = _smoothing(x, edges, size, corners, is_held)
     offset = np.where(is_held[:, None], 0.0, x - a @ corners.centroid)
     b = _turning(surface, num, corners, a, offset).tolil()
@@ -115,7 +114,7 @@ def record(
         onward=onward,
         section=corners.section,
         share=1 / np.bincount(corners.section)[corners.section],
-        is_loop=corners.is_loop,
+        is_loop=np.arange(len(corners.node)) < len(loops.node),
         node=corners.node,
         a_row=a.row,
         a_column=a.col,
@@ -150,7 +149,7 @@ def _sections(
     shape = solid.shape
     if not paths:
         none = np.zeros(0, dtype=np.int64)
-        return BoundCorners(none, none, none, none, none > 0, np.zeros((0, 3)), none, none), radii
+        return BoundCorners(none, none, none, none, np.zeros((0, 3)), none, none), radii
     curve = shape, x, edges, paths, is_held, centring.Budget()
     before = centring.LimbSections(*curve).at(x, radii, radii, nearest)[-1]  # the first time measures limbs' sizes
     chord, node, found, weight, size = centring.LimbSections(*curve).at(x, before, radii, nearest)
@@ -162,31 +161,22 @@ def _sections(
     is_kept = (weight > SLIGHT) & is_whole[node] & (found.radius < measures.WIDE * found.size)
     node, weight = node[is_kept], weight[is_kept]
     cut = sections.corners(shape, x[node], normal[node], before[node], nearest[node])
-    middle, is_loop = sections.measured(shape, x[node], normal[node], cut).centroid, np.ones(len(node), dtype=bool)
-    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, is_loop, middle, node, weight), size
+    middle = sections.measured(shape, x[node], normal[node], cut).centroid
+    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, middle, node, weight), size
 
 
-def _with_clouds(surface: BoundSurface, edges: np.ndarray, corners: BoundCorners, num: int) -> BoundCorners:
+def _with_clouds(surface: BoundSurface, edges: np.ndarray, loops: BoundCorners, num: int) -> BoundCorners:
     """Add a cloud for each of ``num`` nodes without a section: the vertices of the node and its neighbours, if any."""
     beside = sparse.eye_array(num) + graphs.weighted(num, *np.r_[edges, edges[:, ::-1]].T)
     every = np.arange(len(surface.node))
     own = sparse.csr_array((np.ones(len(every)), (surface.node, every)), shape=(num, len(every)))
     clouds = sparse.csr_array(beside @ own)
     count = np.diff(clouds.indptr)
-    node = np.setdiff1d(np.flatnonzero(count), corners.node)
-    vertex, row = clouds[node].indices, np.repeat(np.arange(len(node)), count[node])
+    node = np.setdiff1d(np.flatnonzero(count), loops.node)
+    vertex, section = clouds[node].indices, len(loops.node) + np.repeat(np.arange(len(node)), count[node])
     centroid = clouds[node] @ surface.solid.shape.vertices / count[node, None]
-    added = BoundCorners(
-        len(corners.node) + row,
-        vertex,
-        vertex,
-        np.zeros(len(vertex)),
-        np.zeros(len(node), dtype=bool),
-        centroid,
-        node,
-        np.full(len(node), SLIGHT),
-    )
-    return BoundCorners(*(np.concatenate(both) for both in zip(corners, added, strict=True)))
+    added = section, vertex, vertex, np.zeros(len(vertex)), centroid, node, np.full(len(node), SLIGHT)
+    return BoundCorners(*map(np.concatenate, zip(loops, added, strict=True)))
 
 
 def _smoothing(

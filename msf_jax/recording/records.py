@@ -11,7 +11,7 @@ from msf_jax.solid.frame import UnitFrame
 class FoundPoles(NamedTuple):
     """Poles of a surface of n vertices.
 
-    kept: the filter from its vertices to the sites. sites: (n, 3). poles: (n, 3). tetrahedron: (n, 4) the sites whose
+    kept: the filter from its vertices to the sites (n, 3). poles: (n, 3). tetrahedron: (n, 4) the sites whose
     circumcentre the pole is. is_inside: (n,) whether the pole pulls.
     """
 

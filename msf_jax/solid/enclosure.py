@@ -18,8 +18,7 @@ from msf_jax.solid.kernels import Mesh, tree_of
 
 SURE = 0.5  # share of an approximate clearance that counts as certain
 MOST_TESTED = 200  # tests of a side against a triangle, for each triangle, to find those that cross; fans need more
-# Largest sides of the bounding box between samples of a triangle; more if `MOST_SAMPLES` requires it.
-SAMPLE_SPACING = 0.02
+SAMPLE_SPACING = 0.02  # extents between samples of a triangle, or more, for `MOST_SAMPLES`
 MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for memory
 
 
@@ -29,12 +28,6 @@ class Samples(NamedTuple):
     tree: spatial.KDTree
     first: np.ndarray
     fan: np.ndarray
-
-
-def boxes(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(F, 3) the lowest and (F, 3) the highest coordinates of each triangle (F, 3, 3)."""
-    corners = triangles[:, 0], triangles[:, 1], triangles[:, 2]  # NumPy is slow over axes of length 3
-    return reduce(np.minimum, corners), reduce(np.maximum, corners)
 
 
 class Crossed(NamedTuple):
@@ -61,8 +54,8 @@ class Enclosure:
     @cached_property
     def reaches(self) -> np.ndarray:
         """(F,) the largest distance from the middle of each triangle to one of its corners."""
-        away = [self.triangles[:, k] - self.centroids for k in range(3)]
-        return np.sqrt(reduce(np.maximum, [x[:, 0] ** 2 + x[:, 1] ** 2 + x[:, 2] ** 2 for x in away]))
+        away = [(self.triangles[:, k] - self.centroids).T for k in range(3)]
+        return np.sqrt(reduce(np.maximum, [x**2 + y**2 + z**2 for x, y, z in away]))
 
     @cached_property
     def normals(self) -> np.ndarray:
@@ -81,7 +74,9 @@ class Enclosure:
         tail, head, num = self.faces.ravel(), self.heads, len(self.vertices)
         twins = np.empty(len(tail), dtype=np.int64)
         twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
-        return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes(self.triangles)))
+        corners = np.moveaxis(self.triangles, 1, 0)  # NumPy is slow over axes of length 3
+        boxes = (reduce(choice, corners) for choice in (np.minimum, np.maximum))
+        return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes))
 
     @cached_property
     def extent(self) -> float:
@@ -117,8 +112,8 @@ class Enclosure:
 
     @cached_property
     def crossed(self) -> Crossed:
-        """Where the surface crosses itself: a side of a triangle passes through another, and both
-        have corners on both sides of the other's plane. Triangles with a corner in common do not count."""
+        """Where the surface crosses itself: a side of a triangle passes through another, and both have corners on
+        both sides of the other's plane. Triangles with a corner in common do not count."""
         half = np.flatnonzero(np.arange(len(self.heads)) < self.mesh.twins)
         a, b = self.vertices[self.mesh.corners[half]], self.vertices[self.heads[half]]
         length = np.linalg.norm(b - a, axis=1)

@@ -1,10 +1,9 @@
 """The coordinate frame of a component: centred, with a diagonal of 1; its axes and its order follow from the mesh.
 
 The flow takes thousands of yes-or-no decisions, and CG amplifies a difference in the last bit until some of them
-change. A mesh that is scaled, shifted or turned by right angles differs in last bits only; a permuted mesh differs in
-ties and sums. So the order and the signs of the axes turn with the mesh, coordinates are rounded to 2^-20 of the
-diagonal, and vertices and faces are sorted. All of these meshes then start from the same bits and give the same curve.
-The rounding is a two-hundredth of the smallest length that the flow's defaults use (t_f).
+change. So that a mesh that is scaled, shifted, turned by right angles or permuted starts from the same bits, and gives
+the same curve, the axes turn with the mesh, coordinates are rounded to a two-hundredth of the smallest length that the
+flow uses (t_f), and vertices and faces are sorted.
 """
 
 from typing import NamedTuple
@@ -12,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 RESOLUTION = 2.0**-20  # diagonals: the grid that coordinates are rounded to
-SYMMETRIC = 1e-7  # diagonals cubed: mean cube of a coordinate below which the mesh is symmetric along that axis
 
 
 class UnitFrame(NamedTuple):
@@ -37,8 +35,8 @@ class UnitFrame(NamedTuple):
 def frame_of(vertices: np.ndarray) -> UnitFrame:
     """The frame of a component with ``vertices`` (V, 3) that do not all coincide.
 
-    The axes are ordered by extent, the largest first, and point to the heavier side of the mesh. For a symmetric mesh a
-    moment with one weight a vertex decides instead: it turns with the mesh, but depends on the vertices' order.
+    The axes are ordered by extent, the largest first, and point to the heavier side of the mesh. For a mesh that is
+    symmetric up to the rounding, a moment with one weight a vertex decides instead, which depends on their order.
     """
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     centre, diagonal = (low + high) / 2, float(np.linalg.norm(high - low))
@@ -47,7 +45,7 @@ def frame_of(vertices: np.ndarray) -> UnitFrame:
     skewness = (np.sort(scaled, axis=0) ** 3).mean(axis=0)
     extent = np.round((high - low) / diagonal / RESOLUTION)
     order = np.lexsort((-np.abs(moment), -extent))
-    sign = np.where(np.where(np.abs(skewness) > SYMMETRIC, skewness, moment) < 0, -1.0, 1.0)
+    sign = np.where(np.where(np.abs(skewness) > RESOLUTION / 10, skewness, moment) < 0, -1.0, 1.0)
     axes = sign[order][:, None] * np.eye(3)[order]
     axes[2] *= np.linalg.det(axes)
     return UnitFrame(centre, diagonal, axes)

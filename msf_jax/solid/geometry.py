@@ -122,11 +122,9 @@ def together(points: np.ndarray, shortest: int) -> np.ndarray:
     while length < len(points):
         length *= 2
     while length > shortest:
-        place = points[order]
-        run = np.arange(len(points)) // length
+        place, run = points[order], np.arange(len(points)) // length
         first = np.arange(0, len(points), length)
-        low, high = np.minimum.reduceat(place, first), np.maximum.reduceat(place, first)
-        longest = (high - low).argmax(axis=1)
+        longest = (np.maximum.reduceat(place, first) - np.minimum.reduceat(place, first)).argmax(axis=1)
         order = order[np.lexsort((place[np.arange(len(points)), longest[run]], run))]
         length //= 2
     return order

@@ -1,18 +1,16 @@
 """Which handles of a solid a curve inside it goes around, from linking numbers with loops of its surface.
 
-The loops of a closed surface span the homology of the outside, which Alexander duality pairs with that of the inside. A
-curve inside never meets the surface, so its linking numbers with the surface's loops are well defined. The rank of
-their matrix is the number of independent handles that its cycles go around.
+The loops of a closed surface, from a tree and a cotree (Eppstein 2003), span the homology of the outside, which
+Alexander duality pairs with that of the inside. A curve inside never meets the surface, so its linking numbers with
+these loops are well defined. The rank of their matrix is the number of independent handles that its cycles go around.
 
 The curtain of a loop is the half-infinite strip that the loop sweeps along one fixed direction. The linking number of a
 closed curve with the loop is the sum of the curve's signed crossings with the curtain (Gauss's count in a projection).
-This sum is a sum over segments, so each segment has a class, and the classes along a path add up. Two paths inside with
-the same ends go around the same handles exactly if their classes are equal. So passes over a curve keep its loops.
+So each segment has a class, and the classes along a path add up. Two paths inside with the same ends go around the same
+handles exactly if their classes are equal: passes over a curve keep its loops.
 
 Edges of the surface have classes, too. That of a loop of the surface is zero exactly if the loop bounds in the solid,
 as loops around limbs do: such a loop may be pinched. The curve keeps the others.
-
-The surface's loops come from a tree and a cotree (Eppstein 2003).
 """
 
 from typing import NamedTuple
@@ -26,9 +24,7 @@ from msf_jax.solid.kernels import Vector, onward, overlaps, point_of, tree_of
 from msf_jax.topology import graphs
 from msf_jax.topology.half_edges import HalfEdges, half_edges
 
-SEED = 2003  # of the weights that combine linking numbers into one
 PUSH = 1e-3  # mean edge lengths, by which loops lie outside the surface where its own edges have classes
-SMOOTHINGS = (0, 1, 1, 2, 4, 8, 16)  # successive numbers of rounds that smooth a surface which crosses itself
 PRIME = 2**20 - 3  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
 BLOCK = 64  # vectors that are reduced together
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
@@ -71,13 +67,13 @@ def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceL
     """The class (3F,) of every half-edge of a closed ``surface``, see `Handles.classes`; twins have opposite classes.
 
     Around each face the classes add up to zero, unless a loop leads through it, where the surface crosses itself. Then
-    they are taken from the slightly smoothed surface, whose loops have the same classes: from the first surface without
-    such a face, or that with the fewest. What is left there is carried along the tree of faces until it cancels.
+    they are taken from the surface after a few rounds of smoothing, whose loops have the same classes: the first
+    without such a face, or that with the fewest. What is left there is carried along the tree of faces, and cancels.
     """
     edges, found, least = surface.edges, np.zeros(faces.size, dtype=np.int64), len(faces)
     neighbours = graphs.weighted(len(vertices), edges.origin, edges.target)
     count = np.maximum(np.bincount(edges.origin, minlength=len(vertices)), 1)[:, None]
-    for rounds in SMOOTHINGS:
+    for rounds in (0, 1, 1, 2, 4, 8, 16):
         for _ in range(rounds):
             vertices = (vertices + neighbours @ vertices / count) / 2
         a, b = vertices[edges.origin], vertices[edges.target]
@@ -218,7 +214,7 @@ class Handles:
         boxes, order = tree_of(np.minimum(tail, head), np.maximum(tail, head))
         first, loop = times.indptr.astype(np.int64), times.indices.astype(np.int64)
         self._each = Curtains(tail, head, boxes, order, first, loop, times.data)
-        value = times @ np.random.default_rng(SEED).integers(1, 2**30, size=len(loops))
+        value = times @ np.random.default_rng(2003).integers(1, 2**30, size=len(loops))
         rank = np.arange(len(ends) + 1)
         self._combined = self._each._replace(first=rank, loop=np.zeros_like(rank), times=value)
 

@@ -1,10 +1,8 @@
 """Plane sections of a surface around points of a curve: they say where the middle of a limb is.
 
-A plane cuts a closed surface in closed walks. A curve should pass through the middle of the loop around it. The loop is
-followed from triangle to triangle (see `loops`), so the cost depends on the loop's length and not on the surface.
-
-The middle of a loop is the centroid of its area, unless that is outside the loop, as in an angle, a channel or half a
-pipe. There it is the middle of the shortest chord that halves the area (see `held_in`):
+A plane cuts a closed surface in loops, which are followed from triangle to triangle, so the cost depends on the loop's
+length only. The middle of a loop is the centroid of its area, unless that is outside the loop, as in an angle, a
+channel or half a pipe. There it is the middle of the shortest chord that halves the area (see `held_in`):
 
     min |q - p|  with  A(p, q) = A / 2
 
@@ -23,7 +21,7 @@ from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off
 
 REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
 DESCENT = 30  # triangles from the given one to the plane, after which the tree is searched instead
-CHORDS, ROUNDS = 24, 3  # from points evenly along a loop; rounds, each around the point of the shortest one before
+CHORDS = 24  # from points evenly along a loop, and again, twice, from points around that of the shortest one
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
 
@@ -268,9 +266,9 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with middles inside the loops.
 
     A centroid outside its loop, and outside ``shape``, gives way to the middle of the shortest chord that halves the
-    area: the corner of an angle, the middle of a channel's web, the back of half a pipe. It depends on the walls there
-    only. They run along the limb, so its derivatives are 0, and such a section counts as a round one: its size is its
-    radius."""
+    area. That depends only on the walls there, which run along the limb: its derivatives are 0, and such a section
+    counts as a round one, whose size is its radius.
+    """
     found = Sections(*(field.copy() for field in found))
     for row in np.flatnonzero(found.is_found & ~shape.contains(found.centroid)).tolist():
         own = slice(*np.searchsorted(corners.loop, [row, row + 1]))
@@ -291,7 +289,7 @@ def _narrowest(x: np.ndarray) -> np.ndarray:
     along = arc_length(x)
     swept = np.append(0.0, np.cumsum(_cross(x[:-1], x[1:])))  # twice the area between the loop and its start
     stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, np.zeros(2)
-    for _ in range(ROUNDS):
+    for _ in range(3):
         stops = stops % along[-1]
         p, begun = at(x, along, stops)[:, None], np.interp(stops, along, swept)[:, None]
         beyond = swept - begun + swept[-1] * (along <= stops[:, None]) + _cross(x, p) - swept[-1] / 2
@@ -311,13 +309,9 @@ def _narrowest(x: np.ndarray) -> np.ndarray:
 
 def _is_around(x: np.ndarray, point: np.ndarray) -> bool:
     """Whether the closed polygon ``x`` (C + 1, 2) is around ``point`` (2,): a ray crosses it an odd number of times."""
-    return bool(_is_crossed(x[:-1] - point, x[1:] - point).sum() % 2)
-
-
-def _is_crossed(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(C,) whether the segments from ``a`` to ``b`` (C, 2) cross the ray from the origin to the right."""
-    is_up = b[:, 1] > a[:, 1]
-    return ((a[:, 1] > 0) != (b[:, 1] > 0)) & ((_cross(b - a, -a) > 0) == is_up)
+    a, b = x[:-1] - point, x[1:] - point
+    is_left = _cross(b - a, -a) > 0
+    return bool((((a[:, 1] > 0) != (b[:, 1] > 0)) & (is_left == (b[:, 1] > a[:, 1]))).sum() % 2)
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:

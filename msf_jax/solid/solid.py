@@ -25,15 +25,9 @@ NARROWEST = 0.5  # radii of the limb: least radius of a lid; where a hole is in 
 JUST_INSIDE = 0.05  # radii of a lid: depth below the lid at which the limb is whole
 
 
-class Nesting(NamedTuple):
-    """owner: (k,) for a cavity the solid that it is in; a solid is its own. is_within: (k,) solids inside another."""
-
-    owner: np.ndarray
-    is_within: np.ndarray
-
-
-def nested(parts: list[Enclosure], volume: np.ndarray) -> Nesting:
-    """The nesting of closed connected ``parts`` with their signed ``volume`` (k,) as given, not 0."""
+def nested(parts: list[Enclosure], volume: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The nesting of closed connected ``parts`` with their signed ``volume`` (k,) as given, not 0: the owner (k,), for
+    a cavity the solid that it is in, for a solid itself; and which parts (k,) are solids inside another."""
     num, sizes = len(parts), np.abs(volume)
     low = np.array([part.vertices.min(axis=0) for part in parts])
     high = np.array([part.vertices.max(axis=0) for part in parts])
@@ -54,7 +48,7 @@ def nested(parts: list[Enclosure], volume: np.ndarray) -> Nesting:
             owner[each] = min((k for k in around if winding[k] > 0), key=lambda k: sizes[k])
         else:
             is_within[each] = is_full
-    return Nesting(owner, is_within)
+    return owner, is_within
 
 
 class Body(NamedTuple):
@@ -95,10 +89,9 @@ def without_cavities(shape: Enclosure) -> Enclosure:
 class Lid(NamedTuple):
     """The lid of an opening.
 
-    faces: (l,). rim: (r, 3) the places of its corners. middle: (3,) of the area that is seen along the ``normal``, at
-    the mean height of the rim, so that it does not depend on the lid's triangles. normal: (3,) unit, outwards. area: as
-    seen along it. reach: the largest distance of the rim from the middle. uneven: the same along the normal; 0 for a
-    flat rim.
+    faces: (l,). rim: (r, 3) its corners. middle: (3,) of the area that is seen along the ``normal``, at the mean height
+    of the rim, so that the lid's triangles do not matter. normal: (3,) unit, outwards. area: as seen along it. reach:
+    the largest distance of the rim from the middle. uneven: the same along the normal; 0 for a flat rim.
     """
 
     faces: np.ndarray
