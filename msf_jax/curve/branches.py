@@ -8,8 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse, spatial
 
-from msf_jax.solid.frame import RESOLUTION
-from msf_jax.solid.geometry import arc_length, at
+from msf_jax.solid.geometry import RESOLUTION, arc_length, at
 from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest

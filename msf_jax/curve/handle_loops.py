@@ -16,8 +16,7 @@ import numpy as np
 from msf_jax.inside.containment import is_inside
 from msf_jax.inside.roadmap import Roadmap
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import RESOLUTION
-from msf_jax.solid.geometry import signed_volume
+from msf_jax.solid.geometry import RESOLUTION, signed_volume
 from msf_jax.solid.handles import BLOCK, Span
 from msf_jax.solid.solid import bodies
 from msf_jax.topology import graphs

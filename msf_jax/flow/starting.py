@@ -17,8 +17,7 @@ from msf_jax.numerics import reconstruction
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import RESOLUTION, UnitFrame, frame_of, sort_mesh
-from msf_jax.solid.geometry import signed_volume, triangle_areas
+from msf_jax.solid.geometry import RESOLUTION, UnitFrame, frame_of, signed_volume, sort_mesh, triangle_areas
 from msf_jax.solid.handles import half_edge_classes
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`

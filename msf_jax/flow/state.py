@@ -17,7 +17,7 @@ from msf_jax.meso.meso import Meso
 from msf_jax.recording.records import ComponentRecord, Recording, Start, Step
 from msf_jax.skeleton.skeleton import Skeleton, Source, Stage
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import UnitFrame
+from msf_jax.solid.geometry import UnitFrame
 
 
 class Iteration(NamedTuple):

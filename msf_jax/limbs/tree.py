@@ -28,8 +28,7 @@ from msf_jax.limbs.levels import first_of, levels
 from msf_jax.meshes.reconnecting import reconnected
 from msf_jax.numerics.compiled import Ints, Points, kernel
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import RESOLUTION
-from msf_jax.solid.geometry import triangle_areas
+from msf_jax.solid.geometry import RESOLUTION, triangle_areas
 from msf_jax.topology import graphs
 
 SOURCES = 32  # points, far from each other, whose distances are averaged; with 16, mirrored limbs differ by a sixth

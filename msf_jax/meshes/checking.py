@@ -28,7 +28,7 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.solid.solid import nested
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import by_label, edge_codes, half_edges
+from msf_jax.topology.graphs import by_label, edge_codes, half_edges
 
 
 @dataclass(frozen=True)

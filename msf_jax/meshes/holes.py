@@ -16,7 +16,7 @@ import numpy as np
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, unit
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import by_label, edge_codes
+from msf_jax.topology.graphs import by_label, edge_codes
 
 Face = tuple[int, int, int]
 

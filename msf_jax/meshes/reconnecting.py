@@ -12,7 +12,7 @@ so that each flat face ends as the Delaunay triangulation of its vertices (Lawso
 import numpy as np
 
 from msf_jax.solid.geometry import cross
-from msf_jax.topology.half_edges import half_edges
+from msf_jax.topology.graphs import half_edges
 
 LEAST_BEND = 1e-3  # sine of the angle between two triangles that are not in one plane
 ROUNDED = 1e-6  # of the surface's extent: coordinates in single precision, not too far from the origin, are as exact

@@ -22,7 +22,7 @@ from msf_jax.base.options import Options, number
 from msf_jax.meshes.holes import extruded, filled
 from msf_jax.solid.geometry import signed_volume
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import by_label, edge_codes
+from msf_jax.topology.graphs import by_label, edge_codes
 
 FEWEST_VERTICES = 5  # vertices of a piece, at least, to have a skeleton
 FEWEST_TO_JOIN = 4  # vertices of a piece, at least, to be joined to another

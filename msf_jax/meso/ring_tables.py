@@ -9,7 +9,7 @@ table, transposed. A vertex has one row, and so one fan: pinched vertices cannot
 import numpy as np
 
 from msf_jax.base.errors import MeshError
-from msf_jax.topology.half_edges import half_edges, next_in_ring
+from msf_jax.topology.graphs import half_edges, next_in_ring
 
 RING_CAPACITIES = (8, 12, 16, 24, 32)  # slots of a row
 

@@ -29,8 +29,7 @@ from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
 from msf_jax.curve import branches as measures
 from msf_jax.curve import centring
 from msf_jax.solid import sections
-from msf_jax.solid.frame import RESOLUTION
-from msf_jax.solid.geometry import together, unit
+from msf_jax.solid.geometry import RESOLUTION, together, unit
 from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
 

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from msf_jax.numerics.reconstruction import LowPass
-from msf_jax.solid.frame import UnitFrame
+from msf_jax.solid.geometry import UnitFrame
 
 
 class FoundPoles(NamedTuple):

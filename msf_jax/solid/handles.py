@@ -22,7 +22,7 @@ from msf_jax.numerics.compiled import Ints, Points, Rows, kernel, part
 from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
 from msf_jax.solid.kernels import Vector, onward, overlaps, point_of, tree_of
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import HalfEdges, half_edges
+from msf_jax.topology.graphs import HalfEdges, half_edges
 
 PUSH = 1e-3  # mean edge lengths, by which loops lie outside the surface where its own edges have classes
 PRIME = 2**20 - 3  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely

@@ -18,7 +18,7 @@ from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import ROUNDING, cross, signed_volume, triangle_areas, unit
 from msf_jax.topology import graphs
-from msf_jax.topology.half_edges import by_label
+from msf_jax.topology.graphs import by_label
 
 STEEPEST = 0.5  # cosine between a lid and the walls at its rim: 0 where a tube is cut off, 1 for a hole in a wall
 NARROWEST = 0.5  # radii of the limb: least radius of a lid; where a hole is in a ridge, the limb goes on beside it

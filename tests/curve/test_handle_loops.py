@@ -18,7 +18,7 @@ from msf_jax.inside.roadmap import Roadmap
 from msf_jax.skeleton.report import loops_of
 from msf_jax.solid import handles
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import RESOLUTION
+from msf_jax.solid.geometry import RESOLUTION
 from msf_jax.topology.graphs import cycle_count, shortest_forest
 from tests.benchmarks import solids
 

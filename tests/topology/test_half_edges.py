@@ -5,6 +5,7 @@ import pytest
 from solid_cases import SHAPES, arrays
 
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.topology.graphs import half_edges
 
 
 @pytest.fixture(scope="module", params=SHAPES)
@@ -27,4 +28,5 @@ def test_the_twin_of_an_edge_is_in_the_face_next_door(shape, order):
     np.testing.assert_array_equal(np.sort(twins), np.arange(len(tail)))
     np.testing.assert_array_equal(tail[twins], head)  # it runs the other ray in the face next door
     np.testing.assert_array_equal(head[twins], tail)
+    np.testing.assert_array_equal(half_edges(faces).twin, twins)
     assert (twins // 3 != np.arange(len(tail)) // 3).all()
