@@ -46,24 +46,23 @@ DIED = "its worker died, twice: out of memory?"  # the error in the row of such 
 
 Row = dict[str, Any]
 Pool = Callable[[], AbstractContextManager[Executor]]
+Settings = tuple[Weights, Config, Repair | None, Shaping, bool]  # the last one: whether to compute in float64
 
 
 class BatchJob(NamedTuple):
-    """One mesh: the paths of its file, curve and row, a hash of all that the curve depends on, and the settings of the
-    batch: weights, config, repair, shaping, and whether to compute in float64."""
+    """One mesh: the paths of its file, curve and row, and a hash of all that the curve depends on."""
 
     source: str
     target: str
     row: str
     key: str
-    settings: tuple[Weights, Config, Repair | None, Shaping, bool]
+    settings: Settings
 
 
 @dataclass(frozen=True)
 class BatchResult:
-    """rows: a dictionary for each mesh of the call, as in the table. manifest: the table's file, which has the rows of
-    earlier batches into the folder, too. num_done: meshes computed by this call; the others had a row already.
-    num_failed: meshes of this call without a curve."""
+    """rows: one for each mesh of the call. manifest: the table's file, with the rows of earlier batches, too. num_done:
+    meshes computed by this call; others had a row already. num_failed: meshes of this call without a curve."""
 
     rows: tuple[Row, ...] = field(repr=False)
     manifest: Path
@@ -89,8 +88,7 @@ def run(
 
     Args:
         paths: mesh files. Each is done once.
-        out: a folder, created if missing. The curve of ``a/b.off`` is ``a/b.off.swc`` in it; all reports are in
-            ``manifest.csv``. One batch after another may write to one folder: the table has all rows.
+        out: a folder, created if missing. It has the curve ``a/b.off.swc`` of ``a/b.off``, and ``manifest.csv``.
         weights, config, repair: as `skeletonize` takes them; weights are numbers.
         suffix: the format of the curves; see `Skeleton.save`.
         jobs: processes; by default one for each core.
@@ -116,7 +114,7 @@ def run(
     folder, settings = Path(out).absolute(), (weights, config, as_repair(repair), shaping, is_double)
     planned = _planned_jobs(paths, folder, suffix, settings)
     made_folder(folder / ROWS)
-    # The lock of an empty database: every system has that, and it ends with this process, however that ends.
+    # The lock of an empty database, on every system, ends with this process, however that ends.
     with closing(sqlite3.connect(folder / ROWS / "lock", timeout=0)) as lock:
         try:
             lock.execute("BEGIN EXCLUSIVE")
@@ -139,7 +137,7 @@ def run(
     return BatchResult(rows, folder / MANIFEST, len(missing), sum(bool(row["error"]) for row in rows))
 
 
-def _planned_jobs(paths: Iterable[Any], folder: Path, suffix: str, settings: Any) -> list[BatchJob]:
+def _planned_jobs(paths: Iterable[Any], folder: Path, suffix: str, settings: Settings) -> list[BatchJob]:
     """A job for each mesh, smallest file first. Names are relative to the folder that all meshes of the call are in."""
     if isinstance(paths, str | os.PathLike):
         raise ConfigError(f"paths is {os.fspath(paths)!r}: expected a list of paths, one for each mesh")
@@ -151,10 +149,11 @@ def _planned_jobs(paths: Iterable[Any], folder: Path, suffix: str, settings: Any
     for path in sources:
         name = str(path.relative_to(base))
         size, stamp = (path.stat().st_size, path.stat().st_mtime_ns) if path.exists() else (0, 0)
-        row = folder / ROWS / f"{hashlib.sha256(os.fsencode(name)).hexdigest()[:32]}.json"
-        key = hashlib.sha256(os.fsencode(f"{name} {size} {stamp} {VERSION} {suffix} {settings}")).hexdigest()
-        sized.append((size, BatchJob(str(path), str(folder / (name + suffix)), str(row), key, settings)))
-    return [job for _, job in sorted(sized, key=lambda pair: (pair[0], pair[1].source))]
+        texts = name, f"{name} {size} {stamp} {VERSION} {suffix} {settings}"
+        row, key = (hashlib.sha256(os.fsencode(text)).hexdigest()[:32] for text in texts)
+        job = BatchJob(str(path), str(folder / (name + suffix)), str(folder / ROWS / f"{row}.json"), key, settings)
+        sized.append((size, str(path), job))
+    return [job for *_, job in sorted(sized)]
 
 
 def _read_row(path: str | Path) -> Row | None:
@@ -211,7 +210,7 @@ def _finished_jobs(jobs: list[BatchJob], pool: Pool, window: int, is_last_try: b
     """The jobs whose rows are written, in the order of completion. At most ``window`` jobs are submitted at a time.
 
     A worker that dies, of too little memory, say, ends its pool. The jobs that were submitted then are tried once more,
-    each in a pool of its own, so that a mesh that ends its worker again is known.
+    each in a pool of its own.
     """
     waiting, suspects = deque(jobs), list[BatchJob]()
     while waiting:
@@ -287,17 +286,14 @@ def _cluster(scheduler: str) -> Iterator[Executor]:
 
 
 def _write_table(folder: Path, planned: list[BatchJob]) -> None:
-    """Write the rows of all batches whose curve or, where it has an error, whose mesh is there, sorted by path.
-
-    A row of this batch that was made with other settings is out of date, and is left out.
-    """
+    """Write the rows of all batches whose curve or, where it has an error, whose mesh is there, sorted by path; but no
+    row of ``planned`` that was made with other settings."""
     keys = {Path(job.row).name: job.key for job in planned}
     rows = []
     for path in (folder / ROWS).glob("*.json"):
         row = _read_row(path)
-        if row is None or keys.get(path.name, row["key"]) != row.pop("key"):
-            continue
-        if path.name in keys or os.path.exists(row["output"] or row["path"]):
+        is_own = row is not None and keys.get(path.name, row["key"]) == row.pop("key")
+        if row is not None and is_own and (path.name in keys or os.path.exists(row["output"] or row["path"])):
             rows.append(row)
     text = io.StringIO()
     table = csv.DictWriter(text, list(dict.fromkeys(name for row in rows for name in row)), lineterminator="\n")

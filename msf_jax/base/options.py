@@ -10,7 +10,7 @@ import numbers
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -62,10 +62,10 @@ class Weights:
             if is_traced(value):
                 continue
             try:
-                array = np.asarray(np.nan if isinstance(value, str) else value, dtype=np.float64)
+                array = np.asarray(np.nan if isinstance(value, str | bool) else value, dtype=np.float64)
             except (TypeError, ValueError):
                 array = np.array(np.nan)
-            if isinstance(value, bool) or not (np.isfinite(array) & (array >= 0)).all():
+            if not (np.isfinite(array) & (array >= 0)).all():
                 raise ConfigError(f"Weights.{name} is {value!r}: expected a finite number of 0 or more")
             if name == "w_H" and not (array > 0).all():
                 raise ConfigError(f"Weights.w_H is {value!r}: expected more than 0, or the system is singular")
@@ -189,7 +189,7 @@ class FlowOptions(Options):
 
     @property
     def thresholds(self) -> tuple[float, float, float]:
-        """The least threshold, its step, and the largest: the arguments of `edits.threshold`."""
+        """The least threshold, its step, and the largest."""
         return self.threshold_min, self.threshold_step, self.threshold_max
 
 
@@ -230,8 +230,7 @@ class CurveOptions(Options):
     extend_tips: bool = True
 
 
-@dataclass(frozen=True)
-class StepSettings:
+class StepSettings(NamedTuple):
     """The settings that a jitted step depends on, besides the layout of its buffers; `Config` explains them."""
 
     laplacian: str

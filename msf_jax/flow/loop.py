@@ -36,29 +36,8 @@ def contract(
     repair: bool | str | Repair = False,
     progress: bool = False,
 ) -> Flow:
-    """Run the flow on ``mesh`` and return all of it. `skeletonize` returns the finished curve alone.
-
-    Args:
-        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces. Or a
-            `Surface` that was checked before.
-        weights: of the flow; those of ``config``'s system if not given. Each is a number, or an array (V,) with one for
-            every vertex of the mesh. A merged vertex gets the mean of its vertices' weights; a vertex that splits an
-            edge gets an interpolated weight.
-        config: the system and its options; ``Config()``, the article's, if not given.
-        pins: ids of vertices of the mesh that are held in place; the curve goes through them.
-        repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold; "join" also makes one
-            solid of parts that overlap, touch or nearly touch. Every change is counted in ``skeleton.report.repairs``.
-        progress: show a progress bar on standard error, if that is a terminal.
-
-    Raises:
-        MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
-            make it one.
-        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
-        FlowError: the mesh has no Voronoi diagram, or ``config.max_seconds`` had passed before the first iteration had
-            ended.
-        Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow. Before the first iteration has ended there is
-            none, and a plain KeyboardInterrupt is raised.
-    """
+    """Run the flow on ``mesh`` and return all of it. For arguments and errors see `skeletonize`, which returns the
+    finished curve alone. ``mesh`` may also be a `Surface` that was checked before."""
     weights, config = checked_options(weights, config)
     clock = Clock(config.max_seconds)
     with clock.listening(), tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
@@ -124,7 +103,9 @@ def skeletonize(
     Args:
         mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices (V, 3), faces (F, 3))``. It is not changed.
             Each component is skeletonised; the result is one skeleton.
-        weights: of the flow; those of ``config``'s system if not given.
+        weights: of the flow; those of ``config``'s system if not given. Each is a number, or an array (V,) with one for
+            every vertex of the mesh. A merged vertex gets the mean of its vertices' weights; a vertex that splits an
+            edge gets an interpolated weight.
         config: the system and its options; ``Config()``, the article's, if not given.
         pins: ids of vertices of the mesh that are held in place; the curve goes through them.
         repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold: weld, fill holes,

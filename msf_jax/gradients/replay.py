@@ -105,7 +105,7 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
         tight = loose = tolerance
     run = tape.config.on_device
     solvers = [changed(run.solver, tolerance=t, max_steps=MOST_STEPS, preconditioner="jacobi") for t in (tight, loose)]
-    settings = tuple(changed(run, solver=solver) for solver in solvers)
+    settings = tuple(run._replace(solver=solver) for solver in solvers)
     results = [
         _replayed_part(layouts, settings, (part, weights, given + moved, moved))
         for part, layouts in zip(tape.parts, tape.layouts, strict=True)

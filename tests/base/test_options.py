@@ -80,7 +80,7 @@ def test_a_step_depends_on_these_options_and_on_no_others():
     assert Config.au2008(flow={"laplacian": "mean_value"}).on_device != Config().on_device
     others = Config(least_slenderness=0.0, coarsen=0.0, max_iterations=3, flow=FlowOptions(threshold_min=0.004))
     assert others.on_device == Config().on_device
-    settings = vars(Config().on_device)
+    settings = Config().on_device._asdict()
     assert set(settings) == {"laplacian", "solver", "w_H_follows_area"}
     for name in settings:
         with pytest.raises(TypeError, match=name):
