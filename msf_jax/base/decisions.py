@@ -59,7 +59,7 @@ class Part(NamedTuple):
     vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
     mesh_filter: the filter of the mesh itself, or None. gather: the matrix (n, V) from vertices to first rows.
     site_filter: the filter of the sites of poles, or None. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see
-    `recording.padded.record_poles`. meso_row: (m,) rows of the last workspace. nodes: the matrix (N, m) from the
+    `recording.records.record_poles`. meso_row: (m,) rows of the last workspace. nodes: the matrix (N, m) from the
     meso-skeleton to the nodes. pin_node, pin_input, pin_share: (p,) entries of the matrix from the caller's vertices to
     held nodes. is_held: (N,) nodes that are means of pins. centre: (3,), diagonal: (), axes: (3, 3): the frame.
     """

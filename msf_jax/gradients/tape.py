@@ -13,8 +13,7 @@ import numpy as np
 from msf_jax.base.decisions import Part
 from msf_jax.base.layout import Layout
 from msf_jax.base.options import Config, Weights
-from msf_jax.recording import padded
-from msf_jax.recording.records import Recording
+from msf_jax.recording.records import Recording, record_component
 from msf_jax.skeleton.skeleton import Skeleton, Source
 
 
@@ -66,7 +65,7 @@ class Tape:
 
 def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source) -> Tape:
     """The tape of a run with the flow's curve ``curve`` and its ``source``."""
-    parts, layouts = zip(*map(padded.record_component, run.components), strict=True)
+    parts, layouts = zip(*map(record_component, run.components), strict=True)
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
     near = shape.faces[shape.nearest(nodes)[1]]
     triangles = run.input_of_vertex[near]

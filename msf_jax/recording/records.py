@@ -1,11 +1,27 @@
-"""The records of a run's decisions, from which a tape is made on request."""
+"""The records of a run's decisions, and the tape of a component that is made of them on request, for `device.playback`.
 
+The edits before and after the iterations are linear in the positions, with known shares, and are recorded as one sparse
+matrix each. In an iteration, collapses are linear in the positions: after all collapses of an iteration, a vertex is a
+weighted sum of others, with shares that are powers of one half. So they are recorded as a group and a share for each
+row, however many rounds there were. A split is not linear: its place, the projection of an apex, is computed anew; its
+three rows are recorded.
+"""
+
+from itertools import pairwise, zip_longest
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy import sparse
 
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
+from msf_jax.base.layout import Layout, layout_for
+from msf_jax.meso import packing
+from msf_jax.meso.edits import CollapseRound, SplitRound
+from msf_jax.meso.meso import Compaction, Meso
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.solid.geometry import UnitFrame
+
+LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
 
 
 class FoundPoles(NamedTuple):
@@ -82,3 +98,189 @@ class Recording(NamedTuple):
     faces: np.ndarray
     input_of_vertex: np.ndarray
     is_made: np.ndarray
+
+
+def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]:
+    """The tape of a component, and the layouts of its stretches."""
+    start, steps, num = record.start, record.steps, len(record.vertices)
+    place, blend = edit_matrices(start.edits, num)
+    plan = layouts_of(steps)
+    order, capacity = (steps[0].order, plan[0][2].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
+    row = site = np.argsort(order)  # of each vertex: its row, and the row of the first stretch whose pole it has
+    stretches = []
+    for first, last, layout in plan:
+        stretch, row, site = record_stretch(steps[first:last], layout, row, site)
+        stretches.append(stretch)
+    mesh_filter = site_filter = None
+    if start.mesh_filter:
+        meso = Meso.from_mesh(record.vertices, record.faces)
+        mesh_filter = record_filter(start.mesh_filter, np.arange(num), meso.rings, meso.degree)
+    if start.found and start.found.kept and steps:
+        site_filter = record_filter(start.found.kept, order, steps[0].rings, steps[0].degree)
+    is_node = record.node_of_meso >= 0
+    node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
+    share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
+    means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
+    num_pins = np.bincount(record.node_of_pin, minlength=record.num_nodes)
+    part = Part(
+        vertices=record.vertices,
+        vertex_of_input=record.vertex_of_input.astype(np.int32),
+        is_pin=np.isin(np.arange(num), record.pins),
+        mesh_filter=mesh_filter,
+        gather=entries(place[order], blend[order]),
+        site_filter=site_filter,
+        **record_poles(start.found, order, capacity),
+        stretches=tuple(stretches),
+        meso_row=row.astype(np.int32),
+        nodes=entries(*2 * [means @ edit_matrices(record.thinning, record.num_meso)[0]]),
+        pin_node=record.node_of_pin.astype(np.int32),
+        pin_input=record.vertex_of_input[record.pins].astype(np.int32),
+        pin_share=1.0 / num_pins[record.node_of_pin],
+        is_held=num_pins > 0,
+        centre=record.frame.centre,
+        diagonal=np.asarray(record.frame.diagonal),
+        axes=record.frame.axes,
+    )
+    return part, tuple(layout for *_, layout in plan)
+
+
+def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
+    """One or two layouts for the iterations, whichever have fewer slots, each after its first one and the first beyond
+    it. Each takes seconds to compile, but with one for all, the late iterations would consist mostly of padding."""
+
+    def planned(*bounds: int) -> list[tuple[int, int, Layout]]:
+        plan = []
+        for first, last in pairwise(bounds):
+            beyond = zip_longest(*(packing.rows_beyond(step.degree) for step in steps[first:last]), fillvalue=0)
+            most = max(len(step.order) for step in steps[first:last])
+            plan.append((first, last, layout_for(most, list(map(max, beyond)))))
+        return plan
+
+    plans = [planned(0, *cut, len(steps)) for cut in [(), *((k,) for k in range(1, len(steps)))]] if steps else [[]]
+    return min(plans, key=lambda plan: sum((last - first) * layout.num_slots for first, last, layout in plan))
+
+
+def record_stretch(
+    steps: list[Step], layout: Layout, row: np.ndarray, site: np.ndarray
+) -> tuple[Stretch, np.ndarray, np.ndarray]:
+    """The `Stretch` of ``steps`` in one layout. ``row`` (m,): of the workspace before, for every vertex. ``site`` (m,):
+    the row of the first stretch whose pole each vertex has. Returns what these are afterwards, too."""
+    capacity = layout.capacity
+    cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
+    num_rounds, num_cuts = max(map(len, cuts)), max((len(done.a) for rounds in cuts for done in rounds), default=1)
+    own, lines = np.arange(capacity), []
+
+    def in_rows(values: np.ndarray, fill: float = 0.0, dtype: type = np.float64) -> np.ndarray:
+        return packing.pad(values, capacity, fill, np.dtype(dtype))
+
+    for step, rounds in zip(steps, cuts, strict=True):
+        rank, num_rows = np.argsort(step.order), len(step.order)
+        row_before, pole = row, in_rows(site[step.order], dtype=np.int32)
+        group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
+        # Edits have ids of vertices. Here they become rows: of the buffers, and, for new vertices, of the workspace.
+        # A new vertex has no pole that pulls.
+        fresh = np.zeros(sum(len(done.new) for done in rounds), dtype=np.int64)
+        row, site = np.concatenate([rank, fresh]), np.concatenate([site, fresh])
+        cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
+        for k, done in enumerate(rounds):
+            row[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
+            apex = done.a if done.apex is None else done.apex
+            cut[k, : len(done.a)] = np.stack([row[done.a], row[done.b], row[apex]], axis=1)
+        for edit in step.edits:
+            if isinstance(edit, CollapseRound):
+                site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
+        line = Stretch(
+            enter=in_rows(row_before[step.order], dtype=np.int32),
+            rings=packing.slots(step.rings, step.degree, layout),
+            degree=in_rows(step.degree),
+            free=in_rows(step.free),
+            pull=in_rows(step.pull),
+            site=pole,
+            left=np.pad(step.left.astype(np.float64), ((0, 0), (0, capacity - num_rows), (0, 0))),
+            factor=np.asarray(step.factor),
+            group=np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
+            share=in_rows(share[step.order], 1.0),
+            blend=in_rows(blend[step.order], 1.0),
+            cut=cut,
+        )
+        lines.append(line)
+        for edit in step.edits:
+            if isinstance(edit, Compaction):
+                row, site = row[edit.live], site[edit.live]
+    rings = tuple(np.stack(table) for table in zip(*(line.rings for line in lines), strict=True))
+    stacked = {name: np.stack([getattr(line, name) for line in lines]) for name in Stretch._fields if name != "rings"}
+    return Stretch(rings=rings, **stacked), row, site
+
+
+def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The row (n,) that each row is merged into in ``rounds``, its share of that row's position, and of its weights."""
+    group, share, mean = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+    for done in rounds:
+        target, keeps, halves = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+        target[done.removed] = done.survivor
+        keeps[done.survivor], keeps[done.removed] = 1 - done.fraction, done.fraction
+        halves[done.survivor] = halves[done.removed] = 0.5
+        share *= keeps[group]
+        mean *= halves[group]
+        group = target[group]
+    return group, share, mean
+
+
+def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
+    """The effect of ``edits`` with known fractions on positions and on weights: sparse matrices (rows after, before).
+
+    They differ at a fixed vertex: in a collapse it keeps its position, but gets the mean of the weights.
+    """
+    both: list[Any] = [sparse.csr_matrix(sparse.identity(num_rows)) for _ in range(2)]
+    for edit in edits:
+        row = np.arange(both[0].shape[0])
+        if isinstance(edit, CollapseRound):
+            group, *shares = merged([edit], len(row))
+            steps = [sparse.csr_matrix((share, (group, row)), shape=(len(row), len(row))) for share in shares]
+            both = [step @ matrix for step, matrix in zip(steps, both, strict=True)]
+        elif isinstance(edit, SplitRound):
+            fresh, ends = np.arange(len(edit.a)), np.r_[edit.a, edit.b]
+            shares = np.r_[1 - edit.fraction, edit.fraction]
+            cut = sparse.csr_matrix((shares, (np.r_[fresh, fresh], ends)), shape=(len(fresh), len(row)))
+            both = [sparse.vstack([matrix, cut @ matrix], format="csr") for matrix in both]
+        elif isinstance(edit, Compaction):
+            both = [matrix[edit.live] for matrix in both]
+    return both[0], both[1]
+
+
+def entries(place: Any, blend: Any) -> Mixing:
+    """The entries of two matrices that one or the other has."""
+    row, column = (abs(place) + abs(blend)).nonzero()
+    shares = [np.asarray(matrix[row, column]).ravel() for matrix in (place, blend)]
+    return Mixing(row.astype(np.int32), column.astype(np.int32), *shares)
+
+
+def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> Basis | Polynomial:
+    """The filter on vertices ``order`` (n,), with neighbours ``rings`` (n, K), of which ``degree`` (n,) count."""
+    if kept.basis is not None:
+        return Basis(kept.basis[order])
+    rings = np.where(np.arange(rings.shape[1]) < degree[:, None], rings, 0)
+    return Polynomial(rings.astype(np.int32), degree.astype(np.float64), kept.share, np.asarray(kept.top))
+
+
+def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
+    """Tetrahedra of the poles, by packed rows (n, ...).
+
+    is_firm: whether the circumcentre of the four sites is well-conditioned; if not, the pole moves with their mean.
+    offset: (n, 3) the pole as it was found, minus the circumcentre or the mean.
+    """
+    if found is None:
+        empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
+        return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
+    corner, is_inside = found.sites[found.tetrahedron], found.is_inside[:, None]
+    edges = corner[:, 1:] - corner[:, :1]
+    square, determinant = (edges * edges).sum(axis=2), np.linalg.det(edges)
+    is_firm = found.is_inside & (np.abs(determinant) > LEAST_DETERMINANT * np.sqrt(square.prod(axis=1)))
+    centre = corner.mean(axis=1)
+    centre[is_firm] = corner[is_firm, 0] + np.linalg.solve(edges[is_firm], square[is_firm, :, None] / 2)[:, :, 0]
+    fields = {
+        "tetrahedron": np.where(is_inside, np.argsort(order)[found.tetrahedron], 0).astype(np.int32),
+        "is_firm": is_firm,
+        "offset": np.where(is_inside, found.poles - centre, 0.0),
+    }
+    return {name: packing.pad(values[order], capacity, 0, values.dtype) for name, values in fields.items()}

@@ -20,7 +20,6 @@ from msf_jax.solid.geometry import arc_length, at, cross, unit
 from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
 REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
-DESCENT = 30  # triangles from the given one to the plane, after which the tree is searched instead
 CHORDS = 24  # from points evenly along a loop, and again, twice, from points around that of the shortest one
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
@@ -87,19 +86,22 @@ def edge_down(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
 
 @part
 def descended(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
-    """The half-edge down through the plane that is reached from a face, face by face; -1 if it is too far."""
-    for _ in range(DESCENT):
+    """The half-edge down through the plane that is reached from a face, always nearer; -1 if there is none."""
+    before = np.inf
+    while True:
         edge = edge_down(mesh, point, normal, face)
         if edge >= 0:
             return edge
         # To the neighbour across the edge opposite to the corner that is farthest from the plane.
-        farthest, most = 0, -1.0
+        farthest, most, total = 0, -1.0, 0.0
         for k in range(3):
             away = abs(height(mesh, mesh.corners[3 * face + k], point, normal))
+            total += away
             if away > most:
                 farthest, most = k, away
-        face = mesh.twins[3 * face + (farthest + 1) % 3] // 3
-    return -1
+        if total >= before:
+            return -1
+        before, face = total, mesh.twins[3 * face + (farthest + 1) % 3] // 3
 
 
 @part
@@ -122,8 +124,8 @@ def loops(
 ) -> bool:
     """For each point, the half-edges down through its plane along one loop.
 
-    The loop is reached from triangle ``near[p]``. If that is -1, or if the plane is far from there, it is the nearest
-    loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
+    The loop is reached from triangle ``near[p]``. If that is -1, or no loop is reached from it, it is the nearest loop
+    within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
     triangle.
 
     The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane. Returns False
@@ -168,9 +170,7 @@ def loops(
 
 
 @kernel
-def measures(
-    places: Points, leans: Reals, normals: Points, ends: Ints, rows: Ints, flattest: float, found: Points
-) -> None:
+def measures(places: Points, leans: Reals, normals: Points, ends: Ints, rows: Ints, found: Points) -> None:
     """Sums over loops with corners at ``places`` (C, 3) relative to their points, in planes with ``normals`` (P, 3).
 
     Loop k belongs to point ``rows[k]``, and ends before ``ends[k]``. ``leans`` (C,) is the inward slope of the wall
@@ -199,7 +199,7 @@ def measures(
                 length, lean, off = norm(minus(b, a)), leans[here], minus(middle, centroid)
                 away = norm(minus(a, centroid)) + 4 * norm(off)
                 sums[6] += length * ((away + norm(minus(b, centroid))) / 6)  # Simpson's rule
-                lean *= length / sqrt(max(1 - lean * lean, 0.0) + flattest * flattest)
+                lean *= length / sqrt(max(1 - lean * lean, 0.0) + ADDED_SINE * ADDED_SINE)
                 for i in range(3):
                     sums[7 + i] += lean * off[i]
                     for j in range(3):
@@ -251,7 +251,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     leans = -np.einsum("ci,ci->c", shape.normals.take(corners.triangle, axis=0), normals.take(loop, axis=0))
     sums = np.zeros((len(points), 19))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
-    measures(places, leans, normals, ends, loop[ends - 1], ADDED_SINE, sums)
+    measures(places, leans, normals, ends, loop[ends - 1], sums)
     area2, angle, perimeter = sums[:, 3], sums[:, 4], np.maximum(sums[:, 5], 1e-300)
     is_found = area2 > 0
     size, radius = (np.where(is_found, column, 0.0) / perimeter for column in (area2, sums[:, 6]))

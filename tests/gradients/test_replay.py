@@ -15,7 +15,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Weights
 from msf_jax.base.layout import layout_for
 from msf_jax.gradients import replay, tape
-from msf_jax.recording import padded
+from msf_jax.recording import records
 
 pytestmark = pytest.mark.usefixtures("few_rows")
 
@@ -94,7 +94,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
         return [(0, 1, layout_for(500, beyond)), (1, len(steps), layout_for(400, beyond))]
 
     nodes = msf_jax.replay(flow.tape, flow.weights)
-    monkeypatch.setattr(padded, "layouts_of", other_plan)
+    monkeypatch.setattr(records, "layouts_of", other_plan)
     again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
     assert again.layouts != flow.tape.layouts
     np.testing.assert_allclose(msf_jax.replay(again, flow.weights), nodes, atol=1e-10)
