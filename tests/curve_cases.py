@@ -9,8 +9,7 @@ import trimesh
 from msf_jax import metrics
 from msf_jax.curve import centring, finishing, handle_loops
 from msf_jax.curve.finishing import Draft, Job
-from msf_jax.inside import containment
-from msf_jax.inside.roadmap import Roadmap
+from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology.graphs import cycle_count
@@ -67,9 +66,7 @@ def turns_of(x, edges):
 
 def job_of(shape):
     """What a pass may ask of the solid ``shape``."""
-    return Job(
-        shape, shape, 1.5, Roadmap(shape, containment.is_inside), centring.Budget(), partial(LimbTree, shape), 0.5
-    )
+    return Job(shape, shape, 1.5, Roadmap(shape), centring.Budget(), partial(LimbTree, shape), 0.5)
 
 
 def draft_of(x, edges):

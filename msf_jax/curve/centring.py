@@ -36,8 +36,7 @@ from scipy.sparse import linalg
 
 from msf_jax.curve import branches as measures
 from msf_jax.curve.branches import BranchPath
-from msf_jax.inside.containment import is_inside
-from msf_jax.inside.roadmap import TOUCHING
+from msf_jax.inside.containment import TOUCHING, is_inside
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import SURE, Enclosure
 from msf_jax.solid.geometry import unit

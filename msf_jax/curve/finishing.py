@@ -15,7 +15,7 @@ from scipy import spatial
 from msf_jax.base.clock import Clock, Stopped
 from msf_jax.curve import branches, centring, handle_loops, junctions, resampling
 from msf_jax.inside import containment
-from msf_jax.inside.roadmap import Roadmap
+from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs import one_branch, reeb_curve
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
@@ -176,7 +176,7 @@ def finish(
     If ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
     """
     coarse = shape if coarse is None else coarse
-    roadmap = Roadmap(shape, containment.is_inside)
+    roadmap = Roadmap(shape)
     job = Job(shape, coarse, prune, roadmap, centring.Budget(), limbs or partial(LimbTree, outside or coarse), detail)
     clock, is_cut = clock or Clock(), False
     draft, laid = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes))), None
@@ -228,7 +228,7 @@ def _by_wavefronts(
     astray = 1.0 if is_tangle else _outside(job, nodes, edges)
     if not (is_thin or astray > ASTRAY):
         return None
-    laid = reeb_curve.reeb_curve(outside, containment.is_inside, only_thin=astray <= ASTRAY)
+    laid = reeb_curve.reeb_curve(outside, only_thin=astray <= ASTRAY)
     is_worse = laid is not None and _outside(job, *laid[:2]) > max(astray, ASTRAY)
     return None if is_worse else laid
 

@@ -13,8 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.inside.containment import is_inside
-from msf_jax.inside.roadmap import Roadmap
+from msf_jax.inside.containment import Roadmap, is_inside
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, signed_volume
 from msf_jax.solid.handles import BLOCK, Span
@@ -133,12 +132,7 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
     if are_too_many(roadmap.shape, edges):
         roadmap.num_unsought = missing
         return vertices, edges
-    is_complete = False
-    while missing:
-        paths = _new_loops(roadmap, vertices, edges, is_complete, min(max(AT_ONCE, missing // 4), missing))
-        if not paths and is_complete:
-            break
-        is_complete |= not paths
+    while missing and (paths := _new_loops(roadmap, vertices, edges, min(max(AT_ONCE, missing // 4), missing))):
         missing -= len(paths)
         for start, end, path in paths:
             number = np.array([start, *range(len(vertices), len(vertices) + len(path)), end])
@@ -149,14 +143,14 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
 
 
 def _new_loops(
-    roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, is_complete: bool, most: int
+    roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, most: int
 ) -> list[tuple[int, int, np.ndarray]]:
     """Up to ``most`` paths of `Roadmap.loops_from` that close loops independent of the curve's and of each other."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     handles, chosen, span = roadmap.shape.handles, [], Span()
     _, windings, along = graphs.cycles(len(vertices), edges, handles.linking(a, b), np.linalg.norm(a - b, axis=1))
     span.add(windings)
-    found = roadmap.loops_from(vertices, edges, is_complete)
+    found = roadmap.loops_from(vertices, edges)
     while len(chosen) < most and (some := list(islice(found, BLOCK))):
         roadmap.num_linked += 2 * handles.genus * len(some)
         if roadmap.num_linked > MOST_LINKING:

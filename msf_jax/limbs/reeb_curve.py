@@ -13,7 +13,7 @@ from scipy import spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside import balls
-from msf_jax.inside.roadmap import Test
+from msf_jax.inside.containment import is_inside
 from msf_jax.limbs.levels import Levels, levels
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import repeated, unit, vertex_normals
@@ -34,7 +34,7 @@ class ReebCurve(NamedTuple):
     node_of_vertex: np.ndarray
 
 
-def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> ReebCurve | None:
+def reeb_curve(shape: Enclosure, only_thin: bool = True) -> ReebCurve | None:
     """The curve of a connected solid of diagonal 1; None if the solid is not coarse, a plate, or, with ``only_thin``,
     not thin."""
     x, faces = shape.vertices, shape.faces
@@ -65,15 +65,13 @@ def reeb_curve(shape: Enclosure, is_inside: Test, only_thin: bool = True) -> Ree
     if not len(found.centre) or np.median(found.perimeter / np.maximum(found.size, 1e-300)) > ROUND * 2 * np.pi:
         return None
     place = int(found.piece[np.linalg.norm(x - middles[seed], axis=1).argmin()])
-    vertices, edges = _joined(shape, found, middles[seed], place, is_inside)
+    vertices, edges = _joined(shape, found, middles[seed], place)
     node_of_piece = np.full(len(found.contents), len(found.centre))
     node_of_piece[found.below] = node_of_piece[found.above] = np.arange(len(found.centre))
     return ReebCurve(vertices, edges, node_of_piece[found.piece])
 
 
-def _joined(
-    shape: Enclosure, found: Levels, start: np.ndarray, piece_of_start: int, is_inside: Test
-) -> tuple[np.ndarray, np.ndarray]:
+def _joined(shape: Enclosure, found: Levels, start: np.ndarray, piece_of_start: int) -> tuple[np.ndarray, np.ndarray]:
     """The curve through the rings' centres, joined by a shortest tree in each piece, and the ``start`` (3,) in its
     piece, to which all rings there are joined.
 

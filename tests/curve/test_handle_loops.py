@@ -13,8 +13,7 @@ import msf_jax
 from msf_jax import metrics
 from msf_jax.curve import handle_loops
 from msf_jax.inside import containment
-from msf_jax.inside.containment import is_inside
-from msf_jax.inside.roadmap import Roadmap
+from msf_jax.inside.containment import Roadmap, is_inside
 from msf_jax.skeleton.report import loops_of
 from msf_jax.solid import handles
 from msf_jax.solid.enclosure import Enclosure
@@ -219,7 +218,7 @@ def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
     mesh, skeleton = plate
     is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
     curve = skeleton.vertices, skeleton.edges[is_in_tree]
-    whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))
+    whole, cut = (Roadmap(shape_of(mesh)) for _ in range(2))
     assert len(handle_loops.completed(whole, *curve, 2)[1]) > len(curve[1])
     assert whole.num_unsought == 0 and whole.num_linked > 0
     monkeypatch.setattr(handle_loops, "MOST_LINKING", 4 * len(curve[1]))
@@ -264,22 +263,21 @@ def test_a_loop_that_is_missing_is_laid_around_the_hole():
     half = circle(1 / 3)[:60]
     edges = cycle(60)[:-1]
     for nodes, links in ((half, edges), (half[:1], NO_EDGES)):
-        x, e = handle_loops.completed(Roadmap(shape, is_inside), nodes, links, 1)
+        x, e = handle_loops.completed(Roadmap(shape), nodes, links, 1)
         assert cycle_count(len(x), e) == (1, 1) and counts(handle_loops.proof(shape, x, e)) == (1, 0, 0, 0, 0)
         np.testing.assert_array_equal(x[: len(nodes)], nodes)
     apart = np.concatenate([half[5:25], half[35:55]])
-    x, e = handle_loops.completed(Roadmap(shape, is_inside), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
+    x, e = handle_loops.completed(Roadmap(shape), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
     assert (len(x), len(e)) == (40, 38)
 
 
-@pytest.mark.parametrize("is_complete", [False, True])
-def test_no_loop_is_laid_where_there_is_none_or_no_node_to_begin_at(is_complete):
+def test_no_loop_is_laid_where_there_is_none_or_no_node_to_begin_at():
     shape = Enclosure(RING.vertices / 3, RING.faces)
     whole, edges = circle(1 / 3), cycle(120)
-    x, e = handle_loops.completed(Roadmap(shape, is_inside), whole, edges, 1)
+    x, e = handle_loops.completed(Roadmap(shape), whole, edges, 1)
     assert len(x) == 120 and len(e) == 120
     outside = circle(0.6)[:50]
-    assert list(Roadmap(shape, is_inside).loops_from(outside, edges[:49], is_complete)) == []
+    assert list(Roadmap(shape).loops_from(outside, edges[:49])) == []
 
 
 def test_false_cycles_are_cut_at_their_longest_edge_and_true_ones_stay():

@@ -9,6 +9,7 @@ from curve_cases import bow, is_inside, length_of, none_held, path, tube, unit_s
 import msf_jax
 from msf_jax.curve import finishing
 from msf_jax.inside import containment
+from msf_jax.inside.containment import Roadmap
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology.graphs import cycle_count
 from tests.benchmarks import ground_truth
@@ -120,3 +121,49 @@ def test_nodes_of_an_inside_out_pocket_come_in():
     x, edges = containment.contain(shape, line, edges, np.zeros(10, dtype=bool))
     assert containment.is_inside(shape, x[edges[:, 0]], x[edges[:, 1]]).all()
     assert cycle_count(len(x), edges) == (1, 0)
+
+
+def test_balls_behind_the_surface_are_inside():
+    """A box is thinner than its surface is sampled."""
+    for mesh in (tube(bow(0.8)), trimesh.creation.box((0.9, 0.4, 0.01))):
+        shape, _ = unit_shape(mesh)
+        network = Roadmap(shape).whole
+        assert len(network.centre) and (shape.winding_numbers(network.centre) == 1).all()
+        np.testing.assert_allclose(shape.distances(network.centre), network.radius)
+
+
+def test_paths_keep_to_their_own_sides_of_a_hole():
+    shape, scale = unit_shape(trimesh.creation.torus(0.4, 0.05, major_sections=48, minor_sections=8))
+    angle = np.radians([0, 120, 240])
+    x = 0.4 * scale * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    edges = np.array([[0, 1], [1, 2], [2, 0]])
+    led, led_edges = containment.contain(shape, x, edges, none_held(x))
+    assert is_inside(shape, led, led_edges) and cycle_count(len(led), led_edges) == (1, 1)
+    assert length_of(led, led_edges) < 1.2 * 2 * np.pi * 0.4 * scale
+
+
+def test_each_edge_has_a_path_of_its_own_near_it():
+    """Two short edges cross the slits of both forks of a long bar: neither path runs to the other end."""
+    bar = manifold3d.Manifold.cube([2.0, 0.2, 0.2], True)
+    for end in (-1.0, 1.0):
+        bar -= manifold3d.Manifold.cube([0.4, 0.004, 0.4], True).translate([end, 0.0, 0.0])
+    found = bar.to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    x = scale * np.array([[-0.85, -0.05, 0], [-0.85, 0.05, 0], [0.85, -0.05, 0], [0.85, 0.05, 0]])
+    led, edges = containment.contain(shape, x, np.array([[0, 1], [2, 3]]), none_held(x))
+    assert is_inside(shape, led, edges) and cycle_count(len(led), edges) == (2, 0)
+    assert length_of(led, edges) < scale
+
+
+def test_searches_are_bounded_and_solids_in_pieces_are_told_from_that(monkeypatch):
+    one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.4] * 3)
+    shape, _ = unit_shape(trimesh.util.concatenate([one, other.apply_translation([0.45, 0, 0])]))
+    x, edges = path(shape.vertices.reshape(2, 8, 3).mean(axis=1))
+    counts = []
+    for name in (None, "MOST_TESTS", "MOST_VISITS"):
+        if name:
+            monkeypatch.setattr(containment, name, -1)
+        roadmap = Roadmap(shape)
+        assert len(containment.contain(shape, x, edges, none_held(x), roadmap)[0]) == 2
+        counts.append((roadmap.num_closed, roadmap.num_refused))
+    assert counts == [(1, 0), (0, 1), (0, 1)]

@@ -6,7 +6,6 @@ import pytest
 import trimesh
 
 import msf_jax
-from msf_jax.inside import containment
 from msf_jax.limbs.reeb_curve import reeb_curve
 from msf_jax.meshes import checking
 from msf_jax.solid.solid import Solid
@@ -51,7 +50,7 @@ def snake(num: int) -> np.ndarray:
 
 def laid(vertices: np.ndarray, faces: np.ndarray):
     solid = Solid(vertices, faces)
-    found = reeb_curve(solid.shape, containment.is_inside)
+    found = reeb_curve(solid.shape)
     return None if found is None else (solid.leave(found.vertices), found.edges)
 
 
