@@ -17,18 +17,20 @@ from msf_jax.meso.edits import edge_lengths, shortest_first
 
 class Curve(NamedTuple):
     """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton was merged into.
-
-    is_counted: (n,) which of these vertices count in a node's centroid; None for all.
-    """
+    is_counted: (n,) which of these vertices count in a node's centroid."""
 
     nodes: np.ndarray
     edges: np.ndarray
     node_of_meso: np.ndarray
-    is_counted: np.ndarray | None = None
+    is_counted: np.ndarray
 
 
 def extract_curve(
-    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
+    positions: np.ndarray,
+    rings: np.ndarray,
+    classes: np.ndarray | None = None,
+    pinned: np.ndarray | None = None,
+    by_surgery: bool = False,
 ) -> Curve:
     """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
 
@@ -37,45 +39,36 @@ def extract_curve(
     The order makes this step sequential: one loop over the edges of the meso-skeleton, after the flow.
     """
     a, b = ring_tables.edges_from_rings(rings)
-    order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
     complex_ = Complex(rings, classes, pinned)
-    edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
-    while edges:  # an edge whose merge would pinch a cycle is tried again after the others
-        waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
-        is_stuck = len(waiting) == len(edges)
-        if is_stuck and classes is None:
-            for edge in edges:  # no merge is allowed any more; the report shows the lost cycles
-                complex_.merge(*edge, force=True)
-            break
-        if is_stuck and not complex_.open_face(list(reversed(edges))):
-            break
-        edges = waiting
-    return _curve_of(complex_, positions, a, b, np.ones(len(rings), dtype=bool))
-
-
-def operated_curve(
-    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
-) -> Curve:
-    """Like `extract_curve`, by half-edge collapses in the order of Au et al. 2008: a node is the vertex left."""
-    a, b = ring_tables.edges_from_rings(rings)
-    complex_ = Complex(rings, classes, pinned)
-    surgery.operate(complex_, positions, a, b)
-    is_left = np.array([complex_.find(vertex) == vertex for vertex in range(len(rings))])
-    return _curve_of(complex_, positions, a, b, is_left)._replace(is_counted=is_left)
-
-
-def _curve_of(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray, is_counted: np.ndarray) -> Curve:
-    """The graph of those edges ab (E,) that remain. A node is the centroid of its vertices in ``is_counted`` (n,)."""
-    root = np.array([complex_.find(vertex) for vertex in range(len(positions))])
+    if by_surgery:
+        surgery.operate(complex_, positions, a, b)
+    else:
+        order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
+        _collapse(complex_, list(zip(a[order].tolist(), b[order].tolist(), strict=True)))
+    root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
+    is_counted = (root == np.arange(len(rings))) | (not by_surgery)
     node_of_meso = np.unique(root, return_inverse=True)[1]
-    own, num = node_of_meso[is_counted], node_of_meso.max() + 1
-    count = np.bincount(own)
-    sums = [np.bincount(own, weights=positions[is_counted, axis], minlength=num) for axis in range(3)]
-    nodes = np.stack([total / count for total in sums], axis=1)
+    own = node_of_meso[is_counted]
+    sums = [np.bincount(own, weights=axis) for axis in positions[is_counted].T]
+    nodes = np.stack([total / np.bincount(own) for total in sums], axis=1)
     left = np.stack([a, b], axis=1)
     if complex_.has_classes:  # the complex lists its remaining edges, without those that were opened
         left, value = complex_.edges()
         length = np.linalg.norm(np.subtract(*nodes[node_of_meso[left.T]]), axis=1)
         left = left[cut_discs(len(root), left, value, shortest_first(*left.T, length, 1e-3))]
     ends = np.sort(node_of_meso[left], axis=1)
-    return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)
+    return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso, is_counted)
+
+
+def _collapse(complex_: Complex, edges: list[tuple[int, int]]) -> None:
+    """Merge the ``edges`` that have a face, in their order; one that would pinch a cycle is tried after the others."""
+    while edges:
+        waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
+        is_stuck = len(waiting) == len(edges)
+        if is_stuck and not complex_.has_classes:
+            for edge in edges:  # no merge is allowed any more; the report shows the lost cycles
+                complex_.merge(*edge, force=True)
+            break
+        if is_stuck and not complex_.open_face(list(reversed(edges))):
+            break
+        edges = waiting

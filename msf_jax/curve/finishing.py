@@ -185,9 +185,7 @@ def finish(
             clock.check()
             laid = _by_wavefronts(outside or shape, nodes, edges, job, is_thin, is_tangle)
         if laid is not None:
-            none = np.zeros(len(laid.vertices), dtype=bool)
-            job = job._replace(is_coarse=True)
-            draft = Draft(laid.vertices, laid.edges, none, np.arange(len(none)), laid.node_of_vertex)
+            job, draft = job._replace(is_coarse=True), _of_reeb_curve(laid, nodes)
         is_tangle &= laid is None
         before = [] if first is None or laid is not None else [first]
         wanted = [] if is_tangle else [*before, *passes(centre, extend)]
@@ -198,16 +196,14 @@ def finish(
         is_cut = True
     if is_tangle:
         return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)), is_cut=is_cut)
-    if laid is not None:
-        return _of_reeb_curve(draft, nodes, job, is_cut)
     if (draft.origin < 0).all():  # every node is new, so the first one stands for the flow's nearest node
         draft.origin[0] = np.linalg.norm(nodes - draft.vertices[0], axis=1).argmin()
-    is_kept = np.isin(np.arange(len(nodes)), draft.origin)
+    is_kept, of_flow = np.isin(np.arange(len(nodes)), draft.origin), draft.node_of_flow[: len(nodes)]
     return Finished(
         draft.vertices,
         in_order(draft.edges),
         is_kept,
-        draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[draft.node_of_flow]],
+        draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[of_flow]],
         job.roadmap.num_refused,
         job.roadmap.num_closed,
         job.budget.was_hit,
@@ -215,7 +211,8 @@ def finish(
         draft.num_pruned,
         draft.num_grown,
         draft.finer,
-        is_cut=is_cut,
+        None if laid is None else draft.node_of_flow[len(nodes) :],
+        is_cut,
         num_unsought=job.roadmap.num_unsought,
     )
 
@@ -240,30 +237,17 @@ def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
     return float(length[~containment.is_inside(job.shape, a, b)].sum() / max(length.sum(), 1e-300))
 
 
-def _of_reeb_curve(draft: Draft, nodes: np.ndarray, job: Job, is_cut: bool) -> Finished:
-    """The finished curve that began as a Reeb curve. Each of the flow's ``nodes`` (n, 3) becomes the nearest node; of
-    several, the first stays. In the draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
-    near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
-    taken, first, place = np.unique(near, return_index=True, return_inverse=True)
-    is_kept = np.isin(np.arange(len(nodes)), first)
-    source = np.concatenate([near[is_kept], np.setdiff1d(np.arange(len(draft.vertices)), taken)])
-    rank = np.argsort(source)
-    return Finished(
-        draft.vertices[source],
-        in_order(rank[draft.edges]),
-        is_kept,
-        first[place],
-        job.roadmap.num_refused,
-        job.roadmap.num_closed,
-        job.budget.was_hit,
-        draft.is_sparse,
-        draft.num_pruned,
-        draft.num_grown,
-        draft.finer,
-        is_cut=is_cut,
-        node_of_vertex=rank[draft.node_of_flow],
-        num_unsought=job.roadmap.num_unsought,
-    )
+def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray) -> Draft:
+    """The draft of a Reeb curve. The first of the flow's ``nodes`` (n, 3) nearest to a node becomes that one, others go
+    there. In ``node_of_flow`` (n + V,), the solid's vertices come after the flow's nodes."""
+    near = np.asarray(spatial.KDTree(laid.vertices).query(nodes)[1])
+    taken, first = np.unique(near, return_index=True)
+    origin = np.full(len(laid.vertices), len(nodes))
+    origin[taken] = first
+    order = np.argsort(origin, kind="stable")
+    rank, origin = np.argsort(order), np.where(origin < len(nodes), origin, -1)[order]
+    of_flow = rank[np.concatenate([near, laid.node_of_vertex])]
+    return Draft(laid.vertices[order], rank[laid.edges], np.zeros(len(order), dtype=bool), origin, of_flow)
 
 
 def contain(draft: Draft, job: Job) -> Draft:
@@ -373,9 +357,11 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
             missing = choice.leaf.count(-1)
             draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
             worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
-        if job.is_coarse:  # twice the least: any branch beyond the ball of its junction has half a ball's
+        if job.is_coarse:  # a twig of a few triangles has no rings: by its balls, it is a limb if twice the least
             x = draft.vertices
-            worth = one_branch.hold_tubes(x, draft.edges, job.shape.approximate_clearance(x)[0], worth, 2 * job.prune)
+            slenderness = one_branch.by_balls(x, job.shape.approximate_clearance(x)[0])
+            twigs = one_branch.measure(x, draft.edges, slenderness)
+            worth[[each.nodes[0] for each in twigs if each.slenderness >= 2 * job.prune]] = np.inf
         stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())

@@ -210,7 +210,6 @@ def lids_of_repair(checked: Surface) -> np.ndarray:
 def _record(checked: Surface, state: State, part: ComponentCurve, member: np.ndarray) -> ComponentRecord:
     """The data of a component for the tape. A vertex that is not counted contributes to no node's position."""
     node = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
-    is_counted = part.found.is_counted
     return ComponentRecord(
         vertices=state.outside.vertices,
         faces=state.outside.faces,
@@ -221,7 +220,7 @@ def _record(checked: Surface, state: State, part: ComponentCurve, member: np.nda
         steps=state.steps,
         num_meso=len(state.meso.positions),
         thinning=part.meso.edits,
-        node_of_meso=node if is_counted is None else np.where(is_counted, node, -1),
+        node_of_meso=np.where(part.found.is_counted, node, -1),
         node_of_pin=curves.node_of_input(part)[state.pins],
         num_nodes=len(part.curve.nodes),
     )

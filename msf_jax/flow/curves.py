@@ -46,13 +46,10 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
         meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min)
         if clock.reason:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
             meso = _thinned(meso, config.flow.threshold_max)
-        extract = extraction.operated_curve if config.curve.surgery else extraction.extract_curve
-        found = extract(meso.positions, meso.rings, meso.classes, meso.node_of_input[state.pins])
-        pinned = meso.node_of_input[state.pins]
-        nodes = found.nodes.copy()
-        node_of_pin = found.node_of_meso[pinned]
-        is_held = np.zeros(len(nodes), dtype=bool)
-        is_held[node_of_pin] = True
+        pinned, by_surgery = meso.node_of_input[state.pins], config.curve.surgery
+        found = extraction.extract_curve(meso.positions, meso.rings, meso.classes, pinned, by_surgery)
+        nodes, node_of_pin = found.nodes.copy(), found.node_of_meso[pinned]
+        is_held = np.isin(np.arange(len(nodes)), node_of_pin)
         nodes[is_held] = means(state.outside.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with clock.stage("finishing"):
         done = finishing.finish(
@@ -69,7 +66,7 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
             coarse=state.coarse if state.shape is state.outside else state.shape,  # with the cavities
             outside=state.outside,
             limbs=None if state.limbs is None else state.limbs.result,
-            first=partial(_recentred, meso, found) if config.curve.surgery else None,
+            first=partial(_recentred, meso, found) if by_surgery else None,
             clock=clock,
         )
         slenderness = None
@@ -79,10 +76,10 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]
-    kept = Curve(
-        nodes[done.is_kept],
-        finishing.in_order(edges[edges[:, 0] != edges[:, 1]]),
-        stands_for[found.node_of_meso],
+    kept = found._replace(
+        nodes=nodes[done.is_kept],
+        edges=finishing.in_order(edges[edges[:, 0] != edges[:, 1]]),
+        node_of_meso=stands_for[found.node_of_meso],
     )
     return ComponentCurve(kept, found, done, meso, is_held[done.is_kept], slenderness)
 
@@ -141,47 +138,35 @@ def stitched(
             node = branches.nearest_on_branch(done.vertices, done.edges, state.outside.vertices, node)
         flow.append((part.curve.nodes, part.curve.edges, own))
         finished.append((done.vertices, done.edges, node))
+    (as_left, _), (done, order) = (_joined(checked, states, parts, curves) for curves in (flow, finished))
     known = [part.slenderness for part in parts if part.slenderness is not None]
-    (as_left, _), (done, rows) = (_joined(checked, states, parts, curves) for curves in (flow, finished))
     if len(known) == len(parts):
-        slenderness = np.empty(len(done.vertices))
-        slenderness[rows] = np.concatenate(known)
-        done = done._replace(slenderness=slenderness)
+        done = done._replace(slenderness=np.concatenate(known)[order])
     return as_left, done
 
 
 def _joined(
     checked: Surface, states: list[State], parts: list[ComponentCurve], curves: list[tuple[np.ndarray, ...]]
 ) -> tuple[Stitched, np.ndarray]:
-    """One curve of ``curves``: nodes, edges, and node_of_vertex of each component, in its frame; and the row of each of
-    these nodes, one component after the other. The nodes of the flow's curves come first. A pin has its input position,
-    to the last bit."""
-    old, new, edges, rows = [], [], [], []
-    num_flow = sum(len(part.curve.nodes) for part in parts)
-    num_old = num_new = 0
+    """One curve of ``curves``: nodes, edges, and node_of_vertex of each component, in its frame; and the order (N,) of
+    these nodes there: those of the flow's curves come first. A pin has its input position, to the last bit."""
+    vertices, edges, is_new, first = [], [], [], 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
-    for number, (state, part) in enumerate(zip(states, parts, strict=True)):
-        nodes, own_edges, node = curves[number]
-        member, lining, count = checked.members[number], checked.linings[number], len(part.curve.nodes)
-        node_of_pin = node_of_input(part)[state.pins]
-        exact = means(checked.vertices[member[state.order][state.pins]], node_of_pin, count)
+    for number, (state, part, (nodes, own, node)) in enumerate(zip(states, parts, curves, strict=True)):
+        member, lining, count = checked.members[number][state.order], checked.linings[number], len(part.curve.nodes)
+        exact = means(checked.vertices[member[state.pins]], node_of_input(part)[state.pins], count)
         placed = state.frame.leave(nodes)
         placed[:count][part.is_held] = exact[part.is_held]
-        old.append(placed[:count])
-        new.append(placed[count:])
-        row = np.arange(len(nodes))
-        row = np.where(row < count, num_old + row, num_flow + num_new + row - count)
-        rows.append(row)
-        edges.append(row[own_edges])
-        node_of_vertex[member[state.order]] = row[node]
-        nearest = np.asarray(
-            spatial.KDTree(nodes).query(state.frame.enter(checked.vertices[lining]))[1], dtype=np.int64
-        )
-        node_of_vertex[lining] = row[nearest]
-        num_old += count
-        num_new += len(nodes) - count
-    joined = Stitched(np.concatenate([*old, *new]), finishing.in_order(np.concatenate(edges)), node_of_vertex)
-    return joined, np.concatenate(rows)
+        vertices.append(placed)
+        edges.append(first + own)
+        is_new.append(np.arange(len(nodes)) >= count)
+        node_of_vertex[member] = first + node
+        node_of_vertex[lining] = first + spatial.KDTree(nodes).query(state.frame.enter(checked.vertices[lining]))[1]
+        first += len(nodes)
+    order = np.argsort(np.concatenate(is_new), kind="stable")
+    rank = np.argsort(order)
+    edges = finishing.in_order(rank[np.concatenate(edges)])
+    return Stitched(np.concatenate(vertices)[order], edges, rank[node_of_vertex]), order
 
 
 def node_of_input(part: ComponentCurve) -> np.ndarray:

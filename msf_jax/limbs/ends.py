@@ -28,24 +28,17 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import cross, triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
-NEAR_END = 1  # rings: so many can lie on the end itself
 RINGS = 6  # of a limb at least; those of a short one are nearer to each other
 LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
-DEEP = 1.5  # widths of a limb: so far from its end at most the ball there is looked for
-TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
-NEAR = 0.25  # steps: middles of rings that are nearer are one, and a line leads through one that is nearer to it
-LINE_ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
-WHOLE = 0.8  # of a ring's length or size: the least of one beside it; a bent ring is a sixth larger than its section
+WHOLE = 0.8  # of the usual ball in a ring of its size: the least in one around the limb, and of sections beside rings
 STEADY = 0.9  # of the next ring's length: so long is one around a flat part of a limb, a foot; in a corner 0.89
-EVEN = 0.95  # of the next ring's length: so long is one of an even tube
+GAP = 0.3  # of the largest ball near the limb's end: the ball around the end of the curve
+DEEP = 1.2  # widths of a limb: so near to its end; half a ball's radius is 1.18 of its width
+TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
+NEAR = 0.25  # steps: middles of rings that are nearer to a line are on it
 PLANE_END = 0.95  # length of the mean normal of an end that is a plane, or nearly; 1 / 2 for half a ball
-GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
-WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
-LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
-SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
 SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
 EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, a square plate; 0.25 in a plate of 2 : 1
-MOST_LINES = 200  # that are tried of a solid without a direction
 
 
 class LimbAxis(NamedTuple):
@@ -59,17 +52,12 @@ class LimbAxis(NamedTuple):
 def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array, np.ndarray]:
     """The Laplacian (V, V) with cotangent weights, positive semidefinite, and a third of the area (V,) around each
     vertex."""
-    corners = vertices[faces]
-    area = triangle_areas(corners)
-    longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(axis=2).max(axis=1)
-    i, j, value = [], [], []
-    for k in range(3):
-        one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
-        i.append(faces[:, (k + 1) % 3])
-        j.append(faces[:, (k + 2) % 3])
-        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, SLIVER * longest + 1e-300))
-    num = len(vertices)
-    entries = np.tile(np.concatenate(value), 2), (np.concatenate([*i, *j]), np.concatenate([*j, *i]))
+    corners, num = vertices[faces], len(vertices)
+    area, side = triangle_areas(corners), np.roll(corners, -1, axis=1) - corners
+    least = SLIVER * (side**2).sum(axis=2).max(axis=1) + 1e-300
+    cotangent = -np.einsum("fki,fki->fk", side, np.roll(side, 1, axis=1)) / np.maximum(4 * area, least)[:, None]
+    i, j = np.roll(faces, -1, axis=1).ravel(), np.roll(faces, 1, axis=1).ravel()  # the edge opposite to each corner
+    entries = np.tile(cotangent.ravel(), 2), (np.append(i, j), np.append(j, i))
     weight = sparse.coo_array(entries, (num, num)).tocsr()
     degree = np.asarray(weight.sum(axis=1)).ravel()
     return (sparse.diags_array(degree) - weight).tocsr(), np.bincount(faces.ravel(), np.repeat(area / 3, 3), num)
@@ -111,14 +99,8 @@ def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
         return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
 
     start = min(itertools.product((-1.0, 0.0, 1.0), repeat=vector.shape[1]), key=length)
-    found = optimize.minimize(length, start, method="Nelder-Mead", options={"xatol": 1e-3, "maxfev": MOST_LINES})
+    found = optimize.minimize(length, start, method="Nelder-Mead", options={"xatol": 1e-3})
     return vector @ found.x
-
-
-def is_near_end(time: np.ndarray, area: float, region: np.ndarray, vertices: np.ndarray) -> np.ndarray:
-    """(k,) whether ``vertices`` (k,) of the limb ``region`` (r,) of that ``area`` are within a width of its end."""
-    last = float(time[region].max())
-    return np.sqrt(2 * (last - time[vertices])) <= area / (2 * np.pi * np.sqrt(2 * last))
 
 
 def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> LimbAxis:
@@ -138,18 +120,40 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         rings.append(int(above[found.perimeter[above].argmax()]))
         piece = int(found.above[rings[-1]])
     rings = rings[: max(len(rings) - 1, 3)]
-    normal, perimeter, size = found.normal[rings], found.perimeter[rings], found.size[rings]
-    middles = _held_in(shape, found.centre[rings], size)
-    first = max(NEAR_END, _cut_off(x, local, away, middles, perimeter, found.step))
-    deep = min(DEEP * width, longest)
-    return LimbAxis(to_end(shape, middles, normal, perimeter, size, first, found.step, deep), width)
+    perimeter, size = found.perimeter[rings], found.size[rings]
+    middles, last = _held_in(shape, found.centre[rings], size), len(rings) - 1
+    # The curve begins with the first ring around the limb. The first of all is on the end itself. One in a corner of
+    # the end is beside the limb's middle, and has a small ball. So has one around a foot, which is as long as the next.
+    part = shape.clearance(middles) / np.maximum(size, 1e-300)
+    is_around = part >= WHOLE * min(float(np.median(part)), 1.0)
+    is_around |= (part >= GAP) & (perimeter >= STEADY * np.append(perimeter[1:], 0.0))
+    is_around &= part > TOUCHING
+    is_around[: min(max(1, _cut_off(x, local, away, middles, perimeter, found.step)), last)] = False
+    if not is_around.any():  # the middles of a channel are outside
+        return LimbAxis(middles, width)
+    first = int(is_around.argmax())
+    # The end is ahead on the line through two rings, a radius apart if there are such: a section of a nail's head that
+    # is a little oblique has its middle far aside. One behind a hole in the end is alone: there it is across the ring.
+    is_far = np.linalg.norm(middles[first:] - middles[first], axis=1) >= size[first]
+    pair = [first, first + int(is_far.argmax()) if is_far.any() else min(first + 1, last)]
+    heading = -found.normal[rings[first]]
+    if np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * found.step:
+        middles[pair] = _centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
+        heading = unit(np.subtract(*middles[pair]))
+    reach = np.array([(2 * first + 3) * found.step])
+    ahead = float(shape.ray_lengths(middles[[first]], heading[None], reach)[0])
+    depth = min(DEEP * width, longest) * np.linspace(0.0, 1.0, 65) ** 2  # denser near the end of a sheet
+    ball = shape.clearance(middles[first] + (ahead - depth)[:, None] * heading)
+    along = ahead - depth[(ball >= GAP * ball.max()).argmax()]
+    is_behind = (middles[first:] - middles[first]) @ heading < along
+    return LimbAxis(np.concatenate([[middles[first] + along * heading], middles[first:][is_behind]]), width)
 
 
 def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray) -> np.ndarray:
     """The ``middles`` (k, 3) of rings of that ``size`` (k,), but of the first, in the material of an angle or channel:
     see `sections.held_in`. Those that are outside, most of them, say how the limb runs. That of a bent ring can be in
     a flange."""
-    row = np.arange(min(NEAR_END, len(middles) - 1), len(middles))
+    middles, row = middles.copy(), np.arange(min(1, len(middles) - 1), len(middles))
     out = row[~shape.contains(middles[row])]
     if 2 * len(out) <= len(row):  # those are in a hole in the end
         return middles
@@ -160,7 +164,6 @@ def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray) -> np.ndar
     found = sections.measured(shape, middles[row], heading, corners)
     held = sections.held_in(shape, heading, corners, found).centroid
     is_own = np.linalg.norm(found.centroid - middles[row], axis=1) < found.size
-    middles = middles.copy()
     middles[row] = np.where((is_own & (held != found.centroid).any(axis=1))[:, None], held, middles[row])
     return middles
 
@@ -175,7 +178,7 @@ def _cut_off(
     ring, by d = ``away`` (v,), lies in the tube around the line there, and what faces ahead is a plane. A foot leaves
     the tube, as do a hook and an arm of an elbow; a horn is not even, and a finger's end is round."""
     deep = min(int(LAST / RING_SPACING), len(rings) - 2)
-    if deep <= NEAR_END or (perimeter[deep - 1 : deep + 1] < np.array([WHOLE, EVEN]) * perimeter[deep + 1]).any():
+    if deep < 2 or (perimeter[deep - 1 : deep + 1] < WHOLE * perimeter[deep + 1]).any():
         return 0
     line = unit(rings[deep] - rings[deep + 1])
 
@@ -189,75 +192,15 @@ def _cut_off(
     normal = cross(b - a, c - a)
     normal = normal[normal @ line > NEAR * np.linalg.norm(normal, axis=1)]
     is_plane = np.linalg.norm(normal.sum(axis=0)) > PLANE_END * np.linalg.norm(normal, axis=1).sum()
-    is_aside = beside(rings[NEAR_END:deep]).max() > NEAR * step
+    is_aside = beside(rings[1:deep]).max() > NEAR * step
     return deep if is_aside and is_plane and beside(points[away < here]).max() <= tube / STEADY else 0
 
 
-def centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,) or (p, 3), where that is hardly
-    nearer to the surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is
-    smaller, and one of a blunt limb that leaves it for the body is larger."""
-    found = sections.cut(shape, places, np.broadcast_to(heading, places.shape).copy(), size)
+def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is hardly nearer to the
+    surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is smaller, and one
+    of a blunt limb that leaves it for the body is larger."""
+    found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
     is_better = found.is_around & (found.size >= WHOLE * size) & (found.size <= size / WHOLE)
     is_better &= shape.clearance(found.centroid) >= WHOLE * shape.clearance(places)
     return np.where(is_better[:, None], found.centroid, places)
-
-
-def to_end(
-    shape: Enclosure,
-    middles: np.ndarray,
-    normals: np.ndarray,
-    perimeter: np.ndarray,
-    size: np.ndarray,
-    whole: int,
-    step: float,
-    deep: float,
-) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings with ``normals`` (k, 3), a ``perimeter`` (k,) and a ``size``
-    (k,), ``step`` apart, that ends `GAP` before the surface. No ball deeper than ``deep`` is at its end.
-
-    It begins with the first ring from ``whole`` on that goes around the limb: one on the end itself, or in a corner of
-    it, is shorter than the one half a step on, and one in a hole in the end is not inside."""
-    ball, last = shape.clearance(middles), len(middles) - 1
-    following = np.minimum(np.arange(1, last + 2), last)
-    growing, part = perimeter / np.maximum(perimeter[following], 1e-300), ball / np.maximum(size, 1e-300)
-    # Their middles are beside those of the limb, and have smaller balls. So have those of a flat part of it, a foot.
-    is_deep = part >= WHOLE * min(float(np.median(part)), 1.0)
-    is_flat = (part >= GAP) & (growing >= STEADY)
-    is_around = (ball > TOUCHING * size) & (growing >= WHOLE) & (is_deep | is_flat)
-    is_around[: min(whole, last)] = False
-    if not is_around.any():  # the middles of a channel are outside
-        return middles
-    first = outer = int(is_around.argmax())
-    # So does one on the line ahead: the rings of a cone are shorter and shorter, and those of a corner are beside it.
-    heading = middles[first] - middles[following[first]] if first < last else middles[first - 1] - middles[first]
-    heading = unit(heading if np.linalg.norm(heading) >= NEAR * step else -normals[first])
-    while is_deep[first] and outer > whole and part[outer - 1] >= WHOLE * min(float(part[first]), 1.0):
-        ahead = middles[outer - 1] - middles[first]
-        if np.linalg.norm(ahead - (ahead @ heading) * heading) > NEAR * np.linalg.norm(ahead):
-            break
-        outer -= 1
-    first = outer
-    # The end is ahead on the line through two rings, a radius apart if there are such: a section of a nail's head that
-    # is a little oblique has its middle far aside. Those on the underside of a head have one middle, and one behind a
-    # hole in the end is alone: there it is ahead across the ring.
-    is_far = np.linalg.norm(middles[first:] - middles[first], axis=1) >= size[first]
-    other = first + int(is_far.argmax()) if is_far.any() else int(following[first])
-    heading, middles, pair = -normals[first], middles.copy(), [first, other]
-    is_apart = np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * step
-    for _ in range(LINE_ROUNDS if is_apart else 0):
-        middles[pair] = centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
-        heading = unit(np.subtract(*middles[pair]))
-    # From the outermost ring on that has its middle inside: a blind hole may lie across the line behind it.
-    along = (middles[: first + 1] - middles[first]) @ heading
-    ball = shape.clearance(middles[first] + along[:, None] * heading)
-    start = float(along[ball > GAP * LEAST * ball.max()].max(initial=0.0))
-    reach = np.array([(2 * first + 3) * step])
-    ahead = start + float(shape.ray_lengths(middles[[first]] + start * heading, heading[None], reach)[0])
-    # Denser near the end: in a sheet, its ball is small.
-    depth = deep * np.linspace(0.0, 1.0, SAMPLES) ** 2
-    ball = shape.clearance(middles[first] + (ahead - depth)[:, None] * heading)
-    radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
-    along = ahead - depth[(ball >= GAP * radius).argmax()]
-    is_behind = (middles[first:] - middles[first]) @ heading < along
-    return np.concatenate([[middles[first] + along * heading], middles[first:][is_behind]])

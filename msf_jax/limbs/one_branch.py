@@ -4,14 +4,9 @@ Limbs are found on the surface (see `limbs.tree`), wherever the curve runs. Of t
 from its base stays. A limb without a leaf can get a branch, through the middles of its rings. All other leaves are
 removed. A component without loops keeps two leaves: the ends of its longest path, from its limb if it has one.
 
-The branch of a limb that was cut off ends in the middle of the lid, see `opened`. Branches of least worth are pruned
-first. Of a curve without its solid only the balls of its nodes are known. Then a branch stands for a tube of radius
-r(s) at the distance s from its leaf, with a round end. The tip is r(0) beyond the leaf, at the depth d(s) = s + r(0).
-As long as the largest ball still touches the tip, the round end up to that depth has the area A(s) = 2 pi r d
-(Archimedes); from there on, the integral of 2 pi r ds is added. The curve that cuts the cap off has the length P(s) = 2
-pi r(s), so its slenderness is 2 pi A / P^2 - 1 / 2, as on a surface. The slenderness of the branch is the largest one
-outside of the ball at its junction: h / r - 1 / 2 of a tube with a round end that sticks out by h. A branch in one
-ball, which holds its leaf and its junction, does not stick out.
+Of a curve without its solid only the balls of its nodes are known. Then a branch stands for a tube with a round end,
+and its slenderness is h / r - 1 / 2 at the node, outside of the ball at its junction, where that is largest: h is the
+depth of the node below the tip, which is a ball's radius beyond the leaf. Branches of least worth are pruned first.
 """
 
 import heapq
@@ -20,11 +15,11 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
-from scipy import spatial
+from scipy import optimize, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside.containment import is_inside
-from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis, is_near_end
+from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
@@ -33,13 +28,13 @@ from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
-TOUCHES = 0.9  # of the depth of a node: least radius of a ball that touches the tip of its limb
+TOUCHES = 0.9  # of the distance of a limb's farthest vertex: least radius of a ball that fills the limb
 
 Worth = Callable[[Iterator[int]], float]  # of the branch with these nodes, its leaf first
 
 
 class Branch(NamedTuple):
-    """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
+    """nodes: along the branch, its leaf first; a closed branch repeats its first node at its end. length: of it.
 
     slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
     `limbs.tree`): a cylinder that sticks out by h has h / radius. Without the mesh it is measured by the nodes' balls
@@ -107,24 +102,19 @@ def prune(
 
 def by_balls(vertices: np.ndarray, radii: np.ndarray) -> Worth:
     """The slenderness of branches with balls of ``radii`` (N,) around the nodes ``vertices`` (N, 3); infinite if no
-    radius is known."""
+    radius is known. A branch in one ball, which holds its leaf and its junction, has 0."""
     radii = np.nan_to_num(radii)
     is_known = bool((radii > 0).any())
 
     def slenderness(walk: Iterator[int]) -> float:
         nodes = np.fromiter(walk, dtype=np.int64)
         x, r = vertices[nodes], radii[nodes]
-        is_out = (np.linalg.norm(x - x[-1], axis=1) >= r[-1]) & (r > 0)
+        to_leaf, to_end = np.linalg.norm(x - x[0], axis=1), np.linalg.norm(x - x[-1], axis=1)
+        is_out = (to_end >= r[-1]) & (r > 0)
         is_out[-1] = False
-        if not is_known or not is_out.any():
+        if not is_known or not is_out.any() or (np.maximum(to_leaf, to_end) <= r).any():
             return 0.0 if is_known else np.inf
-        if (np.maximum(np.linalg.norm(x - x[0], axis=1), np.linalg.norm(x - x[-1], axis=1)) <= r).any():
-            return 0.0
-        along = arc_length(x)
-        depth, added = along + r[0], np.concatenate([[0.0], np.cumsum(np.diff(along) * (r[1:] + r[:-1]) / 2)])
-        end = int(np.argmin(np.append(r >= TOUCHES * depth, False))) - 1  # the last node whose ball touches the tip
-        area = np.where(np.arange(len(r)) <= end, r * depth, (r * depth - added)[end] + added)  # over 2 pi
-        return float((area[is_out] / r[is_out] ** 2).max() - 0.5)
+        return float(((arc_length(x) + r[0])[is_out] / r[is_out]).max() - 0.5)
 
     return slenderness
 
@@ -146,8 +136,8 @@ def measure(
 
 
 class Choice(NamedTuple):
-    """worth: (N,) of each leaf: infinite for one that stays, else the slenderness of its cap, 0 in a limb that has a
-    better leaf. leaf: of each limb, the leaf that stays, or -1. axes: of the limbs."""
+    """worth: (N,) of each leaf: infinite for one that stays, 0 in a limb that has a better leaf, else its slenderness.
+    leaf: of each limb, the leaf that stays, or -1. axes: of the limbs."""
 
     worth: np.ndarray
     leaf: list[int]
@@ -172,17 +162,13 @@ def choose(
     leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
     ball, axes = shape.approximate_clearance(vertices)[0], list[LimbAxis]()
     foot = feet(tree.shape, vertices[leaves])
-    own = limbs.owner[foot]
+    own, time = limbs.owner[foot], limbs.time
     worth, leaf = np.zeros(len(vertices)), []
     worth[leaves] = np.where(own > 0, 0.0, tree.slenderness(foot))
-    time = limbs.time
-    for number, limb in enumerate(limbs.limbs, 1):
-        mine = np.flatnonzero(own == number)
+    for number, limb in enumerate(limbs.limbs):
+        mine, axis = np.flatnonzero(own == number + 1), tree.axis(shape, limbs, number)
         away = np.sqrt(2 * (time[limb.region].max() - time[foot[mine]]))
-        is_end = is_held[leaves[mine]] & is_near_end(time, limb.area, limb.region, foot[mine])
-        order = np.lexsort((away, ~is_end))
-        axis = tree.axis(shape, limbs, number - 1)
-        first = mine[order[:1]]
+        first = mine[np.lexsort((away, ~(is_held[leaves[mine]] & (away <= axis.width))))[:1]]
         near = int((np.linalg.norm(vertices - limb.place, axis=1) - ball).argmin())
         far = np.linalg.norm(tree.shape.vertices[limb.region] - vertices[near], axis=1)
         if not len(first) and limb.detail > 0 and ball[near] >= TOUCHES * far.max():
@@ -200,18 +186,6 @@ def slenderness(tree: LimbTree, vertices: np.ndarray, edges: np.ndarray) -> np.n
     return found
 
 
-def hold_tubes(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, worth: np.ndarray, least: float
-) -> np.ndarray:
-    """The ``worth`` (N,), infinite also for the leaves of branches that are limbs by their balls (see `by_balls`)."""
-    slenderness, worth, degree = by_balls(vertices, radii), worth.copy(), np.bincount(edges.ravel())
-    for nodes in trace(len(vertices), edges):
-        for walk in (nodes, nodes[::-1]):
-            if degree[walk[0]] == 1 and degree[walk[-1]] > 2 and slenderness(iter(walk)) >= least:
-                worth[walk[0]] = np.inf
-    return worth
-
-
 def leaves_of(edges: np.ndarray) -> np.ndarray:
     """The nodes (l,) with one edge; a duplicate edge counts once."""
     return np.flatnonzero(np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel()) == 1)
@@ -227,11 +201,17 @@ def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
 def kept(
     vertices: np.ndarray, edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove the branches that end in leaves of finite ``worth`` (N,), but not in `ends`; see `prune`."""
-    is_end = np.zeros(len(worth), dtype=bool)
-    is_end[leaves_of(edges)] = True
-    worth = np.where(ends(vertices, edges, is_end & ((worth == np.inf) | is_held)), np.inf, worth)
-    return prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), np.inf, is_held)
+    """The curve without the paths that lead only to leaves of finite ``worth`` (N,), but to no `ends`: which nodes stay
+    (N,), and the one (N,) along the curve that stands for each. Cycles and nodes of ``is_held`` (N,) stay."""
+    num, stays = len(vertices), np.zeros(len(vertices), dtype=bool)
+    leaves = leaves_of(edges)
+    stays[leaves] = (worth[leaves] == np.inf) | is_held[leaves]
+    stays |= ends(vertices, edges, stays) | is_held | (graphs.degrees(num, edges) == 0)
+    # What stays is what a graph without leaves has, in which each end is in a triangle of its own with two more nodes.
+    end = np.flatnonzero(stays)
+    more = [np.stack([end, np.full_like(end, num + k)], axis=1) for k in (0, 1)]
+    stays = graphs.core(num + 2, np.concatenate([edges, *more, [[num, num + 1]]]))[:num]
+    return stays, graphs.nearest_along(vertices, edges, stays)
 
 
 def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarray:
@@ -280,40 +260,27 @@ def laid(
     """The curve with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
 
     ``leaf`` is the leaf of each limb, or -1, and ``axes`` are those of the limbs. The last stretch of its branch,
-    `LAST` widths of the limb, is replaced, but no held node. A branch with two ends that has no other stretch is
-    replaced as a whole.
+    `LAST` widths of the limb, is replaced, but no held node. A branch that runs back is replaced from its nearest
+    point on.
     """
-    x = vertices.copy()
+    x, is_held = vertices, is_held.copy()
     axis_of = {node: axis for node, axis in zip(leaf, axes, strict=True) if node >= 0 and not is_held[node]}
-    for nodes in trace(len(vertices), edges):
-        path = np.array(nodes)
-        sides = [
-            (part, axis_of[int(part[0])], _stretch(vertices[part], is_held[part], axis_of[int(part[0])]))
-            for part in (path, path[::-1])
-            if int(part[0]) in axis_of and len(part) > 1
-        ]
-        if len(sides) == 2 and sides[0][2] + sides[1][2] >= len(path):
-            one, other = sides[0][1], sides[1][1]
-            places = np.concatenate([one.places, other.places[::-1]])
-            x[path[-1]] = places[-1]
-            x, edges = relaid(x, edges, nodes[:-1], nodes[-1], places, RING_SPACING * min(one.width, other.width))
-            continue
-        for part, axis, number in sides:
-            stop = vertices[part[number]]
-            near = max(1, int(np.linalg.norm(axis.places - stop, axis=1).argmin()))
-            places = np.concatenate([axis.places[:near], stop[None]])
-            x, edges = relaid(x, edges, part[:number].tolist(), int(part[number]), places, RING_SPACING * axis.width)
+    for _ in range(2):  # of a branch with two ends, one end each
+        for nodes in trace(len(x), edges):
+            path = np.array(nodes if nodes[0] in axis_of else nodes[::-1])
+            if len(path) < 2 or int(path[0]) not in axis_of:
+                continue
+            axis = axis_of.pop(int(path[0]))
+            away = np.linalg.norm(x[path] - axis.places[0], axis=1)
+            last = int(np.append(is_held[path[1:-1]], True).argmax()) + 1
+            near = int(away[:last].argmin())
+            number = min(max(1, near + int(np.append(away[near:] > LAST * axis.width, True).argmax())), last)
+            stop = int(path[number])
+            near = max(1, int(np.linalg.norm(axis.places - x[stop], axis=1).argmin()))
+            places = np.concatenate([axis.places[:near], x[[stop]]])
+            x, edges = relaid(x, edges, path[:number].tolist(), stop, places, RING_SPACING * axis.width)
+            is_held = np.pad(is_held, (0, len(x) - len(is_held)))
     return x, edges
-
-
-def _stretch(points: np.ndarray, is_held: np.ndarray, axis: LimbAxis) -> int:
-    """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, before a held one. A
-    branch that runs back is replaced from its nearest point on."""
-    away = np.linalg.norm(points - axis.places[0], axis=1)
-    last = int(np.argmax(np.append(is_held[1:], True))) + 1
-    near = int(away[:last].argmin())
-    first = near + int(np.argmax(np.append(away[near:] > LAST * axis.width, True)))
-    return min(max(1, first), last, len(points) - 1)
 
 
 def relaid(
@@ -342,8 +309,8 @@ def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place:
 
 
 class Opened(NamedTuple):
-    """A curve that is led to its openings. nodes: (N, 3), new ones last. edges: (E, 2). ends: (k,) the nodes at the
-    openings. lids: (L,) the faces of the solid that are their lids."""
+    """A curve that is led to its openings. nodes: (N, 3), new ones last. edges: (E, 2). ends: (k,) the nodes there.
+    lids: (L,) the faces of the solid that are their lids."""
 
     nodes: np.ndarray
     edges: np.ndarray
@@ -362,14 +329,23 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
     shape, start, num = solid.shape, solid.enter(nodes), len(nodes)
     wanted = [lid for lid in lids_of(shape.vertices, shape.faces, lids) if is_end(shape, lid)]
     x, ball, ends, led = start, shape.approximate_clearance(start)[0], [], [lids[:0]]
-    leaf_of = _leaves(shape, x, leaves_of(edges), wanted)
+    leaves, middles = leaves_of(edges), np.array([lid.middle for lid in wanted]).reshape(-1, 3)
+    reach = np.array([lid.reach for lid in wanted])
+    away = spatial.distance.cdist(middles, x[leaves])
+    is_near = (away <= reach[:, None]).any(axis=0)
+    away, leaves = away[:, is_near], leaves[is_near]
+    # In a tube that is shorter than wide, both ends of the curve may be near the same lid.
+    is_open = [_is_open(shape, x[leaves], lid) for lid in wanted]
+    away = np.where(np.reshape(is_open, away.shape), away, 1e3)  # farther than any, as the solid's diagonal is 1
+    pairs = zip(*optimize.linear_sum_assignment(away), strict=True)
+    leaf_of = {int(k): int(leaves[j]) for k, j in pairs if away[k, j] < 1e3}
     ball[list(leaf_of.values())] = -np.inf
     for number, lid in enumerate(wanted):
         if number in leaf_of:
             paths = (path for each in trace(len(x), edges) for path in (each, each[::-1]))
             path = np.array(next(path for path in paths if path[0] == leaf_of[number]))
-            away = np.array([np.linalg.norm(x[path] - each.middle, axis=1) - each.reach for each in wanted])
-            stays = (away > 0).all(axis=0) | np.isin(path, np.flatnonzero(is_held))
+            stays = (spatial.distance.cdist(x[path], middles) > reach).all(axis=1)
+            stays |= np.isin(path, np.flatnonzero(is_held))
             first = min(int(np.append(stays, True).argmax()), len(path) - 1)
             first = int(np.flatnonzero(_is_open(shape, x[path[: first + 1]], lid))[-1])
             old, stop = path[:first].tolist(), int(path[first])
@@ -378,28 +354,12 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
             if not _is_open(shape, x[[stop]], lid)[0]:
                 continue
         ends.append(old[0] if old else len(x))
-        places = np.stack([lid.middle, x[stop]])
-        x, edges = relaid(x, edges, old, stop, places, RING_SPACING * lid.radius())
+        x, edges = relaid(x, edges, old, stop, np.stack([lid.middle, x[stop]]), RING_SPACING * lid.radius())
         led.append(lid.faces)
     moved = np.concatenate([nodes, solid.leave(x[num:])])
     is_moved = (x[:num] != start).any(axis=1)
     moved[:num][is_moved] = solid.leave(x[:num][is_moved])
     return Opened(moved, edges, np.array(ends, dtype=np.int64), np.concatenate(led))
-
-
-def _leaves(shape: Enclosure, x: np.ndarray, leaves: np.ndarray, lids: list[Lid]) -> dict[int, int]:
-    """The leaf of each of the ``lids`` by its number, if there is one: of ``leaves`` (l,) near lids, the nearest pairs
-    first. In a tube that is shorter than wide, both ends of the curve may be near the same lid."""
-    away = np.array([np.linalg.norm(x[leaves] - lid.middle, axis=1) for lid in lids]).reshape(len(lids), len(leaves))
-    is_near = np.any(away <= np.array([lid.reach for lid in lids])[:, None], axis=0)
-    found: dict[int, int] = {}
-    for pair in np.argsort(away, axis=None, kind="stable").tolist():
-        number, column = pair // len(leaves), pair % len(leaves)
-        leaf = int(leaves[column])
-        is_free = is_near[column] and number not in found and leaf not in found.values()
-        if is_free and _is_open(shape, x[[leaf]], lids[number])[0]:
-            found[number] = leaf
-    return found
 
 
 def _below_lid(lid: Lid) -> np.ndarray:

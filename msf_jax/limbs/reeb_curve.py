@@ -19,8 +19,9 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import repeated, unit, vertex_normals
 from msf_jax.topology import graphs
 
-COARSE = 1.0  # radii: edges of a limb with six sides; a surface is coarse if more than half, by length, are longer
-FRAME = 8.0  # radii: the same of a solid that is not thin: nine tenths of a frame of bars are longer, half of a slab's
+# Radii: a surface is coarse if more than half of its edges, by length, are longer; in a thin solid than one radius, as
+# in a limb with six sides. Nine tenths of a frame of bars are longer, half of a slab's.
+FRAME = 8.0
 ROUND = 2.0  # largest median of the rings' perimeters over those of circles of their size: a bar of 4 : 1 has it
 MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
 OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
@@ -49,7 +50,7 @@ def reeb_curve(shape: Enclosure, only_thin: bool = True) -> ReebCurve | None:
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)
-    is_long = length > (COARSE if is_thin else FRAME) * np.minimum(radius[tail], radius[head])
+    is_long = length > (1.0 if is_thin else FRAME) * np.minimum(radius[tail], radius[head])
     if 2 * length[is_long].sum() <= length.sum():
         return None
     # A ball between few vertices can be too large, so the clearances of all middles are asked for.

@@ -17,9 +17,8 @@ def test_surgery_keeps_the_cycle_and_a_vertex_for_a_node(seed):
     meso = Meso.from_mesh(mesh.vertices, np.array(mesh.faces))
     classes = ring_classes(meso.positions, meso.faces(), meso.rings)
     x = np.random.default_rng(seed).normal(size=meso.positions.shape)
-    found = extraction.operated_curve(x, meso.rings, classes)
+    found = extraction.extract_curve(x, meso.rings, classes, by_surgery=True)
     assert graphs.cycle_count(len(found.nodes), found.edges) == (1, 1)
-    assert found.is_counted is not None
     assert np.array_equal(np.sort(found.node_of_meso[found.is_counted]), np.arange(len(found.nodes)))
     assert np.array_equal(found.nodes[found.node_of_meso[found.is_counted]], x[found.is_counted])
 
@@ -32,7 +31,7 @@ def test_a_straight_thin_tube_keeps_its_ends():
     along = np.outer((vertices - centre) @ axis, axis)
     thin = centre + along + 1e-3 * (vertices - centre - along)
     meso = Meso.from_mesh(thin, np.array(mesh.faces))
-    found = extraction.operated_curve(thin, meso.rings)
+    found = extraction.extract_curve(thin, meso.rings, by_surgery=True)
     assert graphs.cycle_count(len(found.nodes), found.edges) == (1, 0)
     assert len(found.nodes) > 20
     assert np.ptp(found.nodes @ axis) > 0.9 * np.ptp(vertices @ axis)
