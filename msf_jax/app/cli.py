@@ -11,6 +11,7 @@ Help and errors appear without delay: commands import modules on demand, and JAX
 import argparse
 import io
 import os
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-INTERRUPTED = 130  # the exit code after Ctrl-C, as of other programs
+INTERRUPTED = 128 + signal.SIGINT  # the exit code after Ctrl-C, as of other programs
 LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed; the table has all
 
 

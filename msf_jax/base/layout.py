@@ -11,7 +11,7 @@ its time gathering them.
 from typing import NamedTuple
 
 SMALLEST_CAPACITY = 2048  # vertices: the smallest capacity; smaller ones would not be faster
-FINE_FROM = 4096  # vertices: from here on there is also a capacity half-way to the next power of two
+FINE_FROM = 2 * SMALLEST_CAPACITY  # vertices: from here on there is also a capacity half-way to the next power of two
 RAGGED_TAIL = 20  # slots of the last level, unless a vertex needs more
 
 

@@ -19,6 +19,7 @@ import numpy as np
 from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
+from msf_jax.meshes.repair import WELD
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, triangle_areas, unit, vertex_normals
 from msf_jax.topology import graphs
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from manifold3d import Manifold
 
 SWELL = 0.01  # radii of a part, by which it is swollen for the union
-TOUCH = 1e-6  # diagonals: solids closer than this touch
+TOUCH = WELD  # diagonals: solids closer than this touch
 MOST_SITES = 60_000  # sample points on faces, besides vertices, between which gaps are measured
 MOST_TRIES = 4  # rounds of bridging; each makes capsules twice as thick
 PROJECTIONS = 4  # alternating projections between two surfaces that find the ends of a gap

@@ -1,6 +1,6 @@
 """Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-The formats are in `files`: OFF, OBJ, PLY, STL and 3MF are read there. glTF is checked there, and then read by trimesh;
+OFF, OBJ, PLY and STL are read in `formats`, 3MF in `scenes`. glTF is checked there, and then read by trimesh;
 VTK's polygons are read by pyvista. Sizes are checked before memory is allocated. The meshes of a scene become one list
 of triangles, placed as in the scene. STL has no indices, so corners that differ only in the last bits of a float32
 become one vertex.
@@ -19,8 +19,7 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import is_traced, traced
-from msf_jax.meshes.files import gltf, ply, stl, text, unpacking
-from msf_jax.meshes.files.text import decoded
+from msf_jax.meshes import formats, scenes
 from msf_jax.topology import graphs
 
 SMALLEST_EXTENT = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
@@ -173,18 +172,18 @@ def _meshes_of(path: Path, suffix: str) -> list[trimesh.Trimesh]:
     """The meshes in a file of a known format."""
     match suffix:
         case "glb" | "gltf":
-            gltf.check(path)
+            scenes.check_gltf(path)
             return _placed(trimesh.load_scene(path, process=False))
         case "3mf":
-            found = unpacking.meshes_of_3mf(path)
+            found = scenes.meshes_of_3mf(path)
         case "stl":
-            found = [_without_doubles(corners) for corners in stl.solids(path.read_bytes())]
+            found = [_without_doubles(corners) for corners in formats.of_stl(path.read_bytes())]
         case "ply":
-            found = [ply.mesh(path.read_bytes())]
+            found = [formats.of_ply(path.read_bytes())]
         case "off":
-            found = [text.of_off(decoded(path.read_bytes()))]
+            found = [formats.of_off(formats.decoded(path.read_bytes()))]
         case "obj":
-            found = [text.of_obj(decoded(path.read_bytes()))]
+            found = [formats.of_obj(formats.decoded(path.read_bytes()))]
         case _:
             found = [_of_pyvista(importlib.import_module("pyvista").read(path))]
     return [trimesh.Trimesh(*mesh, process=False) for mesh in found]

@@ -34,7 +34,6 @@ MOST_PAIRS = 36  # pairs of numbers that are tried on a tape before the fields
 SPREAD = 0.8  # natural logarithms: first standard deviation of the proposals around the best given point
 RATE = 0.2  # natural logarithms: how much Adam's first step changes a weight; steps fall to 0 along a cosine
 MEAN, SQUARE, LEAST = 0.9, 0.999, 1e-8  # Adam's decay of the mean slope and of the mean square, and its least root
-REPLAY_TOLERANCE = 1e-8  # relative residual of the solves in a replay
 AGREEMENT = 1e-3  # relative difference of the objective between tape and fresh run, above which they disagree
 
 
@@ -338,7 +337,7 @@ def _tune_fields(trials: _Trials, space: _Space, steps: int, bar: Any) -> tuple[
 def _value_and_slope(objective: Objective, fields: dict[str, Any], weights: Weights, tape: Tape) -> Any:
     def value(fields: dict[str, Any]) -> jax.Array:
         at = replace(weights, **{name: jnp.exp(field) for name, field in fields.items()})
-        return of_surface(objective, tape, replay_meso(tape, at, tolerance=REPLAY_TOLERANCE))
+        return of_surface(objective, tape, replay_meso(tape, at))
 
     return jax.value_and_grad(value)(fields)
 

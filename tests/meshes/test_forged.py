@@ -16,8 +16,7 @@ from file_cases import glb
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError
 from msf_jax.app.cli import main
-from msf_jax.meshes import checking, reading
-from msf_jax.meshes.files import unpacking
+from msf_jax.meshes import checking, reading, scenes
 from msf_jax.skeleton.skeleton import curve_of
 
 
@@ -88,7 +87,7 @@ def test_an_altered_json_is_no_curve(tmp_path, capsys, changes):
 
 def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_path, monkeypatch):
     """Before its arrays are made."""
-    monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 100)
+    monkeypatch.setattr(scenes, "MOST_TRIANGLES", 100)
     whole = trimesh.creation.box().export(file_type="3mf")
     (tmp_path / "a.3mf").write_bytes(whole)
     assert len(reading.read(tmp_path / "a.3mf")[1]) == 12

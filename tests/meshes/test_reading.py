@@ -10,8 +10,7 @@ from file_cases import glb, obj_of, prism, volume, written
 
 import msf_jax
 from msf_jax.base.errors import MeshError
-from msf_jax.meshes import checking, reading
-from msf_jax.meshes.files import text
+from msf_jax.meshes import checking, formats, reading
 
 
 def assert_prism(vertices: np.ndarray, faces: np.ndarray) -> None:
@@ -37,7 +36,7 @@ def test_files_of_triangles_are_read_alike_however_much_else_is_in_them(counts, 
     rows = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"]
     if row is not None:
         rows[row] += " 7"
-    vertices, faces = text.of_off("\n".join(["OFF", counts, *rows]) + "\n")
+    vertices, faces = formats.of_off("\n".join(["OFF", counts, *rows]) + "\n")
     np.testing.assert_array_equal(vertices, np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]))
     np.testing.assert_array_equal(faces, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 
@@ -46,7 +45,7 @@ def test_a_quad_that_is_not_convex_is_not_folded():
     corners = np.array([[0, 0, 0], [4, -1, 0], [1, 0, 0], [4, 1, 0]], dtype=float)  # an arrow: its third corner is in
     for turn in range(4):
         order = np.roll(np.arange(4), turn)
-        (a, b) = corners[text.triangulated(corners, [order.tolist()])]
+        (a, b) = corners[formats.triangulated(corners, [order.tolist()])]
         normals = np.cross(a[1] - a[0], a[2] - a[0]), np.cross(b[1] - b[0], b[2] - b[0])
         assert normals[0] @ normals[1] > 0
 

@@ -17,7 +17,7 @@ from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import plain
 from msf_jax.curve import finishing
-from msf_jax.meshes.files import text
+from msf_jax.meshes import formats
 from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, HOLD_REPORT, KIND, REPORT, UNITS
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
@@ -87,7 +87,7 @@ def _lines_of(path: str | os.PathLike[str]) -> list[str]:
     if Path(path).exists() and not Path(path).is_file():  # opening a pipe would block
         raise ConfigError(f"{Path(path).name!r} is no file: expected one of a curve")
     try:
-        return text.lines_of(text.decoded(Path(path).read_bytes()))
+        return formats.lines_of(formats.decoded(Path(path).read_bytes()))
     except ValueError as error:
         raise ConfigError(f"{Path(path).name!r} is no text: expected a file of a curve as text ({error})") from None
 
