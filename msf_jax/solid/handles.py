@@ -59,8 +59,17 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     to_parent[face[leads_up[::-1]]] = leads_up[::-1]
     up = to_parent[to_parent >= 0]
     is_left[up] = is_left[twin[up]] = False
-    ends = zip(origin[is_left].tolist(), target[is_left].tolist(), strict=True)
-    return SurfaceLoops(edges, [graphs.loop_along(start, end, parent) for start, end in ends], to_parent)
+    loops = []
+    for start, end in zip(origin[is_left].tolist(), target[is_left].tolist(), strict=True):
+        one, other = [start], [end]  # the loop goes along the edge, and back along the tree
+        for path in (one, other):
+            while parent[path[-1]] >= 0:
+                path.append(int(parent[path[-1]]))
+        while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
+            one.pop()
+            other.pop()
+        loops.append([start, *(other[:-1] if len(one) == 1 else other), *one[-2:0:-1]])
+    return SurfaceLoops(edges, loops, to_parent)
 
 
 def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops) -> np.ndarray:

@@ -80,12 +80,6 @@ def bodies(shape: Enclosure) -> list[Body]:
     return found
 
 
-def without_cavities(shape: Enclosure) -> Enclosure:
-    """The outsides of the solids of a surface; ``shape`` itself if it has no cavity. Vertices keep their numbers."""
-    outside = np.sort(np.concatenate([body.outside for body in bodies(shape)]))
-    return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
-
-
 class Lid(NamedTuple):
     """The lid of an opening.
 
@@ -185,8 +179,9 @@ class Solid:
 
     @cached_property
     def outside(self) -> Enclosure:
-        """The surface without that of cavities: it has the limbs."""
-        return without_cavities(self.shape)
+        """The outsides of the solids, which have the limbs: without cavities. Vertices keep their numbers."""
+        shape, outside = self.shape, np.sort(np.concatenate([body.outside for body in bodies(self.shape)]))
+        return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
 
     def prepare(self) -> None:
         """Make now, beside the flow, what takes long after it: the shape's trees, and the areas."""

@@ -174,21 +174,6 @@ def cycles(
     return closing, values[closing] + along[a] - along[b], along
 
 
-def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
-    """The loop from ``start`` to ``end`` and back along the tree, without the path to the root that both share.
-
-    Its first vertex is not repeated at the end.
-    """
-    one, other = [start], [end]
-    for path in (one, other):
-        while parent[path[-1]] >= 0:
-            path.append(int(parent[path[-1]]))
-    while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
-        one.pop()
-        other.pop()
-    return [start, *(other[:-1] if len(one) == 1 else other), *one[-2:0:-1]]
-
-
 class HalfEdges(NamedTuple):
     """Half-edges of a triangle list: half-edge 3f + c goes from corner c of face f to the next corner."""
 

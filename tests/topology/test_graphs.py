@@ -8,7 +8,7 @@ from graph_cases import GRAPHS, as_edges, degrees, graphs
 from hypothesis import given, settings
 from loop_cases import NO_EDGES
 
-from msf_jax.topology.graphs import core, cycles, loop_along, nearest_along, shortest_forest, trace
+from msf_jax.topology.graphs import core, cycles, nearest_along, shortest_forest, trace
 
 
 def test_a_forest_takes_the_shortest_of_edges_side_by_side():
@@ -71,11 +71,3 @@ def test_the_core_is_what_leaves_cannot_reach():
     assert np.flatnonzero(core(13, np.array(loops + tails))).tolist() == [0, 1, 2, 3, 4, 5, 6]
     assert np.flatnonzero(core(13, np.array(loops + tails + loops))).tolist() == [0, 1, 2, 3, 4, 5, 6]
     assert not core(13, np.array(tails)).any()
-
-
-def test_a_loop_along_a_tree_has_each_vertex_once():
-    """Also where one end is above the other one in the tree 0 - 1 - (2, 3)."""
-    parent = np.array([-1, 0, 1, 1])
-    assert loop_along(2, 3, parent) == [2, 3, 1]
-    assert loop_along(2, 0, parent) == [2, 0, 1]
-    assert loop_along(0, 2, parent) == [0, 2, 1]
