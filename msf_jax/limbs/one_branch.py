@@ -11,7 +11,7 @@ depth of the node below the tip, which is a ball's radius beyond the leaf. Branc
 
 import heapq
 import itertools
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -30,7 +30,7 @@ from msf_jax.topology.graphs import trace
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
 TOUCHES = 0.9  # of the distance of a limb's farthest vertex: least radius of a ball that fills the limb
 
-Worth = Callable[[Iterator[int]], float]  # of the branch with these nodes, its leaf first
+Worth = Callable[[list[int]], float]  # of the branch with these nodes, its leaf first
 
 
 class Branch(NamedTuple):
@@ -69,13 +69,12 @@ def prune(
         beside[a].add(b)
         beside[b].add(a)
 
-    def walk(leaf: int) -> Iterator[int]:
+    def walk(leaf: int) -> list[int]:
         """The nodes from ``leaf`` to the end of its branch: a junction or another leaf."""
-        last, node = -1, leaf
-        while last < 0 or len(beside[node]) == 2:
-            yield node
-            last, node = node, next(each for each in sorted(beside[node]) if each != last)
-        yield node
+        nodes = [leaf, *beside[leaf]]
+        while len(beside[nodes[-1]]) == 2:
+            nodes += beside[nodes[-1]] - {nodes[-2]}
+        return nodes
 
     stays, target = np.ones(num_nodes, dtype=bool), np.arange(num_nodes)
     is_done = False
@@ -85,11 +84,10 @@ def prune(
         heapq.heapify(queue)
         while queue and queue[0][0] < least:
             known, leaf = heapq.heappop(queue)
-            now = worth(walk(leaf))
-            if now > known:
+            nodes = walk(leaf)
+            if (now := worth(nodes)) > known:
                 heapq.heappush(queue, (now, leaf))
                 continue
-            nodes = list(walk(leaf))
             if len(beside[nodes[-1]]) < 3 or is_held[nodes[:-1]].any():
                 continue
             is_done = False
@@ -106,8 +104,7 @@ def by_balls(vertices: np.ndarray, radii: np.ndarray) -> Worth:
     radii = np.nan_to_num(radii)
     is_known = bool((radii > 0).any())
 
-    def slenderness(walk: Iterator[int]) -> float:
-        nodes = np.fromiter(walk, dtype=np.int64)
+    def slenderness(nodes: list[int]) -> float:
         x, r = vertices[nodes], radii[nodes]
         to_leaf, to_end = np.linalg.norm(x - x[0], axis=1), np.linalg.norm(x - x[-1], axis=1)
         is_out = (to_end >= r[-1]) & (r > 0)
@@ -130,7 +127,7 @@ def measure(
         own = np.array(sorted({node for node in nodes if degree[node] < 3}), dtype=np.int64)
         value, ordered = np.inf, nodes if degree[nodes[0]] == 1 else nodes[::-1]
         if degree[ordered[0]] == 1 and degree[ordered[-1]] > 2:
-            value = slenderness(iter(ordered)) if callable(slenderness) else float(slenderness[ordered[0]])
+            value = slenderness(ordered) if callable(slenderness) else float(slenderness[ordered[0]])
         found.append(Branch(nodes, length, value, np.nan if share is None else float(share[own].sum())))
     return found
 
