@@ -8,10 +8,13 @@ do not tell, to the middle c of the largest ball there:
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2 + HOLD |m - c|^2.
 
+Where all branches are thin beside the ball, as the neurites of a soma, their lines are too far away to tell its middle.
+
 A side branch, much thinner than its trunk, begins where its line meets its trunk. The flow leaves its junction anywhere
 in the trunk, whose ball is larger.
 """
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -30,10 +33,12 @@ AXIS = 2.1  # the length of that part
 SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
-THIN = 0.6  # of its trunk's radius: the largest side branch
+THIN = 0.6  # of the radius of its trunk, or of the ball that it begins in: the largest side branch
 REACH = 4.0  # of its trunk's radius: so far a side branch runs in its trunk at most, at 15 degrees or more
 OFF = 0.2  # of its trunk's radius: the largest distance at which a line meets its axis; on a plant's stem it has 0.15
 SHARED = 0.5  # side branches that begin that near to a junction of their trunk begin there
+
+WAYS = unit(np.array(list(itertools.product((-1.0, 0.0, 1.0), repeat=3))))  # (27, 3) all around, and none
 
 
 class Axis(NamedTuple):
@@ -128,8 +133,10 @@ def _put(
     """Put the nodes ``middle`` (m,), a junction, or two and the stretch between, where the lines of their branches
     meet, and those from there to each branch's axis on the way. ``x`` (N, 3) changes only if True is returned."""
     near = np.concatenate([middle, *(each.path[: each.first] for each in axes)])
-    meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[near[radii[near].argmax()]])
-    sizes = np.array([each.size for each in axes])
+    sizes, widest = np.array([each.size for each in axes]), near[radii[near].argmax()]
+    meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[widest])
+    if sizes.max() < THIN * radii[widest]:
+        meet, off = middle_of_ball(shape, x[widest]), 0 * off
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
     # ball is smaller than those of its branches.
     is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * sizes.min()
@@ -153,6 +160,20 @@ def _put(
         x[nodes] = places
     x[middle] = meet
     return True
+
+
+def middle_of_ball(shape: Enclosure, middle: np.ndarray) -> np.ndarray:
+    """The middle (3,) of the largest ball in the solid, from that around ``middle`` (3,) on."""
+    radius = float(shape.approximate_clearance(middle[None])[0][0])
+    step, least = radius / 2, radius / 64
+    while step > least:
+        around = middle + step * WAYS
+        clearance = shape.approximate_clearance(around)[0]
+        if clearance.max() > radius:
+            middle, radius = around[clearance.argmax()], float(clearance.max())
+        else:
+            step /= 2
+    return middle
 
 
 def nearest_to_lines(line: np.ndarray, ball: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+import trimesh
 
 from msf_jax import shapes
 from msf_jax.curve import junctions
@@ -160,3 +161,20 @@ def test_a_node_without_edges_is_no_side_branch():
             np.zeros((1, 3)), np.empty((0, 2), np.int64), np.zeros(1, bool), np.ones(1)
         )
     assert sides == [] and is_trunk.shape == (0,)
+
+
+def test_a_junction_in_a_ball_with_thin_branches_is_its_middle():
+    """The axes of neurites pass the middle of their soma, each on a side of its own."""
+    way = np.array([[1.0, 0, 0], [-0.5, 0.8, 0.2], [-0.4, -0.9, 0.3]])
+    way /= np.linalg.norm(way, axis=1)[:, None]
+    beside = 1.5 * np.cross(way, [0, 0, 1.0])
+    tubes = [
+        trimesh.creation.cylinder(0.8, segment=[side + 3 * along, side + 20 * along], sections=12)
+        for along, side in zip(way, beside, strict=True)
+    ]
+    mesh = trimesh.boolean.union([trimesh.creation.icosphere(3, 5.0), *tubes])
+    first = np.array([[1.0, -1.0, 0.5]])
+    legs = [side + np.linspace(2, 19, 35)[:, None] * along for along, side in zip(way, beside, strict=True)]
+    edges = np.concatenate([np.stack([np.r_[0, k + 1 : k + 35], k + 1 + np.arange(35)], axis=1) for k in (0, 35, 70)])
+    found = moved(Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), np.concatenate([first, *legs]), edges)
+    assert np.linalg.norm(found[0]) < 0.1 * 5
