@@ -1438,18 +1438,18 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %45 = getelementptr i8, ptr %0, i64 240
   %46 = load ptr, ptr %45, align 8
   %47 = icmp slt i64 %4, 1
-  br i1 %47, label %755, label %48
+  br i1 %47, label %753, label %48
 48:
   %49 = getelementptr i8, ptr %0, i64 248
   %50 = load i64, ptr %49, align 8
   %51 = shl i64 %44, 3
   %52 = shl i64 %50, 3
-  br label %632
+  br label %630
 53:
-  %54 = phi i64 [ %239, %222 ], [ %651, %632 ]
-  %55 = phi double [ %213, %222 ], [ 0x7FF0000000000000, %632 ]
-  %56 = mul nsw i64 %54, 3
-  %57 = icmp slt i64 %54, 0
+  %54 = phi i64 [ %236, %178 ], [ 32, %630 ]
+  %55 = phi i64 [ %235, %178 ], [ %649, %630 ]
+  %56 = mul nsw i64 %55, 3
+  %57 = icmp slt i64 %55, 0
   %58 = select i1 %57, i64 %24, i64 0
   %59 = getelementptr i64, ptr %22, i64 %56
   %60 = getelementptr i64, ptr %59, i64 %58
@@ -1464,13 +1464,13 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %69 = load double, ptr %68, align 8
   %70 = getelementptr i8, ptr %66, i64 16
   %71 = load double, ptr %70, align 8
-  %72 = fsub double %67, %638
-  %73 = fsub double %69, %640
-  %74 = fsub double %71, %642
-  %75 = fmul double %645, %72
-  %76 = fmul double %647, %73
+  %72 = fsub double %67, %636
+  %73 = fsub double %69, %638
+  %74 = fsub double %71, %640
+  %75 = fmul double %643, %72
+  %76 = fmul double %645, %73
   %77 = fadd double %75, %76
-  %78 = fmul double %649, %74
+  %78 = fmul double %647, %74
   %79 = fadd double %78, %77
   %80 = fcmp ult double %79, 0.000000e+00
   %81 = add nsw i64 %56, 1
@@ -1489,16 +1489,16 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %93 = load double, ptr %92, align 8
   %94 = getelementptr i8, ptr %90, i64 16
   %95 = load double, ptr %94, align 8
-  %96 = fsub double %91, %638
-  %97 = fsub double %93, %640
-  %98 = fsub double %95, %642
-  %99 = fmul double %645, %96
-  %100 = fmul double %647, %97
+  %96 = fsub double %91, %636
+  %97 = fsub double %93, %638
+  %98 = fsub double %95, %640
+  %99 = fmul double %643, %96
+  %100 = fmul double %645, %97
   %101 = fadd double %99, %100
-  %102 = fmul double %649, %98
+  %102 = fmul double %647, %98
   %103 = fadd double %102, %101
   %104 = fcmp olt double %103, 0.000000e+00
-  br i1 %104, label %215, label %105
+  br i1 %104, label %171, label %105
 105:
   %106 = icmp slt i64 %84, 0
   %107 = select i1 %106, i64 %18, i64 0
@@ -1510,13 +1510,13 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %113 = load double, ptr %112, align 8
   %114 = getelementptr i8, ptr %110, i64 16
   %115 = load double, ptr %114, align 8
-  %116 = fsub double %111, %638
-  %117 = fsub double %113, %640
-  %118 = fsub double %115, %642
-  %119 = fmul double %645, %116
-  %120 = fmul double %647, %117
+  %116 = fsub double %111, %636
+  %117 = fsub double %113, %638
+  %118 = fsub double %115, %640
+  %119 = fmul double %643, %116
+  %120 = fmul double %645, %117
   %121 = fadd double %119, %120
-  %122 = fmul double %649, %118
+  %122 = fmul double %647, %118
   %123 = fadd double %122, %121
   %124 = fcmp ult double %123, 0.000000e+00
   %125 = add nsw i64 %56, 2
@@ -1535,16 +1535,16 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %137 = load double, ptr %136, align 8
   %138 = getelementptr i8, ptr %134, i64 16
   %139 = load double, ptr %138, align 8
-  %140 = fsub double %135, %638
-  %141 = fsub double %137, %640
-  %142 = fsub double %139, %642
-  %143 = fmul double %645, %140
-  %144 = fmul double %647, %141
+  %140 = fsub double %135, %636
+  %141 = fsub double %137, %638
+  %142 = fsub double %139, %640
+  %143 = fmul double %643, %140
+  %144 = fmul double %645, %141
   %145 = fadd double %143, %144
-  %146 = fmul double %649, %142
+  %146 = fmul double %647, %142
   %147 = fadd double %146, %145
   %148 = fcmp olt double %147, 0.000000e+00
-  br i1 %148, label %215, label %149
+  br i1 %148, label %171, label %149
 149:
   %150 = icmp slt i64 %128, 0
   %151 = select i1 %150, i64 %18, i64 0
@@ -1556,649 +1556,646 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %157 = load double, ptr %156, align 8
   %158 = getelementptr i8, ptr %154, i64 16
   %159 = load double, ptr %158, align 8
-  %160 = fsub double %155, %638
-  %161 = fsub double %157, %640
-  %162 = fsub double %159, %642
-  %163 = fmul double %645, %160
-  %164 = fmul double %647, %161
+  %160 = fsub double %155, %636
+  %161 = fsub double %157, %638
+  %162 = fsub double %159, %640
+  %163 = fmul double %643, %160
+  %164 = fmul double %645, %161
   %165 = fadd double %163, %164
-  %166 = fmul double %649, %162
+  %166 = fmul double %647, %162
   %167 = fadd double %166, %165
   %168 = fcmp oge double %167, 0.000000e+00
   %169 = fcmp olt double %79, 0.000000e+00
   %170 = and i1 %169, %168
-  br i1 %170, label %215, label %171
+  br i1 %170, label %171, label %178
 171:
-  %172 = phi i64 [ %221, %218 ], [ %128, %149 ]
-  %173 = icmp slt i64 %84, 0
-  %174 = select i1 %173, i64 %18, i64 0
-  %175 = add i64 %174, %84
-  %176 = mul i64 %175, %20
-  %177 = getelementptr double, ptr %16, i64 %176
-  %178 = load double, ptr %177, align 8
-  %179 = getelementptr i8, ptr %177, i64 8
-  %180 = load double, ptr %179, align 8
-  %181 = getelementptr i8, ptr %177, i64 16
-  %182 = load double, ptr %181, align 8
-  %183 = fsub double %178, %638
-  %184 = fsub double %180, %640
-  %185 = fsub double %182, %642
-  %186 = fmul double %645, %183
-  %187 = fmul double %647, %184
-  %188 = fadd double %186, %187
-  %189 = fmul double %649, %185
-  %190 = fadd double %189, %188
-  %191 = icmp slt i64 %172, 0
-  %192 = select i1 %191, i64 %18, i64 0
-  %193 = add i64 %192, %172
-  %194 = mul i64 %193, %20
-  %195 = getelementptr double, ptr %16, i64 %194
-  %196 = load double, ptr %195, align 8
-  %197 = getelementptr i8, ptr %195, i64 8
-  %198 = load double, ptr %197, align 8
-  %199 = getelementptr i8, ptr %195, i64 16
-  %200 = load double, ptr %199, align 8
-  %201 = fsub double %196, %638
-  %202 = fsub double %198, %640
-  %203 = fsub double %200, %642
-  %204 = fmul double %645, %201
-  %205 = fmul double %647, %202
-  %206 = fadd double %204, %205
-  %207 = fmul double %649, %203
-  %208 = fadd double %207, %206
-  %209 = tail call double @llvm.fabs.f64(double %190)
-  %210 = tail call double @llvm.fabs.f64(double %79)
-  %211 = fadd double %210, %209
-  %212 = tail call double @llvm.fabs.f64(double %208)
+  %172 = phi i64 [ %81, %129 ], [ %56, %85 ], [ %125, %149 ]
+  %173 = icmp sgt i64 %172, -1
+  br i1 %173, label %238, label %174
+174:
+  %175 = getelementptr i8, ptr %59, i64 16
+  %176 = getelementptr i64, ptr %175, i64 %58
+  %177 = load i64, ptr %176, align 8
+  br label %178
+178:
+  %179 = phi i64 [ %177, %174 ], [ %128, %149 ]
+  %180 = icmp slt i64 %84, 0
+  %181 = select i1 %180, i64 %18, i64 0
+  %182 = add i64 %181, %84
+  %183 = mul i64 %182, %20
+  %184 = getelementptr double, ptr %16, i64 %183
+  %185 = load double, ptr %184, align 8
+  %186 = getelementptr i8, ptr %184, i64 8
+  %187 = load double, ptr %186, align 8
+  %188 = getelementptr i8, ptr %184, i64 16
+  %189 = load double, ptr %188, align 8
+  %190 = fsub double %185, %636
+  %191 = fsub double %187, %638
+  %192 = fsub double %189, %640
+  %193 = fmul double %643, %190
+  %194 = fmul double %645, %191
+  %195 = fadd double %193, %194
+  %196 = fmul double %647, %192
+  %197 = fadd double %196, %195
+  %198 = icmp slt i64 %179, 0
+  %199 = select i1 %198, i64 %18, i64 0
+  %200 = add i64 %199, %179
+  %201 = mul i64 %200, %20
+  %202 = getelementptr double, ptr %16, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = getelementptr i8, ptr %202, i64 8
+  %205 = load double, ptr %204, align 8
+  %206 = getelementptr i8, ptr %202, i64 16
+  %207 = load double, ptr %206, align 8
+  %208 = fsub double %203, %636
+  %209 = fsub double %205, %638
+  %210 = fsub double %207, %640
+  %211 = fmul double %643, %208
+  %212 = fmul double %645, %209
   %213 = fadd double %211, %212
-  %214 = fcmp ult double %213, %55
-  br i1 %214, label %222, label %240
-215:
-  %216 = phi i64 [ %81, %129 ], [ %56, %85 ], [ %125, %149 ]
-  %217 = icmp sgt i64 %216, -1
-  br i1 %217, label %240, label %218
-218:
-  %219 = getelementptr i8, ptr %59, i64 16
-  %220 = getelementptr i64, ptr %219, i64 %58
-  %221 = load i64, ptr %220, align 8
-  br label %171
-222:
-  %223 = fcmp ogt double %210, -1.000000e+00
-  %224 = select i1 %223, double %210, double -1.000000e+00
-  %225 = fcmp ogt double %209, %224
-  %226 = select i1 %225, double %209, double %224
-  %227 = fcmp ogt double %212, %226
-  %228 = select i1 %225, i64 2, i64 1
-  %229 = select i1 %227, i64 0, i64 %228
-  %230 = add nsw i64 %229, %56
-  %231 = icmp slt i64 %230, 0
-  %232 = select i1 %231, i64 %28, i64 0
-  %233 = getelementptr i64, ptr %26, i64 %230
-  %234 = getelementptr i64, ptr %233, i64 %232
-  %235 = load i64, ptr %234, align 8
-  %236 = sdiv i64 %235, 3
-  %237 = srem i64 %235, 3
-  %238 = ashr i64 %237, 63
-  %239 = add nsw i64 %238, %236
-  br label %53
-240:
-  %241 = phi i64 [ -1, %632 ], [ %216, %215 ], [ -1, %171 ]
-  %242 = shl i64 %634, 3
-  %243 = getelementptr i8, ptr %12, i64 %242
-  br label %246
+  %214 = fmul double %647, %210
+  %215 = fadd double %214, %213
+  %216 = tail call double @llvm.fabs.f64(double %197)
+  %217 = tail call double @llvm.fabs.f64(double %79)
+  %218 = fcmp ogt double %217, -1.000000e+00
+  %219 = select i1 %218, double %217, double -1.000000e+00
+  %220 = fcmp ogt double %216, %219
+  %221 = select i1 %220, double %216, double %219
+  %222 = tail call double @llvm.fabs.f64(double %215)
+  %223 = fcmp ogt double %222, %221
+  %224 = select i1 %220, i64 2, i64 1
+  %225 = select i1 %223, i64 0, i64 %224
+  %226 = add nsw i64 %225, %56
+  %227 = icmp slt i64 %226, 0
+  %228 = select i1 %227, i64 %28, i64 0
+  %229 = getelementptr i64, ptr %26, i64 %226
+  %230 = getelementptr i64, ptr %229, i64 %228
+  %231 = load i64, ptr %230, align 8
+  %232 = sdiv i64 %231, 3
+  %233 = srem i64 %231, 3
+  %234 = ashr i64 %233, 63
+  %235 = add nsw i64 %234, %232
+  %236 = add nsw i64 %54, -1
+  %237 = icmp samesign ugt i64 %54, 3
+  br i1 %237, label %53, label %238
+238:
+  %239 = phi i64 [ -1, %630 ], [ %172, %171 ], [ -1, %178 ]
+  %240 = shl i64 %632, 3
+  %241 = getelementptr i8, ptr %12, i64 %240
+  br label %244
+242:
+  %243 = icmp eq i64 %247, 3
+  br i1 %243, label %618, label %244
 244:
-  %245 = icmp eq i64 %249, 3
-  br i1 %245, label %620, label %246
-246:
-  %247 = phi i64 [ %241, %240 ], [ %608, %244 ]
-  %248 = phi i64 [ 0, %240 ], [ %249, %244 ]
-  %249 = add nuw nsw i64 %248, 1
-  %250 = icmp sgt i64 %247, -1
-  br i1 %250, label %622, label %251
-251:
-  %252 = getelementptr inbounds nuw double, ptr @0, i64 %248
-  %253 = load double, ptr %252, align 8
-  %254 = load double, ptr %243, align 8
-  %255 = fmul double %253, %254
-  br label %256
-256:
-  %257 = phi i64 [ %608, %617 ], [ -1, %251 ]
-  %258 = phi i64 [ %607, %617 ], [ %38, %251 ]
-  %259 = phi double [ %606, %617 ], [ %255, %251 ]
-  %260 = phi i64 [ %618, %617 ], [ 1, %251 ]
-  %261 = fmul double %259, %259
-  %262 = fmul double %261, 0x3FF000000044B830
-  br label %263
-263:
-  %264 = phi i64 [ %604, %603 ], [ %260, %256 ]
-  %265 = icmp slt i64 %264, 0
-  %266 = select i1 %265, i64 %32, i64 0
-  %267 = add i64 %266, %264
-  %268 = mul i64 %267, %34
-  %269 = getelementptr double, ptr %30, i64 %268
-  %270 = load double, ptr %269, align 8
-  %271 = fsub double %270, %638
-  %272 = getelementptr i8, ptr %269, i64 24
-  %273 = load double, ptr %272, align 8
-  %274 = fsub double %638, %273
-  %275 = fcmp ogt double %274, %271
-  %276 = select i1 %275, double %274, double %271
-  %277 = fcmp olt double %276, 0.000000e+00
-  %278 = select i1 %277, double 0.000000e+00, double %276
-  %279 = getelementptr i8, ptr %269, i64 8
-  %280 = load double, ptr %279, align 8
-  %281 = fsub double %280, %640
-  %282 = getelementptr i8, ptr %269, i64 32
-  %283 = load double, ptr %282, align 8
-  %284 = fsub double %640, %283
-  %285 = fcmp ogt double %284, %281
-  %286 = select i1 %285, double %284, double %281
-  %287 = fcmp olt double %286, 0.000000e+00
-  %288 = select i1 %287, double 0.000000e+00, double %286
-  %289 = getelementptr i8, ptr %269, i64 16
-  %290 = load double, ptr %289, align 8
-  %291 = fsub double %290, %642
-  %292 = getelementptr i8, ptr %269, i64 40
-  %293 = load double, ptr %292, align 8
-  %294 = fsub double %642, %293
-  %295 = fcmp ogt double %294, %291
-  %296 = select i1 %295, double %294, double %291
-  %297 = fcmp olt double %296, 0.000000e+00
-  %298 = select i1 %297, double 0.000000e+00, double %296
-  %299 = fmul double %278, %278
-  %300 = fmul double %288, %288
+  %245 = phi i64 [ %239, %238 ], [ %606, %242 ]
+  %246 = phi i64 [ 0, %238 ], [ %247, %242 ]
+  %247 = add nuw nsw i64 %246, 1
+  %248 = icmp sgt i64 %245, -1
+  br i1 %248, label %620, label %249
+249:
+  %250 = getelementptr inbounds nuw double, ptr @0, i64 %246
+  %251 = load double, ptr %250, align 8
+  %252 = load double, ptr %241, align 8
+  %253 = fmul double %251, %252
+  br label %254
+254:
+  %255 = phi i64 [ %606, %615 ], [ -1, %249 ]
+  %256 = phi i64 [ %605, %615 ], [ %38, %249 ]
+  %257 = phi double [ %604, %615 ], [ %253, %249 ]
+  %258 = phi i64 [ %616, %615 ], [ 1, %249 ]
+  %259 = fmul double %257, %257
+  %260 = fmul double %259, 0x3FF000000044B830
+  br label %261
+261:
+  %262 = phi i64 [ %602, %601 ], [ %258, %254 ]
+  %263 = icmp slt i64 %262, 0
+  %264 = select i1 %263, i64 %32, i64 0
+  %265 = add i64 %264, %262
+  %266 = mul i64 %265, %34
+  %267 = getelementptr double, ptr %30, i64 %266
+  %268 = load double, ptr %267, align 8
+  %269 = fsub double %268, %636
+  %270 = getelementptr i8, ptr %267, i64 24
+  %271 = load double, ptr %270, align 8
+  %272 = fsub double %636, %271
+  %273 = fcmp ogt double %272, %269
+  %274 = select i1 %273, double %272, double %269
+  %275 = fcmp olt double %274, 0.000000e+00
+  %276 = select i1 %275, double 0.000000e+00, double %274
+  %277 = getelementptr i8, ptr %267, i64 8
+  %278 = load double, ptr %277, align 8
+  %279 = fsub double %278, %638
+  %280 = getelementptr i8, ptr %267, i64 32
+  %281 = load double, ptr %280, align 8
+  %282 = fsub double %638, %281
+  %283 = fcmp ogt double %282, %279
+  %284 = select i1 %283, double %282, double %279
+  %285 = fcmp olt double %284, 0.000000e+00
+  %286 = select i1 %285, double 0.000000e+00, double %284
+  %287 = getelementptr i8, ptr %267, i64 16
+  %288 = load double, ptr %287, align 8
+  %289 = fsub double %288, %640
+  %290 = getelementptr i8, ptr %267, i64 40
+  %291 = load double, ptr %290, align 8
+  %292 = fsub double %640, %291
+  %293 = fcmp ogt double %292, %289
+  %294 = select i1 %293, double %292, double %289
+  %295 = fcmp olt double %294, 0.000000e+00
+  %296 = select i1 %295, double 0.000000e+00, double %294
+  %297 = fmul double %276, %276
+  %298 = fmul double %286, %286
+  %299 = fadd double %297, %298
+  %300 = fmul double %296, %296
   %301 = fadd double %299, %300
-  %302 = fmul double %298, %298
-  %303 = fadd double %301, %302
-  %304 = fcmp ugt double %303, %262
-  br i1 %304, label %605, label %305
+  %302 = fcmp ugt double %301, %260
+  br i1 %302, label %603, label %303
+303:
+  %304 = icmp slt i64 %262, %38
+  br i1 %304, label %601, label %305
 305:
-  %306 = icmp slt i64 %264, %38
-  br i1 %306, label %603, label %307
-307:
-  %308 = sub nsw i64 %264, %38
-  %309 = getelementptr i64, ptr %36, i64 %308
-  %310 = load i64, ptr %309, align 8
-  %311 = mul nsw i64 %310, 3
-  %312 = icmp slt i64 %310, 0
-  %313 = select i1 %312, i64 %24, i64 0
-  %314 = getelementptr i64, ptr %22, i64 %311
-  %315 = getelementptr i64, ptr %314, i64 %313
-  %316 = load i64, ptr %315, align 8
-  %317 = icmp slt i64 %316, 0
-  %318 = select i1 %317, i64 %18, i64 0
-  %319 = add i64 %318, %316
-  %320 = mul i64 %319, %20
-  %321 = getelementptr double, ptr %16, i64 %320
+  %306 = sub nsw i64 %262, %38
+  %307 = getelementptr i64, ptr %36, i64 %306
+  %308 = load i64, ptr %307, align 8
+  %309 = mul nsw i64 %308, 3
+  %310 = icmp slt i64 %308, 0
+  %311 = select i1 %310, i64 %24, i64 0
+  %312 = getelementptr i64, ptr %22, i64 %309
+  %313 = getelementptr i64, ptr %312, i64 %311
+  %314 = load i64, ptr %313, align 8
+  %315 = icmp slt i64 %314, 0
+  %316 = select i1 %315, i64 %18, i64 0
+  %317 = add i64 %316, %314
+  %318 = mul i64 %317, %20
+  %319 = getelementptr double, ptr %16, i64 %318
+  %320 = load double, ptr %319, align 8
+  %321 = getelementptr i8, ptr %319, i64 8
   %322 = load double, ptr %321, align 8
-  %323 = getelementptr i8, ptr %321, i64 8
+  %323 = getelementptr i8, ptr %319, i64 16
   %324 = load double, ptr %323, align 8
-  %325 = getelementptr i8, ptr %321, i64 16
-  %326 = load double, ptr %325, align 8
-  %327 = fsub double %322, %638
-  %328 = fsub double %324, %640
-  %329 = fsub double %326, %642
-  %330 = fmul double %645, %327
-  %331 = fmul double %647, %328
-  %332 = fadd double %330, %331
-  %333 = fmul double %649, %329
-  %334 = fadd double %333, %332
-  %335 = fcmp ult double %334, 0.000000e+00
-  %336 = add nsw i64 %311, 1
-  %337 = getelementptr i64, ptr %22, i64 %336
-  %338 = getelementptr i64, ptr %337, i64 %313
-  %339 = load i64, ptr %338, align 8
-  br i1 %335, label %360, label %340
-340:
-  %341 = icmp slt i64 %339, 0
-  %342 = select i1 %341, i64 %18, i64 0
-  %343 = add i64 %342, %339
-  %344 = mul i64 %343, %20
-  %345 = getelementptr double, ptr %16, i64 %344
+  %325 = fsub double %320, %636
+  %326 = fsub double %322, %638
+  %327 = fsub double %324, %640
+  %328 = fmul double %643, %325
+  %329 = fmul double %645, %326
+  %330 = fadd double %328, %329
+  %331 = fmul double %647, %327
+  %332 = fadd double %331, %330
+  %333 = fcmp ult double %332, 0.000000e+00
+  %334 = add nsw i64 %309, 1
+  %335 = getelementptr i64, ptr %22, i64 %334
+  %336 = getelementptr i64, ptr %335, i64 %311
+  %337 = load i64, ptr %336, align 8
+  br i1 %333, label %358, label %338
+338:
+  %339 = icmp slt i64 %337, 0
+  %340 = select i1 %339, i64 %18, i64 0
+  %341 = add i64 %340, %337
+  %342 = mul i64 %341, %20
+  %343 = getelementptr double, ptr %16, i64 %342
+  %344 = load double, ptr %343, align 8
+  %345 = getelementptr i8, ptr %343, i64 8
   %346 = load double, ptr %345, align 8
-  %347 = getelementptr i8, ptr %345, i64 8
+  %347 = getelementptr i8, ptr %343, i64 16
   %348 = load double, ptr %347, align 8
-  %349 = getelementptr i8, ptr %345, i64 16
-  %350 = load double, ptr %349, align 8
-  %351 = fsub double %346, %638
-  %352 = fsub double %348, %640
-  %353 = fsub double %350, %642
-  %354 = fmul double %645, %351
-  %355 = fmul double %647, %352
-  %356 = fadd double %354, %355
-  %357 = fmul double %649, %353
-  %358 = fadd double %357, %356
-  %359 = fcmp olt double %358, 0.000000e+00
-  br i1 %359, label %653, label %360
-360:
-  %361 = icmp slt i64 %339, 0
-  %362 = select i1 %361, i64 %18, i64 0
-  %363 = add i64 %362, %339
-  %364 = mul i64 %363, %20
-  %365 = getelementptr double, ptr %16, i64 %364
+  %349 = fsub double %344, %636
+  %350 = fsub double %346, %638
+  %351 = fsub double %348, %640
+  %352 = fmul double %643, %349
+  %353 = fmul double %645, %350
+  %354 = fadd double %352, %353
+  %355 = fmul double %647, %351
+  %356 = fadd double %355, %354
+  %357 = fcmp olt double %356, 0.000000e+00
+  br i1 %357, label %651, label %358
+358:
+  %359 = icmp slt i64 %337, 0
+  %360 = select i1 %359, i64 %18, i64 0
+  %361 = add i64 %360, %337
+  %362 = mul i64 %361, %20
+  %363 = getelementptr double, ptr %16, i64 %362
+  %364 = load double, ptr %363, align 8
+  %365 = getelementptr i8, ptr %363, i64 8
   %366 = load double, ptr %365, align 8
-  %367 = getelementptr i8, ptr %365, i64 8
+  %367 = getelementptr i8, ptr %363, i64 16
   %368 = load double, ptr %367, align 8
-  %369 = getelementptr i8, ptr %365, i64 16
-  %370 = load double, ptr %369, align 8
-  %371 = fsub double %366, %638
-  %372 = fsub double %368, %640
-  %373 = fsub double %370, %642
-  %374 = fmul double %645, %371
-  %375 = fmul double %647, %372
-  %376 = fadd double %374, %375
-  %377 = fmul double %649, %373
-  %378 = fadd double %377, %376
-  %379 = fcmp ult double %378, 0.000000e+00
-  %380 = add nsw i64 %311, 2
-  %381 = getelementptr i64, ptr %22, i64 %380
-  %382 = getelementptr i64, ptr %381, i64 %313
-  %383 = load i64, ptr %382, align 8
-  br i1 %379, label %404, label %384
-384:
-  %385 = icmp slt i64 %383, 0
-  %386 = select i1 %385, i64 %18, i64 0
-  %387 = add i64 %386, %383
-  %388 = mul i64 %387, %20
-  %389 = getelementptr double, ptr %16, i64 %388
+  %369 = fsub double %364, %636
+  %370 = fsub double %366, %638
+  %371 = fsub double %368, %640
+  %372 = fmul double %643, %369
+  %373 = fmul double %645, %370
+  %374 = fadd double %372, %373
+  %375 = fmul double %647, %371
+  %376 = fadd double %375, %374
+  %377 = fcmp ult double %376, 0.000000e+00
+  %378 = add nsw i64 %309, 2
+  %379 = getelementptr i64, ptr %22, i64 %378
+  %380 = getelementptr i64, ptr %379, i64 %311
+  %381 = load i64, ptr %380, align 8
+  br i1 %377, label %402, label %382
+382:
+  %383 = icmp slt i64 %381, 0
+  %384 = select i1 %383, i64 %18, i64 0
+  %385 = add i64 %384, %381
+  %386 = mul i64 %385, %20
+  %387 = getelementptr double, ptr %16, i64 %386
+  %388 = load double, ptr %387, align 8
+  %389 = getelementptr i8, ptr %387, i64 8
   %390 = load double, ptr %389, align 8
-  %391 = getelementptr i8, ptr %389, i64 8
+  %391 = getelementptr i8, ptr %387, i64 16
   %392 = load double, ptr %391, align 8
-  %393 = getelementptr i8, ptr %389, i64 16
-  %394 = load double, ptr %393, align 8
-  %395 = fsub double %390, %638
-  %396 = fsub double %392, %640
-  %397 = fsub double %394, %642
-  %398 = fmul double %645, %395
-  %399 = fmul double %647, %396
-  %400 = fadd double %398, %399
-  %401 = fmul double %649, %397
-  %402 = fadd double %401, %400
-  %403 = fcmp olt double %402, 0.000000e+00
-  br i1 %403, label %653, label %404
-404:
-  %405 = icmp slt i64 %383, 0
-  %406 = select i1 %405, i64 %18, i64 0
-  %407 = add i64 %406, %383
-  %408 = mul i64 %407, %20
-  %409 = getelementptr double, ptr %16, i64 %408
+  %393 = fsub double %388, %636
+  %394 = fsub double %390, %638
+  %395 = fsub double %392, %640
+  %396 = fmul double %643, %393
+  %397 = fmul double %645, %394
+  %398 = fadd double %396, %397
+  %399 = fmul double %647, %395
+  %400 = fadd double %399, %398
+  %401 = fcmp olt double %400, 0.000000e+00
+  br i1 %401, label %651, label %402
+402:
+  %403 = icmp slt i64 %381, 0
+  %404 = select i1 %403, i64 %18, i64 0
+  %405 = add i64 %404, %381
+  %406 = mul i64 %405, %20
+  %407 = getelementptr double, ptr %16, i64 %406
+  %408 = load double, ptr %407, align 8
+  %409 = getelementptr i8, ptr %407, i64 8
   %410 = load double, ptr %409, align 8
-  %411 = getelementptr i8, ptr %409, i64 8
+  %411 = getelementptr i8, ptr %407, i64 16
   %412 = load double, ptr %411, align 8
-  %413 = getelementptr i8, ptr %409, i64 16
-  %414 = load double, ptr %413, align 8
-  %415 = fsub double %410, %638
-  %416 = fsub double %412, %640
-  %417 = fsub double %414, %642
-  %418 = fmul double %645, %415
-  %419 = fmul double %647, %416
-  %420 = fadd double %418, %419
-  %421 = fmul double %649, %417
-  %422 = fadd double %421, %420
-  %423 = fcmp oge double %422, 0.000000e+00
-  %424 = fcmp olt double %334, 0.000000e+00
-  %425 = and i1 %424, %423
-  br i1 %425, label %653, label %605
-426:
-  %427 = mul i64 %310, 24
-  %428 = getelementptr i8, ptr %22, i64 %427
-  %429 = getelementptr i64, ptr %428, i64 %313
-  %430 = load i64, ptr %429, align 8
-  %431 = getelementptr i8, ptr %428, i64 8
-  %432 = getelementptr i64, ptr %431, i64 %313
-  %433 = load i64, ptr %432, align 8
-  %434 = icmp slt i64 %430, 0
-  %435 = select i1 %434, i64 %18, i64 0
-  %436 = add i64 %435, %430
-  %437 = mul i64 %436, %20
-  %438 = getelementptr double, ptr %16, i64 %437
+  %413 = fsub double %408, %636
+  %414 = fsub double %410, %638
+  %415 = fsub double %412, %640
+  %416 = fmul double %643, %413
+  %417 = fmul double %645, %414
+  %418 = fadd double %416, %417
+  %419 = fmul double %647, %415
+  %420 = fadd double %419, %418
+  %421 = fcmp oge double %420, 0.000000e+00
+  %422 = fcmp olt double %332, 0.000000e+00
+  %423 = and i1 %422, %421
+  br i1 %423, label %651, label %603
+424:
+  %425 = mul i64 %308, 24
+  %426 = getelementptr i8, ptr %22, i64 %425
+  %427 = getelementptr i64, ptr %426, i64 %311
+  %428 = load i64, ptr %427, align 8
+  %429 = getelementptr i8, ptr %426, i64 8
+  %430 = getelementptr i64, ptr %429, i64 %311
+  %431 = load i64, ptr %430, align 8
+  %432 = icmp slt i64 %428, 0
+  %433 = select i1 %432, i64 %18, i64 0
+  %434 = add i64 %433, %428
+  %435 = mul i64 %434, %20
+  %436 = getelementptr double, ptr %16, i64 %435
+  %437 = load double, ptr %436, align 8
+  %438 = getelementptr i8, ptr %436, i64 8
   %439 = load double, ptr %438, align 8
-  %440 = getelementptr i8, ptr %438, i64 8
+  %440 = getelementptr i8, ptr %436, i64 16
   %441 = load double, ptr %440, align 8
-  %442 = getelementptr i8, ptr %438, i64 16
-  %443 = load double, ptr %442, align 8
-  %444 = fsub double %439, %638
-  %445 = fsub double %441, %640
-  %446 = fsub double %443, %642
-  %447 = fmul double %645, %444
-  %448 = fmul double %647, %445
-  %449 = fadd double %447, %448
-  %450 = fmul double %649, %446
-  %451 = fadd double %450, %449
-  %452 = icmp slt i64 %433, 0
-  %453 = select i1 %452, i64 %18, i64 0
-  %454 = add i64 %453, %433
-  %455 = mul i64 %454, %20
-  %456 = getelementptr double, ptr %16, i64 %455
+  %442 = fsub double %437, %636
+  %443 = fsub double %439, %638
+  %444 = fsub double %441, %640
+  %445 = fmul double %643, %442
+  %446 = fmul double %645, %443
+  %447 = fadd double %445, %446
+  %448 = fmul double %647, %444
+  %449 = fadd double %448, %447
+  %450 = icmp slt i64 %431, 0
+  %451 = select i1 %450, i64 %18, i64 0
+  %452 = add i64 %451, %431
+  %453 = mul i64 %452, %20
+  %454 = getelementptr double, ptr %16, i64 %453
+  %455 = load double, ptr %454, align 8
+  %456 = getelementptr i8, ptr %454, i64 8
   %457 = load double, ptr %456, align 8
-  %458 = getelementptr i8, ptr %456, i64 8
+  %458 = getelementptr i8, ptr %454, i64 16
   %459 = load double, ptr %458, align 8
-  %460 = getelementptr i8, ptr %456, i64 16
-  %461 = load double, ptr %460, align 8
-  %462 = fsub double %457, %638
-  %463 = fsub double %459, %640
-  %464 = fsub double %461, %642
-  %465 = fmul double %645, %462
-  %466 = fmul double %647, %463
-  %467 = fadd double %465, %466
-  %468 = fmul double %649, %464
-  %469 = fadd double %468, %467
-  %470 = fcmp oge double %451, 0.000000e+00
-  %471 = fcmp oge double %469, 0.000000e+00
-  %472 = xor i1 %470, %471
-  br i1 %472, label %559, label %474
-473:
-  br label %474
-474:
-  %475 = phi double [ %642, %426 ], [ %642, %473 ], [ %571, %559 ]
-  %476 = phi double [ %640, %426 ], [ %640, %473 ], [ %568, %559 ]
-  %477 = phi double [ %638, %426 ], [ %638, %473 ], [ %565, %559 ]
-  %478 = phi double [ %642, %426 ], [ %571, %473 ], [ %642, %559 ]
-  %479 = phi double [ %640, %426 ], [ %568, %473 ], [ %640, %559 ]
-  %480 = phi double [ %638, %426 ], [ %565, %473 ], [ %638, %559 ]
-  %481 = getelementptr i8, ptr %428, i64 16
-  %482 = getelementptr i64, ptr %481, i64 %313
-  %483 = load i64, ptr %482, align 8
-  %484 = icmp slt i64 %483, 0
-  %485 = select i1 %484, i64 %18, i64 0
-  %486 = add i64 %485, %483
-  %487 = mul i64 %486, %20
-  %488 = getelementptr double, ptr %16, i64 %487
+  %460 = fsub double %455, %636
+  %461 = fsub double %457, %638
+  %462 = fsub double %459, %640
+  %463 = fmul double %643, %460
+  %464 = fmul double %645, %461
+  %465 = fadd double %463, %464
+  %466 = fmul double %647, %462
+  %467 = fadd double %466, %465
+  %468 = fcmp oge double %449, 0.000000e+00
+  %469 = fcmp oge double %467, 0.000000e+00
+  %470 = xor i1 %468, %469
+  br i1 %470, label %557, label %472
+471:
+  br label %472
+472:
+  %473 = phi double [ %640, %424 ], [ %640, %471 ], [ %569, %557 ]
+  %474 = phi double [ %638, %424 ], [ %638, %471 ], [ %566, %557 ]
+  %475 = phi double [ %636, %424 ], [ %636, %471 ], [ %563, %557 ]
+  %476 = phi double [ %640, %424 ], [ %569, %471 ], [ %640, %557 ]
+  %477 = phi double [ %638, %424 ], [ %566, %471 ], [ %638, %557 ]
+  %478 = phi double [ %636, %424 ], [ %563, %471 ], [ %636, %557 ]
+  %479 = getelementptr i8, ptr %426, i64 16
+  %480 = getelementptr i64, ptr %479, i64 %311
+  %481 = load i64, ptr %480, align 8
+  %482 = icmp slt i64 %481, 0
+  %483 = select i1 %482, i64 %18, i64 0
+  %484 = add i64 %483, %481
+  %485 = mul i64 %484, %20
+  %486 = getelementptr double, ptr %16, i64 %485
+  %487 = load double, ptr %486, align 8
+  %488 = getelementptr i8, ptr %486, i64 8
   %489 = load double, ptr %488, align 8
-  %490 = getelementptr i8, ptr %488, i64 8
+  %490 = getelementptr i8, ptr %486, i64 16
   %491 = load double, ptr %490, align 8
-  %492 = getelementptr i8, ptr %488, i64 16
-  %493 = load double, ptr %492, align 8
-  %494 = fsub double %489, %638
-  %495 = fsub double %491, %640
-  %496 = fsub double %493, %642
-  %497 = fmul double %645, %494
-  %498 = fmul double %647, %495
-  %499 = fadd double %497, %498
-  %500 = fmul double %649, %496
-  %501 = fadd double %500, %499
-  %502 = fcmp oge double %501, 0.000000e+00
-  %503 = xor i1 %471, %502
-  br i1 %503, label %504, label %518
-504:
-  %505 = fcmp ult double %469, 0.000000e+00
-  %506 = fsub double %469, %501
-  %507 = fdiv double %469, %506
-  %508 = fsub double %489, %457
-  %509 = fmul double %508, %507
-  %510 = fadd double %457, %509
-  %511 = fsub double %491, %459
-  %512 = fmul double %511, %507
-  %513 = fadd double %459, %512
-  %514 = fsub double %493, %461
-  %515 = fmul double %514, %507
-  %516 = fadd double %461, %515
-  br i1 %505, label %517, label %518
-517:
-  br label %518
-518:
-  %519 = phi double [ %475, %474 ], [ %475, %517 ], [ %516, %504 ]
-  %520 = phi double [ %476, %474 ], [ %476, %517 ], [ %513, %504 ]
-  %521 = phi double [ %477, %474 ], [ %477, %517 ], [ %510, %504 ]
-  %522 = phi double [ %478, %474 ], [ %516, %517 ], [ %478, %504 ]
-  %523 = phi double [ %479, %474 ], [ %513, %517 ], [ %479, %504 ]
-  %524 = phi double [ %480, %474 ], [ %510, %517 ], [ %480, %504 ]
-  %525 = xor i1 %470, %502
-  br i1 %525, label %526, label %540
-526:
-  %527 = fcmp ult double %501, 0.000000e+00
-  %528 = fsub double %501, %451
-  %529 = fdiv double %501, %528
-  %530 = fsub double %439, %489
-  %531 = fmul double %530, %529
-  %532 = fadd double %489, %531
-  %533 = fsub double %441, %491
-  %534 = fmul double %533, %529
-  %535 = fadd double %491, %534
-  %536 = fsub double %443, %493
-  %537 = fmul double %536, %529
-  %538 = fadd double %493, %537
-  br i1 %527, label %539, label %540
-539:
-  br label %540
-540:
-  %541 = phi double [ %519, %518 ], [ %519, %539 ], [ %538, %526 ]
-  %542 = phi double [ %520, %518 ], [ %520, %539 ], [ %535, %526 ]
-  %543 = phi double [ %521, %518 ], [ %521, %539 ], [ %532, %526 ]
-  %544 = phi double [ %522, %518 ], [ %538, %539 ], [ %522, %526 ]
-  %545 = phi double [ %523, %518 ], [ %535, %539 ], [ %523, %526 ]
-  %546 = phi double [ %524, %518 ], [ %532, %539 ], [ %524, %526 ]
-  %547 = fsub double %638, %543
-  %548 = fsub double %640, %542
-  %549 = fsub double %642, %541
-  %550 = fsub double %546, %543
-  %551 = fsub double %545, %542
-  %552 = fsub double %544, %541
-  %553 = fmul double %550, %550
-  %554 = fmul double %552, %552
+  %492 = fsub double %487, %636
+  %493 = fsub double %489, %638
+  %494 = fsub double %491, %640
+  %495 = fmul double %643, %492
+  %496 = fmul double %645, %493
+  %497 = fadd double %495, %496
+  %498 = fmul double %647, %494
+  %499 = fadd double %498, %497
+  %500 = fcmp oge double %499, 0.000000e+00
+  %501 = xor i1 %469, %500
+  br i1 %501, label %502, label %516
+502:
+  %503 = fcmp ult double %467, 0.000000e+00
+  %504 = fsub double %467, %499
+  %505 = fdiv double %467, %504
+  %506 = fsub double %487, %455
+  %507 = fmul double %506, %505
+  %508 = fadd double %455, %507
+  %509 = fsub double %489, %457
+  %510 = fmul double %509, %505
+  %511 = fadd double %457, %510
+  %512 = fsub double %491, %459
+  %513 = fmul double %512, %505
+  %514 = fadd double %459, %513
+  br i1 %503, label %515, label %516
+515:
+  br label %516
+516:
+  %517 = phi double [ %473, %472 ], [ %473, %515 ], [ %514, %502 ]
+  %518 = phi double [ %474, %472 ], [ %474, %515 ], [ %511, %502 ]
+  %519 = phi double [ %475, %472 ], [ %475, %515 ], [ %508, %502 ]
+  %520 = phi double [ %476, %472 ], [ %514, %515 ], [ %476, %502 ]
+  %521 = phi double [ %477, %472 ], [ %511, %515 ], [ %477, %502 ]
+  %522 = phi double [ %478, %472 ], [ %508, %515 ], [ %478, %502 ]
+  %523 = xor i1 %468, %500
+  br i1 %523, label %524, label %538
+524:
+  %525 = fcmp ult double %499, 0.000000e+00
+  %526 = fsub double %499, %449
+  %527 = fdiv double %499, %526
+  %528 = fsub double %437, %487
+  %529 = fmul double %528, %527
+  %530 = fadd double %487, %529
+  %531 = fsub double %439, %489
+  %532 = fmul double %531, %527
+  %533 = fadd double %489, %532
+  %534 = fsub double %441, %491
+  %535 = fmul double %534, %527
+  %536 = fadd double %491, %535
+  br i1 %525, label %537, label %538
+537:
+  br label %538
+538:
+  %539 = phi double [ %517, %516 ], [ %517, %537 ], [ %536, %524 ]
+  %540 = phi double [ %518, %516 ], [ %518, %537 ], [ %533, %524 ]
+  %541 = phi double [ %519, %516 ], [ %519, %537 ], [ %530, %524 ]
+  %542 = phi double [ %520, %516 ], [ %536, %537 ], [ %520, %524 ]
+  %543 = phi double [ %521, %516 ], [ %533, %537 ], [ %521, %524 ]
+  %544 = phi double [ %522, %516 ], [ %530, %537 ], [ %522, %524 ]
+  %545 = fsub double %636, %541
+  %546 = fsub double %638, %540
+  %547 = fsub double %640, %539
+  %548 = fsub double %544, %541
+  %549 = fsub double %543, %540
+  %550 = fsub double %542, %539
+  %551 = fmul double %548, %548
+  %552 = fmul double %550, %550
+  %553 = fadd double %552, %551
+  %554 = fmul double %549, %549
   %555 = fadd double %554, %553
-  %556 = fmul double %551, %551
-  %557 = fadd double %556, %555
-  %558 = fcmp ogt double %557, 0.000000e+00
-  br i1 %558, label %572, label %583
-559:
-  %560 = fcmp ult double %451, 0.000000e+00
-  %561 = fsub double %451, %469
-  %562 = fdiv double %451, %561
-  %563 = fsub double %457, %439
-  %564 = fmul double %563, %562
-  %565 = fadd double %439, %564
-  %566 = fsub double %459, %441
-  %567 = fmul double %566, %562
-  %568 = fadd double %441, %567
-  %569 = fsub double %461, %443
-  %570 = fmul double %569, %562
-  %571 = fadd double %443, %570
-  br i1 %560, label %473, label %474
-572:
-  %573 = fmul double %547, %550
-  %574 = fmul double %549, %552
+  %556 = fcmp ogt double %555, 0.000000e+00
+  br i1 %556, label %570, label %581
+557:
+  %558 = fcmp ult double %449, 0.000000e+00
+  %559 = fsub double %449, %467
+  %560 = fdiv double %449, %559
+  %561 = fsub double %455, %437
+  %562 = fmul double %561, %560
+  %563 = fadd double %437, %562
+  %564 = fsub double %457, %439
+  %565 = fmul double %564, %560
+  %566 = fadd double %439, %565
+  %567 = fsub double %459, %441
+  %568 = fmul double %567, %560
+  %569 = fadd double %441, %568
+  br i1 %558, label %471, label %472
+570:
+  %571 = fmul double %545, %548
+  %572 = fmul double %547, %550
+  %573 = fadd double %572, %571
+  %574 = fmul double %546, %549
   %575 = fadd double %574, %573
-  %576 = fmul double %548, %551
-  %577 = fadd double %576, %575
-  %578 = fdiv double %577, %557
-  %579 = fcmp olt double %578, 0.000000e+00
-  %580 = select i1 %579, double 0.000000e+00, double %578
-  %581 = fcmp ogt double %580, 1.000000e+00
-  %582 = select i1 %581, double 1.000000e+00, double %580
-  br label %583
-583:
-  %584 = phi double [ 0.000000e+00, %540 ], [ %582, %572 ]
-  %585 = fmul double %550, %584
-  %586 = fsub double %547, %585
-  %587 = fmul double %551, %584
-  %588 = fsub double %548, %587
-  %589 = fmul double %552, %584
-  %590 = fsub double %549, %589
-  %591 = fmul double %586, %586
+  %576 = fdiv double %575, %555
+  %577 = fcmp olt double %576, 0.000000e+00
+  %578 = select i1 %577, double 0.000000e+00, double %576
+  %579 = fcmp ogt double %578, 1.000000e+00
+  %580 = select i1 %579, double 1.000000e+00, double %578
+  br label %581
+581:
+  %582 = phi double [ 0.000000e+00, %538 ], [ %580, %570 ]
+  %583 = fmul double %548, %582
+  %584 = fsub double %545, %583
+  %585 = fmul double %549, %582
+  %586 = fsub double %546, %585
+  %587 = fmul double %550, %582
+  %588 = fsub double %547, %587
+  %589 = fmul double %584, %584
+  %590 = fmul double %586, %586
+  %591 = fadd double %589, %590
   %592 = fmul double %588, %588
-  %593 = fadd double %591, %592
-  %594 = fmul double %590, %590
-  %595 = fadd double %594, %593
-  %596 = tail call double @llvm.sqrt.f64(double %595)
-  %597 = fcmp olt double %596, %259
-  br i1 %597, label %602, label %598
-598:
-  %599 = fcmp oeq double %596, %259
-  %600 = icmp slt i64 %310, %258
-  %601 = select i1 %599, i1 %600, i1 false
-  br i1 %601, label %602, label %605
-602:
-  br label %605
+  %593 = fadd double %592, %591
+  %594 = tail call double @llvm.sqrt.f64(double %593)
+  %595 = fcmp olt double %594, %257
+  br i1 %595, label %600, label %596
+596:
+  %597 = fcmp oeq double %594, %257
+  %598 = icmp slt i64 %308, %256
+  %599 = select i1 %597, i1 %598, i1 false
+  br i1 %599, label %600, label %603
+600:
+  br label %603
+601:
+  %602 = shl nsw i64 %262, 1
+  br label %261
 603:
-  %604 = shl nsw i64 %264, 1
-  br label %263
-605:
-  %606 = phi double [ %596, %602 ], [ %259, %404 ], [ %259, %653 ], [ %259, %598 ], [ %259, %263 ]
-  %607 = phi i64 [ %310, %602 ], [ %258, %404 ], [ %258, %653 ], [ %258, %598 ], [ %258, %263 ]
-  %608 = phi i64 [ %654, %602 ], [ %257, %404 ], [ %257, %653 ], [ %257, %598 ], [ %257, %263 ]
-  %609 = add nsw i64 %264, 1
-  %610 = and i64 %264, 1
-  %611 = icmp eq i64 %610, 0
-  br i1 %611, label %617, label %612
-612:
-  %613 = phi i64 [ %614, %612 ], [ %609, %605 ]
-  %614 = ashr i64 %613, 1
-  %615 = and i64 %613, 2
-  %616 = icmp eq i64 %615, 0
-  br i1 %616, label %612, label %617
-617:
-  %618 = phi i64 [ %609, %605 ], [ %614, %612 ]
-  %619 = icmp sgt i64 %618, 1
-  br i1 %619, label %256, label %244
+  %604 = phi double [ %594, %600 ], [ %257, %402 ], [ %257, %651 ], [ %257, %596 ], [ %257, %261 ]
+  %605 = phi i64 [ %308, %600 ], [ %256, %402 ], [ %256, %651 ], [ %256, %596 ], [ %256, %261 ]
+  %606 = phi i64 [ %652, %600 ], [ %255, %402 ], [ %255, %651 ], [ %255, %596 ], [ %255, %261 ]
+  %607 = add nsw i64 %262, 1
+  %608 = and i64 %262, 1
+  %609 = icmp eq i64 %608, 0
+  br i1 %609, label %615, label %610
+610:
+  %611 = phi i64 [ %612, %610 ], [ %607, %603 ]
+  %612 = ashr i64 %611, 1
+  %613 = and i64 %611, 2
+  %614 = icmp eq i64 %613, 0
+  br i1 %614, label %610, label %615
+615:
+  %616 = phi i64 [ %607, %603 ], [ %612, %610 ]
+  %617 = icmp sgt i64 %616, 1
+  br i1 %617, label %254, label %242
+618:
+  %619 = icmp sgt i64 %606, -1
+  br i1 %619, label %620, label %626
 620:
-  %621 = icmp sgt i64 %608, -1
-  br i1 %621, label %622, label %628
+  %621 = phi i64 [ %606, %618 ], [ %245, %244 ]
+  br label %622
 622:
-  %623 = phi i64 [ %608, %620 ], [ %247, %246 ]
-  br label %624
-624:
-  %625 = phi i64 [ %744, %656 ], [ %633, %622 ]
-  %626 = phi i64 [ %751, %656 ], [ %623, %622 ]
-  %627 = icmp eq i64 %44, %625
-  br i1 %627, label %755, label %656
-628:
-  %629 = phi i64 [ %633, %620 ], [ %744, %656 ]
-  %630 = getelementptr i64, ptr %40, i64 %634
-  store i64 %629, ptr %630, align 8
-  %631 = icmp eq i64 %635, %4
-  br i1 %631, label %755, label %632
-632:
-  %633 = phi i64 [ %629, %628 ], [ 0, %48 ]
-  %634 = phi i64 [ %635, %628 ], [ 0, %48 ]
-  %635 = add nuw nsw i64 %634, 1
-  %636 = mul i64 %634, %6
-  %637 = getelementptr double, ptr %2, i64 %636
+  %623 = phi i64 [ %742, %654 ], [ %631, %620 ]
+  %624 = phi i64 [ %749, %654 ], [ %621, %620 ]
+  %625 = icmp eq i64 %44, %623
+  br i1 %625, label %753, label %654
+626:
+  %627 = phi i64 [ %631, %618 ], [ %742, %654 ]
+  %628 = getelementptr i64, ptr %40, i64 %632
+  store i64 %627, ptr %628, align 8
+  %629 = icmp eq i64 %633, %4
+  br i1 %629, label %753, label %630
+630:
+  %631 = phi i64 [ %627, %626 ], [ 0, %48 ]
+  %632 = phi i64 [ %633, %626 ], [ 0, %48 ]
+  %633 = add nuw nsw i64 %632, 1
+  %634 = mul i64 %632, %6
+  %635 = getelementptr double, ptr %2, i64 %634
+  %636 = load double, ptr %635, align 8
+  %637 = getelementptr i8, ptr %635, i64 8
   %638 = load double, ptr %637, align 8
-  %639 = getelementptr i8, ptr %637, i64 8
+  %639 = getelementptr i8, ptr %635, i64 16
   %640 = load double, ptr %639, align 8
-  %641 = getelementptr i8, ptr %637, i64 16
-  %642 = load double, ptr %641, align 8
-  %643 = mul i64 %634, %10
-  %644 = getelementptr double, ptr %8, i64 %643
+  %641 = mul i64 %632, %10
+  %642 = getelementptr double, ptr %8, i64 %641
+  %643 = load double, ptr %642, align 8
+  %644 = getelementptr i8, ptr %642, i64 8
   %645 = load double, ptr %644, align 8
-  %646 = getelementptr i8, ptr %644, i64 8
+  %646 = getelementptr i8, ptr %642, i64 16
   %647 = load double, ptr %646, align 8
-  %648 = getelementptr i8, ptr %644, i64 16
-  %649 = load double, ptr %648, align 8
-  %650 = getelementptr i64, ptr %14, i64 %634
-  %651 = load i64, ptr %650, align 8
-  %652 = icmp sgt i64 %651, -1
-  br i1 %652, label %53, label %240
-653:
-  %654 = phi i64 [ %336, %384 ], [ %311, %340 ], [ %380, %404 ]
-  %655 = icmp sgt i64 %654, -1
-  br i1 %655, label %426, label %605
-656:
-  %657 = freeze i64 %626
-  %658 = urem i64 %657, 3
-  %659 = getelementptr i64, ptr %22, i64 %657
-  %660 = load i64, ptr %659, align 8
-  %661 = icmp slt i64 %660, 0
-  %662 = select i1 %661, i64 %18, i64 0
-  %663 = add i64 %662, %660
-  %664 = mul i64 %663, %20
-  %665 = getelementptr double, ptr %16, i64 %664
+  %648 = getelementptr i64, ptr %14, i64 %632
+  %649 = load i64, ptr %648, align 8
+  %650 = icmp sgt i64 %649, -1
+  br i1 %650, label %53, label %238
+651:
+  %652 = phi i64 [ %334, %382 ], [ %309, %338 ], [ %378, %402 ]
+  %653 = icmp sgt i64 %652, -1
+  br i1 %653, label %424, label %603
+654:
+  %655 = freeze i64 %624
+  %656 = urem i64 %655, 3
+  %657 = getelementptr i64, ptr %22, i64 %655
+  %658 = load i64, ptr %657, align 8
+  %659 = icmp slt i64 %658, 0
+  %660 = select i1 %659, i64 %18, i64 0
+  %661 = add i64 %660, %658
+  %662 = mul i64 %661, %20
+  %663 = getelementptr double, ptr %16, i64 %662
+  %664 = load double, ptr %663, align 8
+  %665 = getelementptr i8, ptr %663, i64 8
   %666 = load double, ptr %665, align 8
-  %667 = getelementptr i8, ptr %665, i64 8
+  %667 = getelementptr i8, ptr %663, i64 16
   %668 = load double, ptr %667, align 8
-  %669 = getelementptr i8, ptr %665, i64 16
-  %670 = load double, ptr %669, align 8
-  %671 = fsub double %666, %638
-  %672 = fsub double %668, %640
-  %673 = fsub double %670, %642
-  %674 = fmul double %645, %671
-  %675 = fmul double %647, %672
-  %676 = fadd double %674, %675
-  %677 = fmul double %649, %673
-  %678 = fadd double %677, %676
-  %679 = icmp samesign ugt i64 %658, 1
-  %680 = select i1 %679, i64 -2, i64 1
-  %681 = add i64 %680, %657
-  %682 = icmp slt i64 %681, 0
-  %683 = select i1 %682, i64 %24, i64 0
-  %684 = getelementptr i64, ptr %22, i64 %681
-  %685 = getelementptr i64, ptr %684, i64 %683
-  %686 = load i64, ptr %685, align 8
-  %687 = icmp slt i64 %686, 0
-  %688 = select i1 %687, i64 %18, i64 0
-  %689 = add i64 %688, %686
-  %690 = mul i64 %689, %20
-  %691 = getelementptr double, ptr %16, i64 %690
+  %669 = fsub double %664, %636
+  %670 = fsub double %666, %638
+  %671 = fsub double %668, %640
+  %672 = fmul double %643, %669
+  %673 = fmul double %645, %670
+  %674 = fadd double %672, %673
+  %675 = fmul double %647, %671
+  %676 = fadd double %675, %674
+  %677 = icmp samesign ugt i64 %656, 1
+  %678 = select i1 %677, i64 -2, i64 1
+  %679 = add i64 %678, %655
+  %680 = icmp slt i64 %679, 0
+  %681 = select i1 %680, i64 %24, i64 0
+  %682 = getelementptr i64, ptr %22, i64 %679
+  %683 = getelementptr i64, ptr %682, i64 %681
+  %684 = load i64, ptr %683, align 8
+  %685 = icmp slt i64 %684, 0
+  %686 = select i1 %685, i64 %18, i64 0
+  %687 = add i64 %686, %684
+  %688 = mul i64 %687, %20
+  %689 = getelementptr double, ptr %16, i64 %688
+  %690 = load double, ptr %689, align 8
+  %691 = getelementptr i8, ptr %689, i64 8
   %692 = load double, ptr %691, align 8
-  %693 = getelementptr i8, ptr %691, i64 8
+  %693 = getelementptr i8, ptr %689, i64 16
   %694 = load double, ptr %693, align 8
-  %695 = getelementptr i8, ptr %691, i64 16
-  %696 = load double, ptr %695, align 8
-  %697 = fsub double %692, %638
-  %698 = fsub double %694, %640
-  %699 = fsub double %696, %642
-  %700 = fmul double %645, %697
-  %701 = fmul double %647, %698
-  %702 = fadd double %700, %701
-  %703 = fmul double %649, %699
-  %704 = fadd double %703, %702
-  %705 = sub nuw i64 %657, %658
-  %706 = fsub double %678, %704
-  %707 = fdiv double %678, %706
-  %708 = icmp slt i64 %625, 0
-  %709 = select i1 %708, i64 %51, i64 0
-  %710 = getelementptr i8, ptr %42, i64 %709
-  %711 = shl i64 %625, 3
-  %712 = getelementptr i8, ptr %710, i64 %711
-  store i64 %657, ptr %712, align 8
-  %713 = select i1 %708, i64 %52, i64 0
-  %714 = getelementptr i8, ptr %46, i64 %713
-  %715 = getelementptr i8, ptr %714, i64 %711
-  store double %707, ptr %715, align 8
-  %716 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %658, i64 1)
-  %717 = extractvalue { i64, i1 } %716, 0
-  %718 = extractvalue { i64, i1 } %716, 1
-  %719 = select i1 %718, i64 2, i64 %717
-  %720 = add nsw i64 %719, %705
-  %721 = icmp slt i64 %720, 0
-  %722 = select i1 %721, i64 %24, i64 0
-  %723 = getelementptr i64, ptr %22, i64 %720
-  %724 = getelementptr i64, ptr %723, i64 %722
-  %725 = load i64, ptr %724, align 8
-  %726 = icmp slt i64 %725, 0
-  %727 = select i1 %726, i64 %18, i64 0
-  %728 = add i64 %727, %725
-  %729 = mul i64 %728, %20
-  %730 = getelementptr double, ptr %16, i64 %729
+  %695 = fsub double %690, %636
+  %696 = fsub double %692, %638
+  %697 = fsub double %694, %640
+  %698 = fmul double %643, %695
+  %699 = fmul double %645, %696
+  %700 = fadd double %698, %699
+  %701 = fmul double %647, %697
+  %702 = fadd double %701, %700
+  %703 = sub nuw i64 %655, %656
+  %704 = fsub double %676, %702
+  %705 = fdiv double %676, %704
+  %706 = icmp slt i64 %623, 0
+  %707 = select i1 %706, i64 %51, i64 0
+  %708 = getelementptr i8, ptr %42, i64 %707
+  %709 = shl i64 %623, 3
+  %710 = getelementptr i8, ptr %708, i64 %709
+  store i64 %655, ptr %710, align 8
+  %711 = select i1 %706, i64 %52, i64 0
+  %712 = getelementptr i8, ptr %46, i64 %711
+  %713 = getelementptr i8, ptr %712, i64 %709
+  store double %705, ptr %713, align 8
+  %714 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %656, i64 1)
+  %715 = extractvalue { i64, i1 } %714, 0
+  %716 = extractvalue { i64, i1 } %714, 1
+  %717 = select i1 %716, i64 2, i64 %715
+  %718 = add nsw i64 %717, %703
+  %719 = icmp slt i64 %718, 0
+  %720 = select i1 %719, i64 %24, i64 0
+  %721 = getelementptr i64, ptr %22, i64 %718
+  %722 = getelementptr i64, ptr %721, i64 %720
+  %723 = load i64, ptr %722, align 8
+  %724 = icmp slt i64 %723, 0
+  %725 = select i1 %724, i64 %18, i64 0
+  %726 = add i64 %725, %723
+  %727 = mul i64 %726, %20
+  %728 = getelementptr double, ptr %16, i64 %727
+  %729 = load double, ptr %728, align 8
+  %730 = getelementptr i8, ptr %728, i64 8
   %731 = load double, ptr %730, align 8
-  %732 = getelementptr i8, ptr %730, i64 8
+  %732 = getelementptr i8, ptr %728, i64 16
   %733 = load double, ptr %732, align 8
-  %734 = getelementptr i8, ptr %730, i64 16
-  %735 = load double, ptr %734, align 8
-  %736 = fsub double %731, %638
-  %737 = fsub double %733, %640
-  %738 = fsub double %735, %642
-  %739 = fmul double %645, %736
-  %740 = fmul double %647, %737
-  %741 = fadd double %739, %740
-  %742 = fmul double %649, %738
-  %743 = fadd double %742, %741
-  %744 = add i64 %625, 1
-  %745 = fcmp ult double %743, 0.000000e+00
-  %746 = select i1 %745, i64 %720, i64 %681
-  %747 = icmp slt i64 %746, 0
-  %748 = select i1 %747, i64 %28, i64 0
-  %749 = getelementptr i64, ptr %26, i64 %746
-  %750 = getelementptr i64, ptr %749, i64 %748
-  %751 = load i64, ptr %750, align 8
-  %752 = icmp ne i64 %751, %623
-  %753 = icmp sgt i64 %751, -1
-  %754 = and i1 %752, %753
-  br i1 %754, label %624, label %628
-755:
-  %756 = phi i64 [ 1, %1 ], [ 0, %624 ], [ 1, %628 ]
-  ret i64 %756
+  %734 = fsub double %729, %636
+  %735 = fsub double %731, %638
+  %736 = fsub double %733, %640
+  %737 = fmul double %643, %734
+  %738 = fmul double %645, %735
+  %739 = fadd double %737, %738
+  %740 = fmul double %647, %736
+  %741 = fadd double %740, %739
+  %742 = add i64 %623, 1
+  %743 = fcmp ult double %741, 0.000000e+00
+  %744 = select i1 %743, i64 %718, i64 %679
+  %745 = icmp slt i64 %744, 0
+  %746 = select i1 %745, i64 %28, i64 0
+  %747 = getelementptr i64, ptr %26, i64 %744
+  %748 = getelementptr i64, ptr %747, i64 %746
+  %749 = load i64, ptr %748, align 8
+  %750 = icmp ne i64 %749, %621
+  %751 = icmp sgt i64 %749, -1
+  %752 = and i1 %750, %751
+  br i1 %752, label %622, label %626
+753:
+  %754 = phi i64 [ 1, %1 ], [ 0, %622 ], [ 1, %626 ]
+  ret i64 %754
 }
 declare i64 @llvm.smax.i64(i64, i64)
 declare double @atan2(double, double) local_unnamed_addr

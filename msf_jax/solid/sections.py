@@ -20,6 +20,7 @@ from msf_jax.solid.geometry import arc_length, at, cross, unit
 from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
 REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
+DESCENT = 30  # triangles from the given one to the plane, after which the tree is searched instead
 CHORDS = 24  # from points evenly along a loop, and again, twice, from points around that of the shortest one
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
@@ -86,22 +87,19 @@ def edge_down(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
 
 @part
 def descended(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
-    """The half-edge down through the plane that is reached from a face, always nearer; -1 if there is none."""
-    before = np.inf
-    while True:
+    """The half-edge down through the plane that is reached from a face, face by face; -1 if it is too far."""
+    for _ in range(DESCENT):
         edge = edge_down(mesh, point, normal, face)
         if edge >= 0:
             return edge
         # To the neighbour across the edge opposite to the corner that is farthest from the plane.
-        farthest, most, total = 0, -1.0, 0.0
+        farthest, most = 0, -1.0
         for k in range(3):
             away = abs(height(mesh, mesh.corners[3 * face + k], point, normal))
-            total += away
             if away > most:
                 farthest, most = k, away
-        if total >= before:
-            return -1
-        before, face = total, mesh.twins[3 * face + (farthest + 1) % 3] // 3
+        face = mesh.twins[3 * face + (farthest + 1) % 3] // 3
+    return -1
 
 
 @part
@@ -124,8 +122,8 @@ def loops(
 ) -> bool:
     """For each point, the half-edges down through its plane along one loop.
 
-    The loop is reached from triangle ``near[p]``. If that is -1, or no loop is reached from it, it is the nearest loop
-    within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
+    The loop is reached from triangle ``near[p]``. If that is -1, or if the plane is far from there, it is the nearest
+    loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
     triangle.
 
     The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane. Returns False
