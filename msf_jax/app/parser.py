@@ -39,7 +39,7 @@ examples:
     "view": """\
 the same as an interactive page
 
-The page needs no network: the surface, the curve, and sliders for the flow's iterations and for pruning.
+The page needs no network: the surface, the curve, and a slider for the flow's iterations.
 
 example:
   msf-jax view hand.off -o hand.html --w-M 0.8""",

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
+from trimesh import remesh
 
 from msf_jax.curve import branches
 from msf_jax.curve.centring import Budget, LimbSections
@@ -22,7 +23,6 @@ from msf_jax.topology import graphs
 FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
 FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
 LONGEST_FACE = 2.0  # radii: a longer face is split in four before its volume is given to branches
-PARTS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])  # of a face: its corners 0 to 2, middles of sides 3 to 5
 MOST_SPLITS = 6  # times that a face is split
 MOST_FACES = 50_000  # faces, beyond which none is split; bounds time and memory
 
@@ -174,17 +174,13 @@ def volumes_of(
     branch = np.full(len(nodes), -1)
     for number, path in reversed(list(enumerate(traced))):
         branch[path] = number
-    corners, tree = shape.triangles, spatial.KDTree(nodes)
-    node = np.asarray(tree.query(shape.vertices)[1] if node_of_vertex is None else node_of_vertex)[shape.faces]
-    volume = np.zeros(len(traced))
+    x, faces, tree = shape.vertices, shape.faces, spatial.KDTree(nodes)
+    node = np.asarray(tree.query(x)[1]) if node_of_vertex is None else node_of_vertex
     for _ in range(MOST_SPLITS):
-        longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
-        is_long = longest > LONGEST_FACE * radii[node].max(axis=1)
-        if not is_long.any() or len(corners) > MOST_FACES:
+        longest = np.linalg.norm(x[faces] - np.roll(x[faces], 1, axis=1), axis=2).max(axis=1)
+        long = np.flatnonzero(longest > LONGEST_FACE * radii[node[faces]].max(axis=1))
+        if not len(long) or len(long) > MOST_FACES:
             break
-        volume += swept_volumes(corners[~is_long], nodes[node[~is_long]], branch[node[~is_long, 0]], len(traced))
-        corners, node = corners[is_long], node[is_long]
-        middle = (corners + np.roll(corners, -1, axis=1)) / 2  # of the sides, from each corner to the next one
-        corners = np.concatenate([corners, middle], axis=1)[:, PARTS].reshape(-1, 3, 3)
-        node = np.concatenate([node, np.asarray(tree.query(middle)[1])], axis=1)[:, PARTS].reshape(-1, 3)
-    return volume + swept_volumes(corners, nodes[node], branch[node[:, 0]], len(traced))
+        x, faces = remesh.subdivide(x, faces, face_index=long)[:2]
+        node = np.append(node, tree.query(x[len(node) :])[1])
+    return swept_volumes(x[faces], nodes[node[faces]], branch[node[faces[:, 0]]], len(traced))

@@ -1,4 +1,4 @@
-"""A self-contained interactive page of surface, curve, iterations and pruning, drawn by plotly."""
+"""A self-contained interactive page of surface, curve and iterations, drawn by plotly."""
 
 import os
 from pathlib import Path
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-PRUNED = (0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
 GREY = "#8c9eb8"  # colour of the surface
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
 AWAY = 1.4  # diagonals: at 1.31, a ball with the box's diagonal fills plotly's angle of view of 45 degrees
@@ -34,30 +33,26 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
     middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is precise enough around it
     traces = _surfaces(skeleton, mesh, middle)
     box = np.concatenate([skeleton.vertices - middle, *(np.stack([one.x, one.y, one.z], axis=1) for one in traces[:1])])
-    stages, num_surfaces = skeleton.source.stages if skeleton.source else (), len(traces)
+    stages, first = skeleton.source.stages if skeleton.source else (), len(traces)
     for stage in stages:
         name = f"after {stage.iteration} iterations"
         style = {"opacity": 0.9, "color": "#5b8c5a", "visible": False, "hoverinfo": "skip"}
         traces.append(_mesh(stage.vertices - middle, stage.faces, name, **style))
-    left = {"none": skeleton}  # the curve at each stop of the slider, without stops that change nothing
-    for slenderness in PRUNED:
-        curve = skeleton.prune(slenderness)
-        if len(curve.edges) < len(list(left.values())[-1].edges):
-            left[f"{slenderness:g}"] = curve
-    limits = float(skeleton.radii.min()), float(skeleton.radii.max())
-    traces += [_line(curve, middle, limits, name == "none") for name, curve in left.items()]
+    traces.append(_line(skeleton, middle))
+    shown = list(range(first, first + len(stages)))
+    steps = [
+        {"method": "restyle", "label": label, "args": [{"visible": [trace == first + k for trace in shown]}, shown]}
+        for k, label in enumerate(["none", *(f"{stage.iteration}" for stage in stages)], -1)
+    ]
+    slider = {"currentvalue": {"prefix": "contraction: "}, "x": 0.02, "len": 0.9, "pad": {"t": 10}, "steps": steps}
     drawing = go.Figure(traces)
-    first = num_surfaces + len(stages)
     drawing.update_layout(
         template="plotly_white",
         margin={"l": 0, "r": 0, "t": 40, "b": 90},
         title={"text": f"{skeleton!r}; {skeleton.report.reason}", "font": {"size": 14}},
         legend={"x": 0, "y": 1},
         scene=_scene(box[np.isfinite(box).all(axis=1)]),
-        sliders=[
-            _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 0.02, 1),
-            _slider("pruned at slenderness: ", list(left), first, 0.53, 0),
-        ],
+        sliders=[slider],
     )
     if path is not None:
         write_whole(path, drawing.to_html(include_plotlyjs=True))
@@ -105,12 +100,12 @@ def _scene(box: np.ndarray) -> dict[str, Any]:
     return {"aspectmode": "manual", "aspectratio": ratio, "camera": {"eye": eye, "up": up}, **axes}
 
 
-def _line(curve: "Skeleton", middle: np.ndarray, limits: tuple[float, float], is_shown: bool) -> Any:
+def _line(curve: "Skeleton", middle: np.ndarray) -> Any:
     """Every edge as a line, coloured by radius, with a gap after it; a curve without edges as dots."""
     import plotly.graph_objects as go
 
     bar = {"title": "radius", "len": 0.5, "thickness": 14, "x": 1, "xanchor": "right"}
-    colour: dict[str, Any] = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": bar}
+    colour: dict[str, Any] = {"colorscale": "Plasma", "colorbar": bar}
     points, radius = (curve.vertices - middle).astype(np.float32), curve.radii.astype(np.float32)
     if len(curve.edges):
         points = np.pad(points[curve.edges], ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(-1, 3)
@@ -119,18 +114,4 @@ def _line(curve: "Skeleton", middle: np.ndarray, limits: tuple[float, float], is
     else:
         style = {"mode": "markers", "marker": {"color": radius, "size": 6, **colour}}
     style |= {"customdata": radius, "hovertemplate": RADIUS, "name": "curve", "showlegend": False}
-    return go.Scatter3d(**dict(zip("xyz", points.T, strict=True)), **style, visible=is_shown)
-
-
-def _slider(prefix: str, labels: list[str], first: int, at: float, skip: int) -> dict[str, Any]:
-    """A slider that shows one trace for each label, from ``first`` on; none for the first ``skip`` labels."""
-    traces = list(range(first, first + len(labels) - skip))
-    steps = [
-        {
-            "method": "restyle",
-            "label": label,
-            "args": [{"visible": [k == n - skip for k in range(len(traces))]}, traces],
-        }
-        for n, label in enumerate(labels)
-    ]
-    return {"active": 0, "currentvalue": {"prefix": prefix}, "x": at, "len": 0.45, "pad": {"t": 10}, "steps": steps}
+    return go.Scatter3d(**dict(zip("xyz", points.T, strict=True)), **style)

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import jax
 import numpy as np
-import trimesh
 from scipy import spatial
 
 from msf_jax import metrics
@@ -23,7 +22,6 @@ from msf_jax.inside import containment
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.one_branch import Branch
 from msf_jax.limbs.tree import LimbTree
-from msf_jax.meshes import reading
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
@@ -180,13 +178,11 @@ class Skeleton:
 
         Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
         from 0 to 1, says which limbs that only stand out count, as in `Config`. If it is given, limbs without a branch
-        get one, through the middles of their rings: a coarser detail removes branches, a finer one adds some. Without
-        it, limbs count that stand out at the detail 0.5, and nothing is added.
-
-        A run with ``Config(least_slenderness=slenderness, detail=detail)`` chooses limbs in the same way. Components,
-        cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
-
-        Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
+        get one: a coarser detail removes branches, a finer one adds some. Without it, limbs count that stand out at
+        the detail 0.5, and nothing is added. A run with these two numbers in its `Config` chooses limbs in the same
+        way. Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its
+        junction. Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least
+        slender first.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
@@ -199,8 +195,7 @@ class Skeleton:
         x, edges, least, is_pinned = self.vertices, self.edges, float(slenderness), _pinned(self)
         report, num, grown = self.report, len(self.vertices), 0
         if self.source is not None and not report.wavefronts and least:
-            solid = self.source.solid
-            finest = 0.5 if detail is None else float(detail)
+            solid, finest = self.source.solid, 0.5 if detail is None else float(detail)
             choice = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_pinned, least, finest)
             if detail is not None and (grown := choice.leaf.count(-1)):
                 new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
@@ -218,9 +213,8 @@ class Skeleton:
             )
         rank = np.cumsum(stays) - 1
         result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target][:num])
-        gone = self.num_leaves + grown - result.num_leaves
-        counts = {"pruned": report.pruned + gone, "grown": report.grown + grown}
-        return replace(result, report=replace(result.report, **counts))
+        pruned = report.pruned + self.num_leaves + grown - result.num_leaves
+        return replace(result, report=replace(result.report, pruned=pruned, grown=report.grown + grown))
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends and pins stay.
@@ -313,16 +307,9 @@ class Skeleton:
         roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
         where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
         place = f"root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}{why}"
-        report = replace(
-            self.report,
-            cycles=0,
-            loops=None if self.report.loops is None else 0,
-            cut=self.report.cut + len(gone),
-            inside=_share_inside(self, self.vertices, edges, self.radii),
-            notes=(*self.report.notes, f"a tree: {count_of(len(gone), 'loop')} cut where thinnest{where}; {place}"),
-            figures={},
-        )
-        return replace(self, edges=edges, report=report, roots=roots)
+        note = f"a tree: {count_of(len(gone), 'loop')} cut where thinnest{where}; {place}"
+        loops = None if self.report.loops is None else 0
+        return replace(_relinked(self, edges, note, cut=self.report.cut + len(gone), loops=loops), roots=roots)
 
     def soma(self) -> Soma:
         """The thickest place, where the soma of a neuron may be, and whether it stands out enough to be sure."""
@@ -348,20 +335,11 @@ class Skeleton:
         links = _links(self.vertices, self.edges, float(reach))
         if not len(links):
             return self
-        edges = finishing.in_order(np.concatenate([self.edges, links]))
-        gap = graphs.lengths(self.vertices, links).max()
-        components, cycles = graphs.cycle_count(len(self.vertices), edges)
+        edges, gap = finishing.in_order(np.concatenate([self.edges, links])), graphs.lengths(self.vertices, links).max()
         count = f"{len(links)} {'piece was' if len(links) == 1 else 'pieces were'} joined to the rest"
-        report = replace(
-            self.report,
-            components=components,
-            mesh_components=max(self.report.mesh_components - len(links), 1),
-            cycles=cycles,
-            inside=_share_inside(self, self.vertices, edges, self.radii),
-            notes=(*self.report.notes, f"healed: {count}, over gaps of up to {gap:.3g}, outside the mesh"),
-            figures={},
-        )
-        return replace(self, edges=edges, report=report, roots=self.roots[:1])
+        note = f"healed: {count}, over gaps of up to {gap:.3g}, outside the mesh"
+        expected = max(self.report.mesh_components - len(links), 1)
+        return replace(_relinked(self, edges, note, mesh_components=expected), roots=self.roots[:1])
 
     def with_radii(self, of: str) -> "Skeleton":
         """The same curve with another kind of radii, which saved files then have, too.
@@ -480,17 +458,6 @@ class Skeleton:
 
         write_whole(path, writers.writer_for(path)(self, mesh))
 
-    def save_precomputed(self, folder: str | os.PathLike[str], segment: int = 1) -> None:
-        """Write the curve as ``segment`` of Neuroglancer's precomputed skeletons: ``info``, radii, and SWC's labels
-        as ``vertex_types``. ``units`` must be nm, um, mm or m; "" are nanometres.
-
-        Raises:
-            ConfigError: the id or the units are none, or the folder has skeletons of other units.
-        """
-        from msf_jax.skeleton.formats import precomputed
-
-        precomputed.save(self, folder, segment)
-
     def rig(self, mesh: "MeshLike | None" = None, names: str | None = None) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
@@ -532,7 +499,7 @@ class Skeleton:
         return framing.frame_of(self, float(np.median(self.radii)) if tolerance is None else float(tolerance))
 
     def view(self, mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
-        """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
+        """An interactive page: the curve in its surface, with a slider for the flow's iterations.
 
         Args:
             mesh: the mesh that the curve was made from, as `skeletonize` took it; by default the repaired surface.
@@ -555,35 +522,6 @@ class Skeleton:
         from msf_jax import view
 
         return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)
-
-    def segments(self, mesh: "MeshLike") -> list[trimesh.Trimesh]:
-        """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
-
-        A face belongs to the branch of most of its corners' nodes, or else of its first corner's; a node at a junction
-        counts for the first of its branches. A branch may have no faces, or some apart from the others beside a
-        junction. Each mesh has its own colour, and ``vertex_attributes`` "radius", "node" and "branch".
-
-        Raises:
-            MeshError: ``mesh`` is not the one that the curve was made from.
-        """
-        vertices, faces = reading.read(mesh)
-        reading.check_map(self.mesh_map, len(vertices))
-        every, branch_of_node = self.branches, np.full(len(self.vertices), -1)
-        for number, one in reversed(list(enumerate(every))):  # a junction has the first of its branches
-            branch_of_node[np.asarray(one.nodes)] = number
-        branch = branch_of_node[self.mesh_map]
-        first, second, third = branch[faces].T
-        of_face = np.where(second == third, second, first)
-        parts = []
-        for number in range(len(every)):
-            hue = number * 0.61803398875 + np.array([0, 1 / 3, 2 / 3])  # the golden ratio: unlike those before
-            colour = [*(150 + 90 * np.cos(2 * np.pi * hue)).astype(np.uint8), 255]
-            used, local = np.unique(faces[of_face == number], return_inverse=True)
-            node, local = self.mesh_map[used], local.reshape(-1, 3)
-            part = trimesh.Trimesh(vertices[used], local, process=False, face_colors=np.tile(colour, (len(local), 1)))
-            part.vertex_attributes |= {"radius": self.radii[node], "node": node, "branch": branch[used]}
-            parts.append(part)
-        return parts
 
     def to_networkx(self) -> "Graph":
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
@@ -623,7 +561,7 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
     solid, vertex = source.solid, source.input_of_vertex
     followed = None if vertex is None else mesh_map[vertex]
     found = assessed(solid.shape, solid.enter(vertices), edges, followed, lambda: result.branches)
-    found["inside"] = _share_inside(result, vertices, edges, radii)
+    found["inside"] = _share_inside(result, edges)
     result = replace(result, report=replace(report, **found))
     return result if skeleton.radius_of == "ball" else _with_sections(result)
 
@@ -635,12 +573,21 @@ def _with_sections(skeleton: Skeleton) -> Skeleton:
     return replace(skeleton, radii=radii, radius_of="section")
 
 
-def _share_inside(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
-    """The fraction of a curve's length inside the skeleton's mesh; the report's if the mesh is not known."""
+def _share_inside(skeleton: Skeleton, edges: np.ndarray) -> float:
+    """The fraction inside the skeleton's mesh of the length of ``edges`` of its nodes; the report's without a mesh."""
     if skeleton.source is None:
         return skeleton.report.inside
     solid = skeleton.source.solid
-    return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
+    balls = skeleton.radii if skeleton.radius_of == "ball" else solid.radii(skeleton.vertices)
+    return metrics.inside_fraction(solid.shape, solid.enter(skeleton.vertices), edges, balls / solid.diagonal)
+
+
+def _relinked(skeleton: Skeleton, edges: np.ndarray, note: str, **counts: Any) -> Skeleton:
+    """The nodes of a skeleton with other ``edges``, and what its report says then."""
+    components, cycles = graphs.cycle_count(len(skeleton.vertices), edges)
+    counts |= {"components": components, "cycles": cycles, "inside": _share_inside(skeleton, edges), "figures": {}}
+    report = replace(skeleton.report, notes=(*skeleton.report.notes, note), **counts)
+    return replace(skeleton, edges=edges, report=report)
 
 
 def _pinned(skeleton: Skeleton) -> np.ndarray:

@@ -215,7 +215,7 @@ ODD_SWC = {
     "a comment like ours": b"# cut edge effects were not corrected\n1 1 0 0 0 1 -1\n2 1 1 0 0 1 1\n",
     "whole numbers as decimals": b"1.0 1 0 0 0 1 -1.0\n2.0 1 1 0 0 1 1.0\n",
     "a comment without a space": b"1 1 0 0 0 1 -1#root\n2 1 1 0 0 1 1\n",
-    "lines of old systems": "# a\u2028comment\r1 1 0 0 0 1 -1\r\n2 1 1 0 0 1 1\r".encode("utf-16"),
+    "lines of old systems": "# a\u2028comment\r1 1 0 0 0 1 -1\r\n2 1 1 0 0 1 1\r".encode(),
 }
 
 

@@ -1,6 +1,5 @@
 """What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces joined, what radii are."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
@@ -141,33 +140,3 @@ def test_navis_knows_the_units_and_the_labels(tmp_path):
     soma = read.nodes[read.nodes["label"] == 1]
     assert len(soma) == 1 and soma[["x", "y", "z"]].to_numpy().tolist() == [[3.0, 0.0, 0.0]]
     assert msf_jax.read_curve(tmp_path / "a.swc").length == pytest.approx(curve.length)
-
-
-def test_neuroglancers_skeletons_hold_radii_labels_and_units(tmp_path):
-    """Read as its specification says: counts, positions, edges, and the attributes in the order of ``info``."""
-    curve = replace(neuron(2.0).to_tree("soma"), units="um")
-    curve.save_precomputed(tmp_path / "neurons", 17)
-    curve.save_precomputed(tmp_path / "neurons", 18)
-    info = json.loads((tmp_path / "neurons" / "info").read_text())
-    assert info["@type"] == "neuroglancer_skeletons"
-    data = (tmp_path / "neurons" / "17").read_bytes()
-    num, num_edges = np.frombuffer(data, "<u4", 2)
-    points = np.frombuffer(data, "<f4", 3 * num, 8).reshape(-1, 3)
-    edges = np.frombuffer(data, "<u4", 2 * num_edges, 8 + 12 * num).reshape(-1, 2)
-    place, values = 8 + 12 * num + 8 * num_edges, {}
-    for each in info["vertex_attributes"]:
-        kind = np.dtype(each["data_type"])
-        values[each["id"]] = np.frombuffer(data, kind, num, place)
-        place += kind.itemsize * num
-    assert place == len(data)
-    np.testing.assert_array_equal(edges, curve.edges)
-    np.testing.assert_allclose(points, curve.vertices, rtol=1e-6)
-    np.testing.assert_allclose(values["radius"], curve.radii, rtol=1e-6)
-    assert values["vertex_types"].tolist().count(1) == 1 and values["vertex_types"][3] == 1
-    matrix = np.array(info["transform"]).reshape(3, 4)
-    np.testing.assert_array_equal(matrix, np.c_[1000 * np.eye(3), np.zeros(3)])
-    for wrong, words in ((replace(curve, units="nm"), "other units"), (replace(curve, units="inch"), "nanometres")):
-        with pytest.raises(ConfigError, match=words):
-            wrong.save_precomputed(tmp_path / "neurons", 19)
-    with pytest.raises(ConfigError, match="segment is -1"):
-        curve.save_precomputed(tmp_path / "neurons", -1)

@@ -1,4 +1,4 @@
-"""Pages, the camera and segments: what is in them, where it is seen from, and that sliders name their own traces."""
+"""Pages and the camera: what is in them, where it is seen from, and that the slider names its own traces."""
 
 import numpy as np
 import pytest
@@ -36,21 +36,19 @@ def test_stages_lead_from_the_mesh_to_the_meso_skeleton(hand):
     assert abs(surfaces[-1].volume) < 0.01 * surfaces[0].volume
 
 
-def test_each_stop_of_a_slider_shows_its_own_trace(hand, drawn):
+def test_each_stop_of_the_slider_shows_its_own_trace(hand, drawn):
     skeleton, drawing = hand[0], drawn[0]
     names = [trace.name for trace in drawing.data]
-    contraction, pruning = drawing.layout.sliders
+    (contraction,) = drawing.layout.sliders
     shown = []
-    for step in (*contraction.steps[1:], *pruning.steps):
+    for step in contraction.steps[1:]:
         style, traces = step.args
         (trace,) = (trace for trace, is_shown in zip(traces, style["visible"], strict=True) if is_shown)
         shown.append(trace)
-    assert shown == list(range(1, len(names)))
-    expected = [f"after {stage.iteration} iterations" for stage in skeleton.source.stages]
-    assert names == ["surface", *expected, *["curve"] * len(pruning.steps)]
+    assert shown == list(range(1, len(names) - 1))
+    assert names == ["surface", *(f"after {stage.iteration} iterations" for stage in skeleton.source.stages), "curve"]
     assert not any(contraction.steps[0].args[0]["visible"])
-    sizes = [len(trace.x) for trace in drawing.data if trace.name == "curve"]
-    assert len(sizes) > 1 and sizes == sorted(sizes, reverse=True) and sizes[0] == 3 * len(skeleton.edges)
+    assert len(drawing.data[-1].x) == 3 * len(skeleton.edges)
 
 
 def test_the_page_is_one_file(hand, drawn, tmp_path):
@@ -118,22 +116,6 @@ def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
     assert len(msf_jax.read_curve(tmp_path / "a.swc").view().data) == 1
     alone = curve_of(np.zeros((1, 3)), np.empty((0, 2), int), np.ones(1)).view()
     assert np.isfinite(list(alone.layout.scene.camera.eye.to_plotly_json().values())).all()
-
-
-def test_segments_share_the_surface_between_the_branches(hand):
-    skeleton, mesh = hand
-    parts = skeleton.segments(mesh)
-    assert len(parts) == len(skeleton.branches)
-    assert sum(len(part.faces) for part in parts) == len(mesh.faces)
-    assert sum(part.area for part in parts) == pytest.approx(mesh.area)
-    for number, part in enumerate(parts):
-        if len(part.faces):
-            of_corner = part.vertex_attributes["branch"][part.faces]
-            assert ((of_corner == number).sum(axis=1) >= 2).mean() > 0.7
-            node = part.vertex_attributes["node"]
-            np.testing.assert_array_equal(part.vertex_attributes["radius"], skeleton.radii[node])
-    colours = {tuple(part.visual.face_colors[0]) for part in parts if len(part.faces)}
-    assert len(colours) == sum(bool(len(part.faces)) for part in parts)
 
 
 def test_a_page_far_from_the_origin_keeps_its_shape():

@@ -2,8 +2,7 @@
 
 trimesh writes the mesh, and this module adds the skin: joints and weights. A vertex of the format has one of each
 attribute, so a vertex with several, at a seam, is written several times. A joint has the name of its bone,
-and the end of the bone in its "extras". Numbers in the format are float32. So coordinates of a mesh far from the origin
-are relative to its centre.
+and the end of the bone in its "extras". Numbers in the format are float32, so a mesh should be near the origin.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -21,8 +20,6 @@ from msf_jax.solid.geometry import repeated
 if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig
 
-FAR_FROM_ORIGIN = 100  # bounding-box diagonals from the origin: beyond, coordinates are relative to the mesh's centre
-
 
 def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
@@ -37,21 +34,14 @@ def of_rig(rig: "Rig", mesh: "MeshLike") -> bytes:
     num = sum(len(part.vertices) for part in parts)
     reading.check_map(np.empty(rig.num_vertices), num)
     rows = np.split(np.arange(num), np.cumsum([len(part.vertices) for part in parts])[:-1])
-    points = np.concatenate([part.vertices for part in parts])
-    points = points[np.isfinite(points).all(axis=1)]
-    low, high = points.min(axis=0), points.max(axis=0)
-    is_far = np.linalg.norm(low + high) / 2 > FAR_FROM_ORIGIN * np.linalg.norm(high - low)
-    middle = (low + high) / 2 if is_far else np.zeros(3)
     for part in parts:
-        part.vertices = np.where(np.isfinite(part.vertices), part.vertices, middle)
+        part.vertices = np.where(np.isfinite(part.vertices), part.vertices, 0.0)
     _add_normals(parts, rows)
     scene = trimesh.Scene()
     for number, part in enumerate(parts):
-        if is_far:
-            part.apply_translation(-middle)  # this keeps normals
         part.metadata.clear()
         scene.add_geometry(part, node_name=f"mesh {number}", geom_name=f"mesh {number}")
-    return export_glb(scene, buffer_postprocessor=lambda data, document: _add_skin(document, data, rig, rows, middle))
+    return export_glb(scene, buffer_postprocessor=lambda data, document: _add_skin(document, data, rig, rows))
 
 
 def _add_normals(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> None:
@@ -66,7 +56,7 @@ def _add_normals(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> None:
             part.vertex_normals = normals[place.ravel()[row]]
 
 
-def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.ndarray], middle: np.ndarray) -> None:
+def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.ndarray]) -> None:
     """Put the joints of ``rig``, and nodes of the meshes that are bound to them, in place of the document's nodes.
     ``rows`` are those of the rig's weights, for the vertices of each part."""
 
@@ -79,7 +69,7 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
         document["accessors"]["skin", number] = accessor
         return number
 
-    num, position = len(rig.joints), (rig.joints - middle).astype(np.float32)
+    num, position = len(rig.joints), rig.joints.astype(np.float32)
     nodes: list[dict[str, Any]] = []
     for bone, (name, above) in enumerate(zip(rig.names, rig.parents.tolist(), strict=True)):
         offset = position[bone] - (position[above] if above >= 0 else 0)
@@ -87,7 +77,6 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
         nodes[-1]["extras"] = {"tail": (rig.tails[bone] - rig.joints[bone]).tolist()}
         if children := np.flatnonzero(rig.parents == bone).tolist():
             nodes[-1]["children"] = children
-    placed = {"translation": middle.tolist()} if middle.any() else {}
     meshes = {mesh["name"]: number for number, mesh in enumerate(document["meshes"])}
     for number, row in enumerate(rows):
         name = f"mesh {number}"
@@ -96,9 +85,9 @@ def _add_skin(document: dict[str, Any], data: Any, rig: "Rig", rows: list[np.nda
         attributes = document["meshes"][meshes[name]]["primitives"][0]["attributes"]
         bound, weights = _four_of_each(rig.weights[row])
         attributes |= {"JOINTS_0": add(bound, "VEC4"), "WEIGHTS_0": add(weights, "VEC4")}
-        nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0, **placed})
+        nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0})
     top = len(nodes)
-    nodes.append({"name": "rig", "children": np.flatnonzero(rig.parents < 0).tolist(), **placed})
+    nodes.append({"name": "rig", "children": np.flatnonzero(rig.parents < 0).tolist()})
     inverse = np.tile(np.eye(4, dtype=np.float32), (num, 1, 1))
     inverse[:, 3, :3] = -position  # matrices of the format are column-major
     binds = add(inverse, "MAT4")

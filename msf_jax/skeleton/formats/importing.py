@@ -7,6 +7,7 @@ import json
 import os
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -49,19 +50,16 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     suffix = next((suffix for suffix in READERS if name.lower().endswith(suffix)), None)
     if suffix is None:
         raise ConfigError(f"cannot read {name!r}: expected one of {', '.join(['.npz', *READERS])}")
-    lines = _lines_of(path)
-    read, expected = READERS[suffix]
+    lines, (read, expected) = _lines_of(path), READERS[suffix]
     try:
         curve = read(lines)
         if suffix == ".json":
             return Skeleton(**curve)
-        curve = checked_curve({"radii": np.zeros(len(curve["vertices"])), **curve})
+        curve = checked_curve(curve)
     except Exception as error:  # for a damaged file, parsers raise exceptions of many types
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         raise ConfigError(f"{name!r} has no curve ({kind}{str(error)[:300]}): expected {expected}") from error
-    skeleton = curve_of(curve["vertices"], curve["edges"], curve["radii"])
-    vars(skeleton)["units"] = curve["units"]
-    return skeleton
+    return replace(curve_of(curve["vertices"], curve["edges"], curve["radii"]), units=curve["units"])
 
 
 def report_lines(path: str | os.PathLike[str]) -> list[str]:
@@ -77,7 +75,7 @@ def report_lines(path: str | os.PathLike[str]) -> list[str]:
         raise ConfigError(f"{name!r} has no report: expected an {HOLD_REPORT} file that msf_jax has written")
     lines = str(read_curve(path).report).splitlines()  # also of SWC: a report of a curve that is damaged says nothing
     if suffix == ".swc":
-        lines = _comments(_lines_of(path), REPORT)
+        lines = [line.removeprefix(REPORT).strip() for line in _lines_of(path) if line.startswith(REPORT)]
     if not lines:
         raise ConfigError(f"{name!r} has no report: expected a file that msf_jax wrote after a run")
     return [plain(line) for line in lines]
@@ -90,11 +88,6 @@ def _lines_of(path: str | os.PathLike[str]) -> list[str]:
         return formats.lines_of(formats.decoded(Path(path).read_bytes()))
     except ValueError as error:
         raise ConfigError(f"{Path(path).name!r} is no text: expected a file of a curve as text ({error})") from None
-
-
-def _comments(lines: list[str], start: str) -> list[str]:
-    """The rest of each comment that begins with ``start``."""
-    return [line.removeprefix(start).strip() for line in lines if line.startswith(start)]
 
 
 def _parse(lines: list[str], parse: Callable[[list[str]], Any]) -> None:
@@ -123,26 +116,21 @@ def _read_swc(lines: list[str]) -> Curve:
     place = {key: number for number, key in enumerate(rows)}
     edges = [[place.get(key, -1) for key in pair] for pair in pairs]
     table = np.array(list(rows.values())).reshape(-1, 5)
-    units = _comments(lines, UNITS)
-    return {"vertices": table[:, :3], "edges": edges, "radii": table[:, 3], "units": units[0] if units else ""}
+    units = next((line.removeprefix(UNITS).strip() for line in lines if line.startswith(UNITS)), "")
+    return {"vertices": table[:, :3], "edges": edges, "radii": table[:, 3], "units": units}
 
 
 def _read_polylines(lines: list[str]) -> Curve:
     """Coincident ends become one node, in the order of the file."""
-    points: list[list[float]] = []
+    number: dict[tuple[float, ...], int] = {}
     edges: list[tuple[int, int]] = []
 
     def parse(words: list[str]) -> None:
-        path = np.array(words[1:], dtype=np.float64).reshape(max(int(words[0]), 0), 3)
-        edges.extend(pairwise(range(len(points), len(points) + len(path))))
-        points.extend(path.tolist())
+        path = np.array(words[1:], dtype=np.float64).reshape(max(int(words[0]), 0), 3).tolist()
+        edges.extend(pairwise([number.setdefault(tuple(point), len(number)) for point in path]))
 
     _parse(lines, parse)
-    given = np.array(points).reshape(-1, 3)
-    first, inverse = np.unique(given, axis=0, return_index=True, return_inverse=True)[1:]
-    order = np.argsort(first)
-    joined = np.argsort(order)[inverse.ravel()][np.array(edges, dtype=np.int64).reshape(-1, 2)]
-    return {"vertices": given[first[order]], "edges": joined}
+    return {"vertices": np.array(list(number)).reshape(-1, 3), "edges": edges, "radii": np.zeros(len(number))}
 
 
 def _read_json(lines: list[str]) -> Curve:
@@ -181,33 +169,23 @@ def _of_arrays(arrays: Mapping[str, Any]) -> Curve:
 
 def checked(name: str, values: Any, shape: tuple[int, ...], below: int | None = None) -> np.ndarray:
     """``values`` as float64 if they are finite numbers of that ``shape``, in which -1 is any length; or as int64, if
-    they are whole and ``below`` is given, which they must be, and not negative.
-
-    Raises:
-        ValueError: they are not; the message says what they are.
-    """
+    ``below`` is given, and they are whole, below that, and not negative. Else it raises a ValueError."""
     array, kind = np.asarray(values), "float" if below is None else "int"
     if not array.size:  # of any type, and in a text without its second side
         array = np.empty((0, *shape[1:]), dtype=kind)
     fits = array.ndim == len(shape) and all(want in (-1, have) for want, have in zip(shape, array.shape, strict=True))
     if not fits or array.dtype.kind not in ("f" if below is None else "iu"):
         raise ValueError(f"the {name} are {array.dtype} of shape {array.shape}: expected {kind}, {shape}")
-    if below is None:
-        if not np.isfinite(array).all():
-            raise ValueError(f"the {name} are not all finite: expected numbers")
-        return np.array(array, dtype=np.float64)
-    if array.size and not (array.min() >= 0 and array.max() < below):
+    if below is None and not np.isfinite(array).all():
+        raise ValueError(f"the {name} are not all finite: expected numbers")
+    if below is not None and array.size and not (array.min() >= 0 and array.max() < below):
         raise ValueError(f"it has {name} to nodes that it does not have: expected ids below {below}")
-    return array.astype(np.int64)
+    return array.astype(np.float64 if below is None else np.int64)
 
 
 def checked_curve(values: Mapping[str, Any]) -> Curve:
     """The attributes of a `Skeleton` but its report and source, from arrays by name. Files of other programs, and old
-    ones, have no more than vertices, radii and edges.
-
-    Raises:
-        ValueError, KeyError, OverflowError: they are no curve; the message says why.
-    """
+    ones, have no more than vertices, radii and edges. If these are no curve, it raises an exception that says why."""
     curve: Curve = {"vertices": checked("vertices", values["vertices"], (-1, 3))}
     num = len(curve["vertices"])
     curve["radii"] = checked("radii", values["radii"], (num,))

@@ -27,7 +27,6 @@ from msf_jax.topology import graphs
 
 ALIKE = 0.1  # diagonals of the curve: distance between a part's ends and those of its mirror image, at most
 MATCHED = 0.04  # diagonals: distance of a mirrored node from the curve, at most, if it counts as matched
-BETTER = 0.02  # share of the length: a plane that is tried later must match so much more, so that coordinates win
 ENOUGH = 0.6  # share of the curve's length that has a mirror image in a symmetric shape, at least
 MOST_FITS = 30  # steps in which a plane is fitted
 MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as fingers of a hand, make no girdle
@@ -51,7 +50,6 @@ NAMES = {
 SIDE_NAMES = {1: ("Left", "left", "l"), -1: ("Right", "right", "r"), 0: ("", "", "")}
 STOPS = np.linspace(0.0, 1.0, 201)  # places along a branch where its line is known
 SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
-USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius
 BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
 LIMB = 3.0  # radii: a longer limb of a pair has a knee or an elbow
 STRAIGHT = np.radians(15.0)  # a limb that turns by less is cut at the half of its length, where anatomy has the joint
@@ -86,16 +84,16 @@ class BonePath:
     is_spine: bool = False
 
 
-def find_bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
+def find_bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float]:
     """The badness of one bone for a piece of a branch, which should be at most 1 and is 0 for one that is too short to
-    be cut; the place to cut it at; and its length. A piece of more than ``long`` radii is bad."""
+    be cut; and the place to cut it at. A piece of more than ``long`` radii is bad."""
     stops = np.r_[begin, STOPS[np.abs(2 * STOPS - begin - end) < end - begin], end]
     points = at(path.line, STOPS, stops)
     along = arc_length(points)
     length = float(along[-1])
-    radius = max(float(np.percentile(np.interp(stops, STOPS, path.size), USUAL)), 1e-12)
+    radius = max(float(np.interp(stops, STOPS, path.size).max()), 1e-12)
     if length < 2 * SHORTEST * radius:
-        return 0.0, 0.0, length
+        return 0.0, 0.0
     is_free = (along >= SHORTEST * radius) & (length - along >= SHORTEST * radius)
     off = np.where(is_free, to_segment(points, points[0], points[-1]), -1.0)
     worst = int(off.argmax())
@@ -103,7 +101,7 @@ def find_bend(path: BonePath, begin: float, end: float, long: float) -> tuple[fl
     # A chain of two equal bones that turns by an angle a is half its length times sin(a / 2) off its chord.
     is_bent = off[worst] > length / 2 * np.sin(STRAIGHT / 2) and bent >= min(excess, 1.0)
     where = float(stops[worst]) if is_bent else float(np.interp(length / 2, along, stops))
-    return max(bent, excess), where, length
+    return max(bent, excess), where
 
 
 class Mirror(NamedTuple):
@@ -147,7 +145,7 @@ def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mi
     middle = weight @ points
     principal = np.linalg.eigh((points - middle).T @ ((points - middle) * weight[:, None]))[1].T
     best, plane = 0.0, None
-    for normal in (*np.eye(3), *principal):  # later ones count only if they are clearly better
+    for normal in (*np.eye(3), *principal):
         tried = Mirror(normal, float(middle @ normal), size)
         image = tried.images(vertices[tips])
         is_other = (image >= 0) & (image != np.arange(len(tips)))
@@ -170,7 +168,7 @@ def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mi
             normal = normal * np.sign(normal[np.abs(normal).argmax()])
             tried = Mirror(normal, float((center + partner) @ normal / 2), size)
         share = float(weight @ (tree.query(tried.flipped(points))[0] < MATCHED * size))
-        if share > max(best + BETTER, ENOUGH):
+        if share > max(best, ENOUGH):
             best, plane = share, tried
     return plane
 
@@ -286,7 +284,7 @@ def _longest_pair(paths: list[BonePath], node: int) -> list[BonePath]:
 
 def _find_ankle(path: BonePath) -> float:
     """The place where the lower part of a leg bends most, or `ANKLE`."""
-    _, where, _ = find_bend(path, LOWER, 1.0, LIMB)
+    _, where = find_bend(path, LOWER, 1.0, LIMB)
     one, other = np.diff(at(path.line, STOPS, np.array([LOWER, where, 1.0])), axis=0)
     turn = np.arccos(np.clip(unit(one) @ unit(other), -1, 1))
     return where if turn > STRAIGHT and LOWER < where < 0.95 else ANKLE

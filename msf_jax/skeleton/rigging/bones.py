@@ -16,15 +16,12 @@ from scipy import spatial
 from msf_jax.curve import branches
 from msf_jax.skeleton.centrelines import direct_paths
 from msf_jax.skeleton.rigging import body
-from msf_jax.skeleton.rigging.body import LIMB, SHORTEST, STOPS, USUAL, BonePath, Girdles, Mirror, find_bend
+from msf_jax.skeleton.rigging.body import LIMB, SHORTEST, STOPS, BonePath, Girdles, Mirror, find_bend
 from msf_jax.solid.geometry import arc_length, at
 from msf_jax.topology import graphs
 
 LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 LONGEST_BONE = 6.0  # radii: a longer bone is cut
-MOST_BONES = 50  # beyond which no bone is cut
-MOST_BRANCHES = 30  # beyond which the shortest limbs have no bones
-FEWEST_HELD = 4  # vertices of a bone after a cut, and of a limb, at least
 LEAVES = 0.6  # share of a branch's length that the ball at its start may cover, at most
 EXACT = 0.006  # diagonals: mean distance of a tip from its image, at most, if joints are moved to be symmetric
 SPINE = (0.2, 0.4, 0.6, 0.8, 1.0)  # shares of the way from the hips to the arms: the root's joint, and the spine's
@@ -46,16 +43,10 @@ class Bones(NamedTuple):
 
 
 def bones_of(
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    radii: np.ndarray,
-    size: np.ndarray,
-    held: np.ndarray,
-    standard: str | None = None,
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, size: np.ndarray, standard: str | None = None
 ) -> Bones:
-    """The bones of a curve ``(vertices (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) in limbs of ``size`` (N,)
-    that have ``held`` (N,) vertices of the mesh at each node; with the joints and names of a biped if a ``standard`` of
-    `body.STANDARDS` is given.
+    """The bones of a curve ``(vertices (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) in limbs of ``size`` (N,);
+    with the joints and names of a biped if a ``standard`` of `body.STANDARDS` is given.
 
     Raises:
         ConfigError: a biped was asked for, and this is none.
@@ -65,7 +56,7 @@ def bones_of(
     edges = edges[branches.cut_loops(num, edges, size)]
     plane = body.find_mirror(vertices, edges, tips)
     girdles = body.find_girdles(vertices, edges, radii, tips, plane)
-    vertices, edges, size, target = _contract_short(vertices, edges, radii, size, held, plane, girdles)
+    vertices, edges, size, target = _contract_short(vertices, edges, radii, size, plane, girdles)
     nodes = target[girdles.nodes].tolist()
     pelvis, shoulders = (int(target[node]) if node >= 0 else -1 for node in (girdles.pelvis, girdles.shoulders))
     rank = np.where(graphs.degrees(num, edges) > 2, 1, 0)  # of a root: the pelvis, then girdles, then junctions
@@ -77,7 +68,11 @@ def bones_of(
     if plane is not None:
         _pair_paths(vertices, paths, plane)
     starts = [_place_root(vertices, size, paths, root, plane if root == pelvis else None) for root in roots]
-    _cut_paths(paths, np.bincount(target, held, num), len(roots))
+    for number, path in enumerate(paths):
+        if not path.is_spine and not -1 < path.image < number:
+            stops = _find_cuts(path, 0.0, 1.0, LIMB if path.side else LONGEST_BONE)
+            for each in [path, *([paths[path.image]] if path.image >= 0 else [])]:
+                each.cuts = (0.0, *stops, 1.0)
     if standard:
         body.plan_biped(paths, Girdles(nodes, pelvis, shoulders), plane, len(roots))
     return _lay_bones(roots, starts, paths, target, standard)
@@ -88,7 +83,6 @@ def _contract_short(
     edges: np.ndarray,
     radii: np.ndarray,
     size: np.ndarray,
-    held: np.ndarray,
     plane: Mirror | None,
     girdles: Girdles,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -102,45 +96,36 @@ def _contract_short(
     stays, count = {girdles.pelvis, girdles.shoulders}, np.ones(len(vertices))  # of junctions that became one
     while True:
         degree = graphs.degrees(len(vertices), edges)
-        held = np.bincount(target, held, len(vertices))
         limbs, trunks = [], []  # the length and the least one of each, its nodes, and the place that has a mirror image
         for nodes in graphs.trace(len(vertices), edges):
             nodes = nodes if degree[nodes[-1]] > 1 else nodes[::-1]
             one, other, length = nodes[0], nodes[-1], float(arc_length(vertices[nodes])[-1])
             if degree[one] == 1 and degree[other] > 2:
-                out = length - radii[other] if held[nodes[:-1]].sum() >= FEWEST_HELD else 0.0
-                limbs.append((out, LEAST_LIMB * radii[other], nodes, vertices[one]))
+                limbs.append((length - radii[other], LEAST_LIMB * radii[other], nodes, vertices[one]))
             elif min(degree[one], degree[other]) > 2 and not stays.issuperset((one, other)):
                 out = length - min(max(size[one], size[other]), LEAVES * length)
-                least = SHORTEST * float(np.percentile(radii[nodes], USUAL))
+                least = SHORTEST * float(np.median(radii[nodes]))
                 trunks.append((out, least, nodes, (vertices[one] + vertices[other]) / 2))
         for pieces in (limbs, trunks):
             length = np.array([piece[:2] for piece in pieces]).reshape(-1, 2)
             image = np.full(len(pieces), -1) if plane is None else plane.images(np.array([at for *_, at in pieces]))
             image = np.where(image < 0, np.arange(len(pieces)), image)
             out, least = (length + length[image]).T
-            num = int((out < least).sum())
-            if pieces is limbs:  # where a limb goes, two branches become one
-                num = max(num, min(len(limbs), (len(limbs) + len(trunks) - MOST_BRANCHES + 1) // 2))
-            if num > 0:
+            if (out < least).any():
                 break
         else:
             return vertices, edges, size, target
-        touched: set[int] = set()
-        for first in np.lexsort((out, out >= least))[:num].tolist():
-            both = [pieces[number][2] for number in {first, int(image[first])}]
-            around = {node for nodes in both for node in (nodes[0], nodes[-1])}
-            for nodes in both if touched.isdisjoint(around) else []:
-                one, other = target[[nodes[0], nodes[-1]]].tolist()
-                is_first = one in stays or (other not in stays and size[one] >= size[other])
-                own, gone = (one, other) if pieces is trunks and is_first else (other, one)
-                if pieces is trunks and own != gone:
-                    size[own] = max(size[own], size[gone])
-                    if own not in stays:
-                        vertices[own] = np.average(vertices[[own, gone]], axis=0, weights=count[[own, gone]])
-                    count[own] += count[gone]
-                target[np.isin(target, [*nodes, gone])] = own
-            touched |= around
+        first = int(np.where(out < least, out, np.inf).argmin())
+        for nodes in (pieces[number][2] for number in {first, int(image[first])}):
+            one, other = target[[nodes[0], nodes[-1]]].tolist()
+            is_first = one in stays or (other not in stays and size[one] >= size[other])
+            own, gone = (one, other) if pieces is trunks and is_first else (other, one)
+            if pieces is trunks and own != gone:
+                size[own] = max(size[own], size[gone])
+                if own not in stays:
+                    vertices[own] = np.average(vertices[[own, gone]], axis=0, weights=count[[own, gone]])
+                count[own] += count[gone]
+            target[np.isin(target, [*nodes, gone])] = own
         edges = target[edges]
         edges = edges[edges[:, 0] != edges[:, 1]]
 
@@ -214,35 +199,12 @@ def _place_root(
     return np.stack([vertices[root], max(lines, key=lambda line: float(arc_length(line)[-1]))[0]])
 
 
-def _cut_paths(paths: list[BonePath], held: np.ndarray, num_roots: int) -> None:
-    """Cut the longest bone of ``paths`` that is too bent or too long, and its mirror image, until there is none or
-    there are `MOST_BONES`. A cut leaves `FEWEST_HELD` of the vertices ``held`` (N,) at nodes on both sides."""
-    left = MOST_BONES - num_roots - sum(len(path.cuts) - 1 for path in paths)
-    waiting = [
-        (path, 0.0, 1.0, LIMB if path.side else LONGEST_BONE)
-        for number, path in enumerate(paths)
-        if not path.is_spine and not -1 < path.image < number
-    ]
-    bad: list[tuple[float, BonePath, float, float, float]] = []
-    while left > 0:
-        for path, begin, end, long in waiting:
-            badness, where, length = find_bend(path, begin, end, long)
-            if badness > 1:
-                bad.append((length, path, begin, where, end))
-        if not bad:
-            return
-        _, path, begin, where, end = bad.pop(max(range(len(bad)), key=lambda number: bad[number][0]))
-        both = [path, *([paths[path.image]] if path.image >= 0 else [])]
-        waiting = []
-        if all(
-            held[each.nodes[1:]][(each.part[1:] >= low) & ((each.part[1:] < high) | (high >= 1))].sum() >= FEWEST_HELD
-            for each in both
-            for low, high in ((begin, where), (where, end))
-        ):
-            for each in both:
-                each.cuts = tuple(sorted([*each.cuts, where]))
-            left -= len(both)
-            waiting = [(path, begin, where, LONGEST_BONE), (path, where, end, LONGEST_BONE)]
+def _find_cuts(path: BonePath, begin: float, end: float, long: float) -> list[float]:
+    """The places where a piece of a branch is cut, and where these parts are, until no bone is too bent or too long."""
+    badness, where = find_bend(path, begin, end, long)
+    if badness <= 1:
+        return []
+    return [*_find_cuts(path, begin, where, LONGEST_BONE), where, *_find_cuts(path, where, end, LONGEST_BONE)]
 
 
 def _lay_bones(

@@ -120,7 +120,7 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
     vertices = np.where(np.isfinite(vertices).all(axis=1, keepdims=True), vertices, nodes[node])
     size = _sizes(skeleton, np.linalg.norm(vertices - nodes[node], axis=1))
     node = branches.nearest_on_branch(nodes, edges, vertices, node)
-    bones = bones_of(nodes, edges, skeleton.radii, size, np.bincount(node, minlength=len(nodes)), names)
+    bones = bones_of(nodes, edges, skeleton.radii, size, names)
     least = LEAST_DISTANCE * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     away = np.maximum.reduce([np.linalg.norm(vertices - nodes[node], axis=1), size[node], np.full(len(node), least)])
     weights = heat_weights(vertices, faces, HEAT_REACH * away, bones.of_node[node], len(bones.joints))
