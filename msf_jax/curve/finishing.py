@@ -361,7 +361,7 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
             x = draft.vertices
             slenderness = one_branch.by_balls(x, job.shape.approximate_clearance(x)[0])
             twigs = one_branch.measure(x, draft.edges, slenderness)
-            worth[[each.nodes[0] for each in twigs if each.slenderness >= 2 * job.prune]] = np.inf
+            worth[[node for each in twigs if each.slenderness >= 2 * job.prune for node in each.nodes]] = np.inf
         stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())

@@ -34,7 +34,7 @@ Worth = Callable[[list[int]], float]  # of the branch with these nodes, its leaf
 
 
 class Branch(NamedTuple):
-    """nodes: along the branch, its leaf first; a closed branch repeats its first node at its end. length: of it.
+    """nodes: along the branch; a closed branch repeats its first node at its end. length: of it.
 
     slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
     `limbs.tree`): a cylinder that sticks out by h has h / radius. Without the mesh it is measured by the nodes' balls
