@@ -1,6 +1,8 @@
 """``python -m msf_jax``: the command line."""
 
-from msf_jax.app.cli import command
+import sys
+
+from msf_jax.app.cli import main
 
 if __name__ == "__main__":
-    command()
+    sys.exit(main())

@@ -59,11 +59,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail(str(interruption) or "interrupted", INTERRUPTED)
 
 
-def command() -> None:
-    """The command as a process."""
-    sys.exit(main())
-
-
 def _fail(message: str, code: int) -> int:
     if sys.stderr is not None:
         print(f"msf-jax: {plain(' '.join(message.splitlines()))}", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Whole files, written under another name and then renamed; folders, there or made; lines that are safe to print."""
+"""Whole files, written under another name and then renamed; folders, there or made; words that are printed."""
 
 import os
 import secrets
@@ -49,3 +49,8 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
 def plain(line: str) -> str:
     """``line``, safe to print on a terminal: characters that are not printable are escaped."""
     return "".join(one if one.isprintable() else one.encode("unicode_escape").decode() for one in line)
+
+
+def counted(count: int, noun: str) -> str:
+    """ "1 hole", "2 holes"."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"

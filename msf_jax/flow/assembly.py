@@ -11,6 +11,7 @@ from scipy import spatial
 from msf_jax import metrics
 from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config, Weights
+from msf_jax.base.writing import counted
 from msf_jax.curve import branches, finishing
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, ComponentCurve, Stitched, is_left
@@ -98,10 +99,6 @@ def assemble(
     )
 
 
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}{'' if count == 1 else 's'}"
-
-
 def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iteration, ...]) -> list[str]:
     """The report's notes: about the finishing of the curves, limbs of a finer detail, loops, and steps."""
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
@@ -123,11 +120,11 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
     notes = (
         (
             refused,
-            f"{_counted(refused, 'edge')} of the curve may be outside: the search for paths inside reached its limit",
+            f"{counted(refused, 'edge')} of the curve may be outside: the search for paths inside reached its limit",
         ),
         (
             closed,
-            f"no path inside was found for {_counted(closed, 'edge')} of the curve: the solid may be in pieces there",
+            f"no path inside was found for {counted(closed, 'edge')} of the curve: the solid may be in pieces there",
         ),
         (laid, f"edges are longer than the limbs' radius: geodesic wavefronts made the first form of {laid} {of}"),
         (short, f"centring of {short} {of} ended early: there are too many cross-sections"),
@@ -137,12 +134,12 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
         (
             places,
-            f"{_counted(len(places), 'more limb')} at detail {detail:g}: ends at {ends}"
+            f"{counted(len(places), 'more limb')} at detail {detail:g}: ends at {ends}"
             + ", ..." * (len(places) > NAMED),
         ),
         (redone, f"{redone} {steps} repeated with a smaller w_L: coordinates diverged"),
     )
-    return [note for counted, note in notes if counted]
+    return [note for holds, note in notes if holds]
 
 
 def _skeleton(
@@ -187,7 +184,7 @@ def _finished_skeleton(stitched: Stitched, checked: Surface, report: Report, sou
     source = replace(source, solid=Solid(checked.vertices, checked.faces, found.lids))
     node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
-    num = _counted(len(found.ends), "opening")
+    num = counted(len(found.ends), "opening")
     report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))
     return replace(_skeleton(led, checked, report, source, clock), openings=tuple(found.ends.tolist()))
 

@@ -135,7 +135,12 @@ def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
         raise ValueError(f"a corner of a face is out of range: expected 0 to {len(vertices) - 1}")
     start = np.cumsum(count) - count
     quads = corners[start[count == 4][:, None] + np.arange(4)]
-    ears = [face for row in np.flatnonzero(count > 4) for face in _ears(vertices, polygons[row])]
+    ears: list[tuple[int, int, int]] = []
+    for polygon in (polygons[row] for row in np.flatnonzero(count > 4)):
+        lid = lid_of(vertices, polygon, set()) if len(set(polygon)) == len(polygon) else []
+        if not lid:
+            raise ValueError(f"a face of {len(polygon)} corners cannot be cut into triangles")
+        ears += lid
     return np.concatenate(
         [
             corners[start[count == 3][:, None] + np.arange(3)],
@@ -154,13 +159,6 @@ def _halves(vertices: np.ndarray, quads: np.ndarray) -> np.ndarray:
     length = np.linalg.norm(vertices[quads[:, [0, 1]]] - vertices[quads[:, [2, 3]]], axis=-1)
     best = np.lexsort((length, is_folded), axis=-1)[:, 0]
     return paths[np.arange(len(paths)), best].reshape(-1, 3)
-
-
-def _ears(vertices: np.ndarray, polygon: list[int]) -> list[tuple[int, int, int]]:
-    found = lid_of(vertices, polygon, set()) if len(set(polygon)) == len(polygon) else []
-    if not found:
-        raise ValueError(f"a face of {len(polygon)} corners cannot be cut into triangles")
-    return found
 
 
 class Property(NamedTuple):

@@ -19,6 +19,7 @@ import numpy as np
 from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
+from msf_jax.base.writing import counted
 from msf_jax.meshes.repair import WELD
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, triangle_areas, unit, vertex_normals
@@ -134,17 +135,17 @@ def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
     )
     repairs = []
     if num_solids < len(parts):
-        repairs.append(f"joined {len(parts)} parts that overlap or touch to {_count(num_solids, 'solid')}")
+        repairs.append(f"joined {len(parts)} parts that overlap or touch to {counted(num_solids, 'solid')}")
     elif len(parts) > 1:
         repairs.append(f"joined none of {len(parts)} parts by overlap")
     elif not num_resolved:
         repairs.append("joined nothing: one part")
     if num_resolved:
-        repairs.append(f"resolved {_count(num_resolved, 'place')} where a part crossed itself")
+        repairs.append(f"resolved {counted(num_resolved, 'place')} where a part crossed itself")
     if num_folds:
-        repairs.append(f"left {_count(num_folds, 'place')} where a part crosses itself, as a fold")
+        repairs.append(f"left {counted(num_folds, 'place')} where a part crosses itself, as a fold")
     if num_voids := len(_parted(united)[1]) - len(voids):
-        repairs.append(f"filled {_count(num_voids, 'void')} between parts")
+        repairs.append(f"filled {counted(num_voids, 'void')} between parts")
     whole = _bridged(whole, reach, diagonal, repairs)
     vertices, faces = arrays_of(_hollowed(whole, voids, united) if voids else whole)
     larger = np.concatenate(swollen)
@@ -177,10 +178,6 @@ def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(away), found, -1)
 
 
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"
-
-
 def _bridged(whole: "Manifold", reach: float, diagonal: float, repairs: list[str]) -> "Manifold":
     """The solid with capsules over its gaps of up to ``reach``, and sentences about them in ``repairs``."""
     from manifold3d import Manifold, OpType
@@ -199,7 +196,7 @@ def _bridged(whole: "Manifold", reach: float, diagonal: float, repairs: list[str
         longest, radius = max(bridged, key=lambda each: each[0])
         over = f"over gaps of up to {longest * diagonal:.3g} ({longest / radius:.2g} radii of the smaller)"
         over = over if longest > TOUCH else "that touch"
-        repairs.append(f"joined {num_solids} solids to {len(bodies)} at {_count(len(bridged), 'place')} {over}")
+        repairs.append(f"joined {num_solids} solids to {len(bodies)} at {counted(len(bridged), 'place')} {over}")
     if len(bodies) > 1:
         largest = max(bodies, key=lambda body: body.size)
         others = np.concatenate([body.vertices for body in bodies if body is not largest])
