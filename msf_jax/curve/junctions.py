@@ -33,7 +33,7 @@ AXIS = 2.6  # the length of that part
 SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
-THIN = 0.6  # of the radius of its trunk, or of the ball that it begins in: the largest side branch
+THIN = 0.6  # of its trunk's radius: the largest side branch; half of that, of its ball's, leaves a junction to the ball
 REACH = 4.0  # of its trunk's radius: so far a side branch runs in its trunk at most, at 15 degrees or more
 OFF = 0.2  # of its trunk's radius: the largest distance at which a line meets its axis; on a plant's stem it has 0.15
 SHARED = 0.5  # side branches that begin that near to a junction of their trunk begin there
@@ -135,7 +135,7 @@ def _put(
     near = np.concatenate([middle, *(each.path[: each.first] for each in axes)])
     sizes, widest = np.array([each.size for each in axes]), near[radii[near].argmax()]
     meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[widest])
-    if sizes.max() < THIN * radii[widest]:
+    if sizes.max() < THIN / 2 * radii[widest]:
         meet, off = middle_of_ball(shape, x[widest]), 0 * off
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
     # ball is smaller than those of its branches.
