@@ -13,12 +13,13 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.clock import Clock, Stopped
-from msf_jax.curve import branches, centring, handle_loops, junctions, resampling
+from msf_jax.curve import branches, centring, handle_loops, junctions
 from msf_jax.inside import containment
 from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs import one_branch, reeb_curve
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import unit
 from msf_jax.topology import graphs
 
 SPACING = 0.5  # radii between the nodes of a finished curve
@@ -74,7 +75,7 @@ class Job(NamedTuple):
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
     prune: least slenderness of a limb, 0 for no pruning (see `limbs.tree`). roadmap: paths through the solid.
-    detail: of limbs (see `Config`). budget: of all centring together. limbs: returns the merge trees of the surface.
+    detail: of limbs (see `Config`). limbs: returns the merge trees of the surface.
     is_coarse: whether its triangles are too few for the rings of all limbs.
     """
 
@@ -82,7 +83,6 @@ class Job(NamedTuple):
     coarse: Enclosure
     prune: float
     roadmap: Roadmap
-    budget: centring.Budget
     limbs: Callable[[], LimbTree]
     detail: float
     is_coarse: bool = False
@@ -110,8 +110,8 @@ class Finished(NamedTuple):
     target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
     num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
     num_unsought: handles without a loop because the search for it reached a limit.
-    is_cut: whether the run had to end before all passes were done. is_cut_short: whether centring, or the search for
-    limbs, ended early because of its budget. is_sparse, num_pruned, num_grown, finer: see `Draft`.
+    is_cut: whether the run had to end before all passes were done.
+    is_sparse, num_pruned, num_grown, finer: see `Draft`.
     node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
     """
 
@@ -121,7 +121,6 @@ class Finished(NamedTuple):
     target: np.ndarray
     num_refused: int = 0
     num_closed: int = 0
-    is_cut_short: bool = False
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
@@ -133,15 +132,10 @@ class Finished(NamedTuple):
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     """The passes in their order; ``centre`` and ``extend`` switch the passes for these steps."""
-    return [
-        contain,
-        complete_cycles,
-        partial(prune_and_extend, extend=extend),
-        partial(centre_and_meet, centre=centre, hold_leaves=extend),
-        *([partial(refine_and_centre, hold_leaves=extend)] if centre else []),
-        enforce_topology,
-        *([round_corners] if centre else []),
-    ]
+    meet = partial(centre_and_meet, hold_leaves=extend)
+    centred = [partial(meet, is_far=True), refine, meet, round_corners]
+    inside = [contain, complete_cycles]
+    return [*inside, partial(prune_and_extend, extend=extend), *(centred if centre else [merge_junctions]), *inside]
 
 
 def finish(
@@ -177,7 +171,7 @@ def finish(
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape)
-    job = Job(shape, coarse, prune, roadmap, centring.Budget(), limbs or partial(LimbTree, outside or coarse), detail)
+    job = Job(shape, coarse, prune, roadmap, limbs or partial(LimbTree, outside or coarse), detail)
     clock, is_cut = clock or Clock(), False
     draft, laid = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes))), None
     try:
@@ -206,7 +200,6 @@ def finish(
         draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[of_flow]],
         job.roadmap.num_refused,
         job.roadmap.num_closed,
-        job.budget.was_hit,
         draft.is_sparse,
         draft.num_pruned,
         draft.num_grown,
@@ -251,30 +244,16 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray) -> Draft:
 
 
 def contain(draft: Draft, job: Job) -> Draft:
-    """Nodes and edges are inside; ends that no path inside leads to are removed."""
-
-    def inside(draft: Draft) -> Draft:
-        return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.roadmap))
-
-    draft = inside(draft)
-    if job.roadmap.num_closed:
-        stays, target = containment.cut_off(job.shape, draft.vertices, draft.edges, draft.is_held)
-        draft = draft if stays.all() else inside(reduced(draft, stays, target))
-    return draft
-
-
-def remove_excess_cycles(draft: Draft, job: Job) -> Draft:
-    """All loops go around handles of the solid, at most one around each."""
-    if not job.shape.handles.genus:
-        return draft
-    return draft._replace(edges=draft.edges[handle_loops.independent(job.shape, draft.vertices, draft.edges)])
+    """Nodes and edges are inside."""
+    return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.roadmap))
 
 
 def complete_cycles(draft: Draft, job: Job) -> Draft:
     """There is one loop around every handle of the solid, and no other loop."""
-    draft = remove_excess_cycles(draft, job)
-    x, edges = draft.vertices, draft.edges
-    missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
+    x, edges, genus = draft.vertices, draft.edges, job.shape.handles.genus
+    if genus:
+        edges = edges[handle_loops.independent(job.shape, x, edges)]
+    missing = genus - graphs.cycle_count(len(x), edges)[1]
     job.roadmap.num_unsought = 0
     if missing > 0:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
@@ -282,14 +261,11 @@ def complete_cycles(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)
 
 
-def centre_nodes(
-    draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.CENTRING_ROUNDS, is_far: bool = False
-) -> Draft:
+def centre_nodes(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = False) -> Draft:
     """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    curve, handles = (draft.vertices, draft.edges, is_held), job.shape.handles
-    x = centring.centre(job.coarse, *curve, rounds, is_far, budget=job.budget, handles=handles)
-    return draft.changed(x)
+    curve, rounds = (draft.vertices, draft.edges, is_held), FIRST_ROUNDS if is_far else centring.ROUNDS
+    return draft.changed(centring.centre(job.coarse, *curve, rounds, is_far, job.shape.handles))
 
 
 def merge_junctions(draft: Draft, job: Job) -> Draft:
@@ -303,17 +279,9 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
     return reduced(draft._replace(edges=edges), stays, target)
 
 
-def centre_and_meet(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
-    """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
-    if centre:
-        draft = centre_nodes(draft, job, hold_leaves, FIRST_ROUNDS, is_far=True)
-        draft = intersect_axes(merge_junctions(draft, job), job)
-    return merge_junctions(draft, job)
-
-
-def refine_and_centre(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
-    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and junctions are where axes meet."""
-    draft = centre_nodes(refine(draft, job), job, hold_leaves)
+def centre_and_meet(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = False) -> Draft:
+    """Nodes are in the middle of the solid, and junctions where the axes of their branches meet."""
+    draft = centre_nodes(draft, job, hold_leaves, is_far)
     return merge_junctions(intersect_axes(draft, job), job)
 
 
@@ -325,15 +293,6 @@ def intersect_axes(draft: Draft, job: Job) -> Draft:
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = centring.places_of(job.shape, draft.vertices)
     return draft.changed(centring.take_steps(job.shape, job.shape.handles, at, step, draft.edges).x)
-
-
-def _without_new_ends(draft: Draft, is_leaf: np.ndarray) -> Draft:
-    """The draft without branches that end where no leaf was, of ``is_leaf`` (n,) of its first nodes: what is left of a
-    cycle that was cut."""
-    worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
-    if (worth[draft.is_leaf()] == np.inf).all():
-        return draft
-    return reduced(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
 
 
 def refine(draft: Draft, job: Job) -> Draft:
@@ -372,21 +331,20 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 
 
-def enforce_topology(draft: Draft, job: Job) -> Draft:
-    """What was promised holds: all is inside, and each cycle is one in space, around a handle of its own."""
-    draft = merge_coincident(contain(draft, job), job)
-    return _without_new_ends(complete_cycles(draft, job), draft.is_leaf())
-
-
-def merge_coincident(draft: Draft, job: Job) -> Draft:
-    """Coincident edges are merged, so every cycle is one in space."""
-    stays, target, edges = branches.merge_coincident(draft.vertices, draft.edges, draft.is_held)
-    return reduced(draft._replace(edges=edges), stays, target)
-
-
 def round_corners(draft: Draft, job: Job) -> Draft:
-    """Corners are rounded within their balls."""
-    return draft.changed(*resampling.round_corners(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
+    """Nodes at which the curve turns by more than `SHARPEST` go half of the way to the middle of their neighbours, as
+    often as they do and may. Paths inside that lead from ball to ball, farther than centring comes, leave corners."""
+    x, (node, before, after) = draft.vertices, containment.between(len(draft.vertices), draft.edges)
+    for _ in range(2 * centring.ROUNDS):
+        one, other = x[node] - x[before], x[after] - x[node]
+        is_sharp = np.einsum("ni,ni->n", unit(one), unit(other)) < np.cos(np.radians(SHARPEST))
+        is_sharp &= one.any(axis=1) & other.any(axis=1) & ~draft.is_held[node]
+        if not is_sharp.any():
+            break
+        step = np.zeros_like(x)
+        step[node[is_sharp]] = ((other - one) / 4)[is_sharp]
+        x = centring.take_steps(job.shape, job.shape.handles, centring.places_of(job.shape, x), step, draft.edges).x
+    return draft.changed(x)
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:

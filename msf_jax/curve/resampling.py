@@ -1,17 +1,13 @@
-"""Move the nodes of a curve: spread them evenly along its branches, smooth it, or round its corners. All of these keep
-the curve inside its solid."""
+"""Nodes evenly along the branches of a curve, and smoother branches, inside its solid."""
 
 import itertools
 
 import numpy as np
 
 from msf_jax.inside import containment
-from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.geometry import arc_length, at
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
-
-MOST_ROUNDS = 8  # each over all corners that are left; in later ones, one corner of 20 that are left is rounded
 
 
 def resample(
@@ -113,95 +109,3 @@ def smooth(
         return x, edges
     entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
     return np.concatenate([x, solid.leave(entered[len(x) :])]), edges
-
-
-def round_corners(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with corners that turn by more than ``most`` degrees rounded: its nodes, new ones last, and its edges.
-
-    The ball around a corner is convex and inside, so any curve within it is inside. There the curve is replaced by a
-    parabola that ends where it left the ball, and points to the corner there. It has no corner. It uses the old nodes,
-    and new ones as needed. Ends of branches and nodes of ``is_held`` (N,) stay.
-    """
-    x = vertices
-    for _ in range(MOST_ROUNDS):
-        is_fixed = np.pad(is_held, (0, len(x) - len(is_held)))
-        turn = np.where(is_fixed, 0.0, turns(x, edges))
-        sharp = np.flatnonzero(turn > most)
-        if not len(sharp):
-            break
-        clearance = np.zeros(len(x))
-        clearance[sharp] = shape.clearance(x[sharp])
-        before, polylines = x, []
-        for path in graphs.trace(len(x), edges):
-            nodes = np.array(path)
-            corners = nodes[clearance[nodes] > 0]
-            if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring begins at its straightest node
-                first = int(turn[nodes].argmin())
-                nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
-            for corner in corners[np.argsort(-turn[corners], kind="stable")]:
-                x, nodes = _round_corner(x, nodes, int(corner), float(clearance[corner]), is_fixed, most)
-            polylines.append(nodes)
-        if x is before:
-            break
-        edges = np.concatenate([np.stack([nodes[:-1], nodes[1:]], axis=1) for nodes in polylines])
-    return x, edges
-
-
-def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(N,) degrees by which the curve turns at its nodes; 0 for nodes without exactly two edges."""
-    inner, before, after = containment.between(len(vertices), edges)
-    found = np.zeros(len(vertices))
-    found[inner] = _angles(vertices[inner] - vertices[before], vertices[after] - vertices[inner])
-    return found
-
-
-def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Degrees (n,) between vectors (n, 3), 0 if one of them is zero."""
-    found = np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", unit(one), unit(other)), -1.0, 1.0)))
-    return np.where(one.any(axis=1) & other.any(axis=1), found, 0.0)
-
-
-def _round_corner(
-    x: np.ndarray, nodes: np.ndarray, corner: int, clearance: float, is_fixed: np.ndarray, most: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Round one ``corner`` of a branch within its ball: the curve's nodes (N, 3), new ones last, and the branch's (k,).
-
-    Nodes of ``is_fixed`` and nodes that are newer than it stay. The nodes of a rounded corner become fixed.
-    """
-    here = int(np.flatnonzero(nodes == corner)[0])
-    is_end = np.append(is_fixed, True)[np.minimum(nodes, len(is_fixed))]
-    is_end[[0, -1]] = True
-    if is_end[here]:  # fixed by another corner near by, or the start of a ring: left to the next round
-        return x, nodes
-    along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
-    low, high = ends[ends < here].max(), ends[ends > here].min()
-    first, last = max(along[low], along[here] - clearance), min(along[high], along[here] + clearance)
-    if first == along[here] or last == along[here]:  # another node is in the place of the corner
-        return x, nodes
-    begin, end = np.searchsorted(along, first, side="right"), np.searchsorted(along, last)
-    old, sharp = nodes[begin:end], _angles(*np.diff(x[nodes[here - 1 : here + 2]], axis=0)[:, None])[0]
-    three = at(x[nodes], along, np.array([first, along[here], last]))
-    num = max(len(old), int(np.ceil(2 * sharp / most)))
-    chosen = _parabola(three, num + 2)
-    at_first, at_last = along[begin - 1] == first, along[end] == last
-    chain = np.full(num + 2, -1)
-    chain[0], chain[-1] = nodes[begin - 1] if at_first else -1, nodes[end] if at_last else -1
-    chain[1 + ((np.arange(len(old)) + 0.5) * num / len(old)).astype(np.int64)] = old
-    is_new = chain < 0
-    chain[is_new] = len(x) + np.arange(np.count_nonzero(is_new))
-    y = np.concatenate([x, chosen[is_new]])
-    y[old] = chosen[np.isin(chain, old)]
-    path = np.r_[nodes[: begin - at_first], chain, nodes[end + at_last :]]
-    around = np.diff(y[path[max(begin - at_first - 1, 0) : begin - at_first + len(chain) + 1]], axis=0)
-    if _angles(around[:-1], around[1:]).max() >= sharp:
-        return x, nodes
-    is_fixed[old] = True
-    return y, path
-
-
-def _parabola(three: np.ndarray, num: int) -> np.ndarray:
-    """(num, 3) points of the Bezier curve with the control points ``three`` (3, 3)."""
-    t = np.linspace(0, 1, num)[:, None]
-    return (1 - t) ** 2 * three[0] + 2 * t * (1 - t) * three[1] + t**2 * three[2]

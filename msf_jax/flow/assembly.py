@@ -104,7 +104,7 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
     laid = sum(one.node_of_vertex is not None for one in done)
-    short, sparse = sum(one.is_cut_short for one in done), sum(one.is_sparse for one in done)
+    sparse = sum(one.is_sparse for one in done)
     cut, unsought = sum(one.is_cut for one in done), sum(one.num_unsought for one in done)
     tangles = sum(map(is_left, states, parts))
     limbs = sorted(
@@ -127,7 +127,6 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
             f"no path inside was found for {counted(closed, 'edge')} of the curve: the solid may be in pieces there",
         ),
         (laid, f"edges are longer than the limbs' radius: geodesic wavefronts made the first form of {laid} {of}"),
-        (short, f"centring of {short} {of} ended early: there are too many cross-sections"),
         (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
         (unsought, f"the search for loops around {unsought} handles reached its limit"),
         (cut, f"the run had to end before {cut} {of} had been finished"),

@@ -21,7 +21,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, arc_length, barycentric, distinct
+from msf_jax.solid.geometry import ROUNDING, barycentric, distinct
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import down_forest
 
@@ -283,33 +283,6 @@ def contain(
 
     is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
     return _replaced(x, edges, is_bad, roadmap.paths(x, radii, edges[is_bad]))
-
-
-def cut_off(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Remove the ends of branches beyond an edge that is outside: which nodes stay, and the target of each node (N,).
-
-    Where a noisy surface crosses itself, a leaf can be in a bubble that no path inside leads to. An end that is longer
-    than the largest radius of its branch is no bubble: the solid may be in pieces there. Nodes of ``is_held`` (N,) stay
-    and so do the nodes that join them to the rest, and at least two nodes of each branch.
-    """
-    stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
-    degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    radii = shape.clearance(vertices)
-    for path in graphs.trace(len(vertices), edges):
-        for nodes in (np.array(path), np.array(path[::-1])):
-            if degree[nodes[0]] != 1 or not stays[nodes].all():
-                continue
-            is_out = ~is_inside(shape, vertices[nodes[:-1]], vertices[nodes[1:]])
-            is_end = arc_length(vertices[nodes])[1:] < radii[nodes].max()
-            is_end &= ~np.logical_or.accumulate(is_held[nodes[:-1]])
-            is_end[len(nodes) - 2 :] &= degree[nodes[-1]] > 2  # else only one node would be left
-            last = np.flatnonzero(is_out & is_end)
-            if len(last):
-                gone = nodes[: last[-1] + 1]
-                stays[gone], target[gone] = False, nodes[last[-1] + 1]
-    return stays, target
 
 
 def is_inside(

@@ -149,19 +149,16 @@ def _sections(
     if not paths:
         none = np.zeros(0, dtype=np.int64)
         return BoundCorners(none, none, none, none, np.zeros((0, 3)), none, none), radii
-    curve = shape, x, edges, paths, is_held, centring.Budget()
-    before = centring.LimbSections(*curve).at(x, radii, radii, nearest)[-1]  # the first time measures limbs' sizes
-    chord, node, found, weight, size = centring.LimbSections(*curve).at(x, before, radii, nearest)
-    normal = unit(chord @ x)
-    away = np.linalg.norm(x[node] - found.centroid, axis=1)
-    weight = weight / (1 + (away / (centring.STRAY * found.radius)) ** 2) ** 2
+    limbs = centring.limb_sections(shape, x, edges, paths, is_held, radii, nearest)
+    node, found, normal = limbs.node, limbs.found, limbs.tangent
+    weight = limbs.robust(x[node] - found.centroid)
     is_whole = (moved_inside(x, normal, solid.openings) == x).all(axis=1)
     # The centroid across a whole sheet moves much farther by noise than its vertices.
     is_kept = (weight > SLIGHT) & is_whole[node] & (found.radius < measures.WIDE * found.size)
     node, weight = node[is_kept], weight[is_kept]
-    cut = sections.corners(shape, x[node], normal[node], before[node], nearest[node])
+    cut = sections.corners(shape, x[node], normal[node], limbs.size[node], nearest[node])
     middle = sections.measured(shape, x[node], normal[node], cut).centroid
-    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, middle, node, weight), size
+    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, middle, node, weight), limbs.size
 
 
 def _with_clouds(surface: BoundSurface, edges: np.ndarray, loops: BoundCorners, num: int) -> BoundCorners:

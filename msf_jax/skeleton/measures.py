@@ -12,8 +12,7 @@ import numpy as np
 from scipy import spatial
 from trimesh import remesh
 
-from msf_jax.curve import branches
-from msf_jax.curve.centring import Budget, LimbSections
+from msf_jax.curve import branches, centring
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, cross, to_segment, unit
@@ -92,11 +91,9 @@ def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict
     size = solid.radii(vertices) / solid.diagonal
     x = moved_inside(given, unit(branches.chords(given, paths, size) @ given), solid.openings)
     ball, near = shape.approximate_clearance(x)
-    curve = shape, x, edges, paths, none, Budget()
-    size = LimbSections(*curve).at(x, size, ball, near)[-1]  # the first time measures limbs' sizes
-    chord, node, _, weight, _ = LimbSections(*curve).at(x, size, ball, near)
-    normal = unit(chord @ x)[node]
-    cut, axes = sections.corners(shape, x[node], normal, size[node], near[node]), axes_across(normal)
+    limbs = centring.limb_sections(shape, x, edges, paths, none, ball, near)
+    node, weight, normal = limbs.node, limbs.weight, limbs.tangent[limbs.node]
+    cut, axes = sections.corners(shape, x[node], normal, limbs.size[node], near[node]), axes_across(normal)
     middle = vertices[node] + solid.diagonal * (x - given)[node]
     corners, bounds = solid.leave(cut.places(shape)), np.searchsorted(cut.loop, np.arange(len(node) + 1))
     return {

@@ -1,4 +1,4 @@
-"""Branches of a curve: junctions in one ball, edges in one place, and branches beside each other become one."""
+"""Branches of a curve: junctions in one ball become one, and what is beside a branch."""
 
 from itertools import pairwise
 
@@ -8,7 +8,7 @@ import pytest
 from graph_cases import as_edges, chain
 
 from msf_jax.curve import branches
-from msf_jax.curve.branches import merge_coincident, merge_junctions
+from msf_jax.curve.branches import merge_junctions
 from msf_jax.solid.handles import Handles
 from msf_jax.topology.graphs import cycle_count
 
@@ -78,26 +78,6 @@ def test_junctions_are_not_merged_across_a_hole(holes, num_left):
     stays, _, left = merge_junctions(vertices, edges, radii, np.zeros(7, dtype=bool), handles)
     assert (stays.sum(), len(left)) == (num_left, num_left)
     assert cycle_count(7, left)[1] == 1
-
-
-def test_a_loop_that_is_folded_flat_is_no_loop():
-    """A node on an edge, two nodes in one place, an edge without length; a true triangle stays, and so does a pin."""
-    x = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [1.5, 0, 0], [2.2, 1e-9, 0], [3, 0, 0], [0, 1, 0.0]])
-    edges = np.array([[0, 1], [1, 2], [2, 3], [1, 4], [2, 4], [3, 6], [2, 5], [5, 6], [0, 7], [1, 7]])
-    assert cycle_count(8, edges)[1] == 3
-    is_pin = np.arange(8) == 6
-    stays, target, left = merge_coincident(x, edges, is_pin)
-    assert np.flatnonzero(~stays).tolist() == [3] and target[3] == 6
-    assert left.tolist() == [[0, 1], [0, 7], [1, 4], [1, 7], [2, 4], [2, 5], [5, 6]]
-    once = np.array([0, 1, 2, 4, 5, 6, 7])
-    apart = merge_coincident(x[once], np.searchsorted(once, left), is_pin[once])
-    assert apart[0].all() and np.array_equal(apart[2], np.searchsorted(once, left))
-    crossing = np.array([[-1, 0, 0], [0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1.0]])  # they touch, no more
-    paths = np.array([[0, 1], [1, 2], [3, 4], [0, 5], [3, 5]])
-    touching = merge_coincident(crossing, paths, np.zeros(6, dtype=bool))
-    assert touching[0].all() and np.array_equal(touching[2], np.unique(paths, axis=0))
-    nothing = merge_coincident(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
-    assert nothing[0].all() and nothing[2].shape == (0, 2)
 
 
 def test_points_go_to_the_nearest_node_of_their_own_branch():

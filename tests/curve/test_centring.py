@@ -72,16 +72,6 @@ def test_centring_turns_with_the_solid():
     assert np.abs(y - x @ turn.T).max() < 1e-7
 
 
-def test_a_budget_that_is_spent_leaves_one_round():
-    budget = centring.Budget()
-    budget.left = 0
-    shape, scale = unit_shape(tube(bow(0.3)))
-    wavy = scale * (bow(0.3)[5:-5] + 0.05 * np.sin(9 * bow(0.3)[5:-5, :1]))
-    x = centring.centre(shape, *path(wavy), none_held(wavy), budget=budget)
-    np.testing.assert_array_equal(x, centring.centre(shape, *path(wavy), none_held(wavy), rounds=1))
-    assert budget.was_hit
-
-
 @pytest.mark.parametrize(("num", "held"), [(48, []), (200, []), (200, [100])])
 def test_the_nodes_of_a_ring_do_not_go_round(num, held):
     """However unevenly they are spaced: a ring has no end that would hold them. Nor does it fold back on itself."""

@@ -3,7 +3,7 @@
 import manifold3d
 import numpy as np
 import pytest
-from curve_cases import bored, draft_of, job_of, loops_and_rank, unit_shape
+from curve_cases import bored, draft_of, rank, unit_shape
 
 from msf_jax.curve import centring
 
@@ -27,9 +27,9 @@ def test_loops_that_their_junctions_fold_are_put_back(x, edges, moved):
     shape, scale = unit_shape(bored(plate, (1.0, 0.4), 0.1))
     x, flat = scale * np.array(x, dtype=float), scale * np.array(x, dtype=float)
     flat[moved] = scale * np.array([[0, 1, 0], [2, 1, 0]] if len(moved) == 2 else [[3, -1, 0]])
-    draft, job = draft_of(x, np.array(edges)), job_of(shape)
-    assert loops_and_rank(shape, draft.changed(flat), job) == (0, 0)
-    assert loops_and_rank(shape, draft.changed(moved_to(shape, draft.edges, x, flat)), job) == (1, 1)
+    draft = draft_of(x, np.array(edges))
+    assert rank(shape, draft) == 1 and rank(shape, draft.changed(flat)) == 0
+    assert rank(shape, draft.changed(moved_to(shape, draft.edges, x, flat))) == 1
 
 
 def test_a_loop_is_not_moved_over_a_hole():
@@ -37,9 +37,9 @@ def test_a_loop_is_not_moved_over_a_hole():
     plate = manifold3d.Manifold.cube([8, 6, 1], True).translate((1.0, 0.0, 0.0))
     shape, scale = unit_shape(bored(plate, (1.0, 0.4), 0.1))
     x = scale * np.array([[0, 0, 0], [2, 0, 0], [1, 1, 0], [-1, 0, 0]], dtype=float)
-    draft, job = draft_of(x, np.array([[0, 1], [1, 2], [0, 2], [0, 3]])), job_of(shape)
+    draft = draft_of(x, np.array([[0, 1], [1, 2], [0, 2], [0, 3]]))
     over = x + scale * np.array([[0, 0, 0], [0, 0, 0], [0, -1.5, 0], [0, 0.2, 0]])
-    assert loops_and_rank(shape, draft.changed(over), job) == (1, 0)
+    assert rank(shape, draft) == 1 and rank(shape, draft.changed(over)) == 0
     kept = moved_to(shape, draft.edges, x, over)
-    assert loops_and_rank(shape, draft.changed(kept), job) == (1, 1)
+    assert rank(shape, draft.changed(kept)) == 1
     np.testing.assert_array_equal(kept[3], over[3])

@@ -88,21 +88,6 @@ def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
     assert report.is_sound and any("far apart" in note for note in report.notes)
 
 
-def test_an_end_in_a_bubble_goes_and_one_in_another_piece_stays():
-    along = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1)
-    for place, is_bubble in ((1.1, True), (1.6, False)):
-        ball = trimesh.creation.icosphere(2, 0.08).apply_translation([place, 0, 0])
-        shape, scale = unit_shape(trimesh.util.concatenate([tube(along, 0.3), ball]))
-        line = scale * np.append(np.linspace(-0.5, 0.95, 8), place)[:, None] * [1.0, 0, 0]
-        for nodes in (line, line[::-1]):
-            stays, target = containment.cut_off(shape, *path(nodes), none_held(nodes))
-            gone = np.abs(nodes[:, 0] - scale * place) < 1e-9 if is_bubble else none_held(nodes)
-            np.testing.assert_array_equal(stays, ~gone)
-            np.testing.assert_allclose(nodes[target[gone], 0], 0.95 * scale)
-            assert containment.cut_off(shape, *path(nodes), ~none_held(nodes))[0].all()
-            assert containment.cut_off(shape, *path(line[-2:]), none_held(line[-2:]))[0].all()
-
-
 @pytest.mark.slow  # a part that crosses itself is in test_hollow
 def test_the_curve_of_a_noisy_surface_that_crosses_itself_is_inside():
     wavy = ground_truth.noisy(ground_truth.make("y"), 0.005, 1)
