@@ -29,7 +29,7 @@ from msf_jax.topology import graphs
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis; triangles as long as it is thick make 0.85
 BEGIN = 1.0  # of a stretch on its own: the length before the part that gives the axis
-AXIS = 2.6  # the length of that part
+AXIS = 2.1  # the length of that part
 SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
