@@ -166,13 +166,13 @@ def middle_of_ball(shape: Enclosure, middle: np.ndarray) -> np.ndarray:
     """The middle (3,) of the largest ball in the solid, from that around ``middle`` (3,) on."""
     radius = float(shape.approximate_clearance(middle[None])[0][0])
     step, least = radius / 2, radius / 64
-    while step > least:
+    for _ in range(32):  # rounds, each of at most half of the first radius
         around = middle + step * WAYS
         clearance = shape.approximate_clearance(around)[0]
         if clearance.max() > radius:
             middle, radius = around[clearance.argmax()], float(clearance.max())
-        else:
-            step /= 2
+        elif (step := step / 2) <= least:
+            break
     return middle
 
 

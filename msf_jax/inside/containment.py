@@ -108,9 +108,8 @@ class Roadmap:
 
     def _path(self, ends: np.ndarray, clearance: np.ndarray) -> np.ndarray:
         """The path of `paths` between two ``ends`` (2, 3)."""
-        for network in self._networks(ends, clearance):
-            if self.num_visits > MOST_VISITS:
-                break
+        networks = self._networks(ends, clearance)
+        while self.num_visits <= MOST_VISITS and (network := next(networks, None)) is not None:
             self.num_visits += len(network.centre)
             stops = _shortest(network, ends)
             if len(stops):

@@ -549,8 +549,10 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
     ``node_of_old`` (N,) is the new node for each node of ``skeleton``.
     """
     edges, mesh_map, source = finishing.in_order(edges), node_of_old[skeleton.mesh_map], skeleton.source
-    nearest = np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
-    radii = skeleton.radii[nearest] if source is None else source.solid.radii(vertices)
+    if source is None:
+        radii = skeleton.radii[spatial.KDTree(skeleton.vertices).query(vertices)[1]]
+    else:
+        radii = source.solid.radii(vertices)
     components, cycles = graphs.cycle_count(len(vertices), edges)
     report = replace(skeleton.report, components=components, cycles=cycles, loops=None, figures={})
     roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (skeleton.roots, skeleton.openings))
