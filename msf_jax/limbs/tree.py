@@ -42,6 +42,7 @@ FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the t
 # 0.46 and more, corners of a block 0.28, those of a thin plate up to 0.4.
 PERSISTENCE = 0.8
 FLAT = -0.08  # slenderness of an elliptic disc of 2 : 1, the least of a limb: less, and a ring is no section
+APART = 0.9  # of the distance from a second end of its half: a vertex nearer than that to an end is of that limb
 FINEST = 0.95  # detail: any limb that could stand out
 
 
@@ -198,7 +199,9 @@ class LimbTree:
             if len(own) < 2:
                 parted.append(half)
                 continue
-            near = np.argmin([self._away(np.array([each.tip]))[half.region] for each in own], axis=0)
+            away = np.array([self._away(np.array([each.tip]))[half.region] for each in own])
+            first, second = np.sort(away, axis=0)[:2]
+            near = np.where(first < APART * second, np.argmin(away, axis=0), -1)
             parted += [each._replace(region=half.region[near == k]) for k, each in enumerate(own)]
         return parted
 

@@ -185,3 +185,20 @@ def test_a_pit_is_no_limb():
         tip = [0, 1.3, 1] if has_limb else [0, -1.3, -1]
         assert any(np.linalg.norm(place - tip) < RADIUS for place in places) == has_limb
         assert sum(place[2] > 0.9 for place in places) == 4 + has_limb
+
+
+def test_each_prong_of_a_sawn_bar_has_its_own_middle():
+    """Half a bar has two ends there: which of them is nearer to its far part is a matter of rounding."""
+    length, width, depth, gap = 30.0, 2.0, 1.2, 0.06
+    slit = box(2 * depth, gap, 2 * width)
+    shape = solid(
+        box(length, width, width) - slit.translate((length / 2, 0, 0)) - slit.translate((-length / 2, 0, 0)), 9.0
+    )
+    scale = length / np.ptp(shape.vertices[:, 0])
+    trees = LimbTree(shape)
+    found = trees.limbs(0.5, 0.5)
+    ends = np.array([trees.axis(shape, found, k).places[0] for k in range(len(found.limbs))]) * scale
+    right = np.array([[x, y, 0.0] for x in (-1, 1) for y in (-1, 1)]) * [length / 2, (width + gap) / 4, 0.0]
+    away = np.linalg.norm(ends[:, None] - ends.mean(axis=0) - right, axis=2)
+    assert sorted(away.argmin(axis=1)) == [0, 1, 2, 3]
+    assert away.min(axis=1).max() < 0.3 * width
