@@ -1,9 +1,8 @@
 """Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-OFF, OBJ, PLY and STL are read in `formats`, 3MF in `scenes`. glTF is checked there, and then read by trimesh;
-VTK's polygons are read by pyvista. Sizes are checked before memory is allocated. The meshes of a scene become one list
-of triangles, placed as in the scene. STL has no indices, so corners that differ only in the last bits of a float32
-become one vertex.
+OFF, OBJ, PLY and STL are read in `formats`, 3MF and glTF in `scenes`; VTK's polygons are read by pyvista. Sizes are
+checked before memory is allocated. The meshes of a scene become one list of triangles, placed as in the scene. STL has
+no indices, so corners that differ only in the last bits of a float32 become one vertex.
 """
 
 import importlib.util
@@ -57,7 +56,8 @@ def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
     Args:
         mesh: a path that ends in .obj, .off, .ply, .stl, .glb, .gltf or .3mf, or in .vtp or .vtk where pyvista is
             installed; a `trimesh.Trimesh`, a `pyvista.PolyData`, or a pair (vertices, faces). Polygons are cut into
-            triangles. The meshes of a scene become one, placed as in the scene.
+            triangles. The meshes of a scene become one, placed as in the scene, those with a skin as
+            its joints hold them.
 
     Returns:
         Copies. Ids of vertices, as in ``mesh_map`` and ``pins``, are rows of these vertices.
@@ -172,8 +172,7 @@ def _meshes_of(path: Path, suffix: str) -> list[trimesh.Trimesh]:
     """The meshes in a file of a known format."""
     match suffix:
         case "glb" | "gltf":
-            scenes.check_gltf(path)
-            return _placed(trimesh.load_scene(path, process=False))
+            return scenes.meshes_of_gltf(path)
         case "3mf":
             found = scenes.meshes_of_3mf(path)
         case "stl":
@@ -187,18 +186,6 @@ def _meshes_of(path: Path, suffix: str) -> list[trimesh.Trimesh]:
         case _:
             found = [_of_pyvista(importlib.import_module("pyvista").read(path))]
     return [trimesh.Trimesh(*mesh, process=False) for mesh in found]
-
-
-def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
-    """The meshes of a scene; unlike `trimesh.Scene.dump`, it keeps their normals."""
-    shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
-    copies = [(scene.geometry[name].copy(include_cache=True), transform) for name, transform in shown]
-    return [part.apply_transform(transform) for part, transform in copies if isinstance(part, trimesh.Trimesh)]
-
-
-def has_normals(mesh: trimesh.Trimesh) -> bool:
-    """Whether the file or the caller has given normals of vertices, or trimesh has computed them."""
-    return "vertex_normals" in mesh._cache.cache
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:

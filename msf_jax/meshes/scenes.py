@@ -1,4 +1,4 @@
-"""Files that place meshes in a scene: checks of glTF from its JSON alone, before trimesh loads it, and reading of 3MF.
+"""Files that place meshes in a scene: glTF, whose JSON is checked before trimesh loads it, and 3MF.
 
 A small file can unpack to more than memory, name the same bytes many times, or show the same triangles many times: the
 sums of what is loaded and shown are limited. What would be read as another mesh is refused by its name.
@@ -7,8 +7,10 @@ sums of what is loaded and shown are limited. What would be read as another mesh
 beyond some number of nested parts, and objects that are not there.
 """
 
+import io
 import json
 import math
+import struct
 import zipfile
 from array import array
 from collections import defaultdict
@@ -17,8 +19,11 @@ from typing import Any
 from xml.parsers import expat
 
 import numpy as np
+import trimesh
+from trimesh import resolvers
 
 from msf_jax.meshes.formats import decoded
+from msf_jax.solid.geometry import unit
 
 # Limits of the unpacked bytes: ratio to the packed bytes; bytes always allowed; the largest.
 LARGEST_RATIO, SMALL_ARCHIVE, LARGEST_UNPACKED = 50, 10_000_000, 2**29
@@ -34,6 +39,7 @@ FLOAT = 5126  # the number of float32 among glTF's component types, which are Op
 SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, FLOAT: 4}  # bytes of each component type
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}  # components
 MOST_READ = 4  # times that the bytes of all buffers may be read, over SMALL_ARCHIVE
+OF_SKIN = ("_JOINTS_", "_WEIGHTS_", "_BINDS_")  # beginnings of the attributes of a skin, see `_name_skins`
 FAN = 6  # mode of a primitive
 WITH_VERTICES = "export it with plain vertices"
 # Extensions that change the triangles, and what to do about each.
@@ -135,34 +141,105 @@ def meshes_of_3mf(path: Path) -> list[tuple[np.ndarray, np.ndarray]]:
     return meshes
 
 
-def check_gltf(path: Path) -> None:
-    """Raise a ValueError, or another error of damage, if the file at ``path`` would be read as another mesh, or would
-    need much more memory than its bytes."""
-    content, binary = path.read_bytes(), 0
-    if path.suffix.lower() == ".glb":
-        content, binary = _chunks(content)
+def meshes_of_gltf(path: Path) -> list[trimesh.Trimesh]:
+    """The meshes in the file at ``path``, with all their attributes, each as the file shows it: a mesh with a skin is
+    where its joints hold it, wherever its own node is.
+
+    Raises:
+        ValueError, or another error of damage: the file would be read as another mesh, or would need much more memory
+            than its bytes.
+    """
+    content, rest = path.read_bytes(), b""
+    is_binary = path.suffix.lower() == ".glb"
+    if is_binary:
+        content, rest = _chunks(content)
     if content.count(b"{") + content.count(b"[") > MOST_OBJECTS:
         raise ValueError(f"its JSON has over {MOST_OBJECTS} objects")
     document = json.loads(decoded(content))
     _check_extensions(document)
-    _check_bytes(document, path.parent, binary)
+    _check_bytes(document, path.parent, len(rest))
     _check_shown(document)
     for mesh in document.get("meshes", []):
         for primitive in mesh["primitives"]:
             _check_primitive(document, primitive)
+    _name_skins(document)
+    content = json.dumps(document).encode()
+    if is_binary:
+        content += b" " * (-len(content) % 4)
+        size = struct.pack("<III", 2, 20 + len(content) + len(rest), len(content))
+        content = b"glTF" + size + JSON + content + rest
+    resolver = resolvers.FilePathResolver(str(path))
+    scene = trimesh.load_scene(io.BytesIO(content), file_type=path.suffix[1:].lower(), resolver=resolver, process=False)
+    return _placed(scene, document)
 
 
-def _chunks(content: bytes) -> tuple[bytes, int]:
-    """The JSON of a binary file, and the number of bytes of its buffer."""
+def _name_skins(document: dict[str, Any]) -> None:
+    """Name what trimesh leaves out so that it reads it: nodes by their numbers, and a skin's numbers as attributes, for
+    which it takes names with an underscore."""
+    nodes, meshes, skins = (document.get(name, []) for name in ("nodes", "meshes", "skins"))
+    for number, node in enumerate(nodes):
+        node["name"] = str(number)
+    for node in nodes:
+        for primitive in meshes[node["mesh"]]["primitives"] if {"mesh", "skin"} <= node.keys() else []:
+            given, skin = primitive["attributes"], skins[_whole(node["skin"])]
+            given |= {f"_{name}": of for name, of in given.items() if name.startswith(("JOINTS_", "WEIGHTS_"))}
+            if "inverseBindMatrices" in skin:
+                given[f"_BINDS_{node['skin']}"] = _whole(skin["inverseBindMatrices"])
+
+
+def _placed(scene: trimesh.Scene, document: dict[str, Any]) -> list[trimesh.Trimesh]:
+    """The meshes of a scene; unlike `trimesh.Scene.dump`, it keeps their normals."""
+    parts, taken, matrices = [], {}, {}
+    for name, mesh in scene.geometry.items():  # before meshes are copied, for each node that shows them
+        named = [key for key in mesh.vertex_attributes if key.startswith(OF_SKIN)]
+        taken[name] = {key: np.asarray(mesh.vertex_attributes.pop(key)) for key in named}
+    for node in scene.graph.nodes_geometry:
+        transform, name = scene.graph[node]
+        part, given = scene.geometry[name].copy(include_cache=True), taken[name]
+        skin = document["nodes"][int(node.split("_")[0])].get("skin")  # "3_a8f" is a primitive of node 3
+        if not isinstance(part, trimesh.Trimesh):
+            continue
+        if skin is None or "_JOINTS_0" not in given:
+            parts.append(part.apply_transform(transform))
+            continue
+        if skin not in matrices:
+            joints = np.array([scene.graph[str(joint)][0] for joint in document["skins"][skin]["joints"]])
+            binds = given.get(f"_BINDS_{skin}", np.tile(np.eye(4), (len(joints), 1, 1)))[: len(joints)]
+            matrices[skin] = joints @ binds.swapaxes(1, 2)  # matrices of the format are column-major
+        parts.append(_held(part, given, matrices[skin]))
+    return parts
+
+
+def _held(mesh: trimesh.Trimesh, given: dict[str, np.ndarray], matrices: np.ndarray) -> trimesh.Trimesh:
+    """``mesh`` where its joints hold it: each vertex by the mean of their ``matrices`` (J, 4, 4), by its weights."""
+    weights = np.concatenate([of for name, of in sorted(given.items()) if name.startswith("_WEIGHTS_")], axis=1)
+    joint = np.concatenate([of for name, of in sorted(given.items()) if name.startswith("_JOINTS_")], axis=1)
+    weights[~weights.any(axis=1), 0] = 1
+    weights = weights / weights.sum(axis=1, keepdims=True, dtype=np.float64)  # they may be whole numbers
+    mean = np.zeros((len(weights), 4, 4))
+    for weight, of in zip(weights.T, joint.T.astype(int), strict=True):
+        mean += weight[:, None, None] * matrices[of]
+    normals = mesh.vertex_normals if has_normals(mesh) else None
+    mesh.vertices = np.einsum("vij,vj->vi", mean[:, :3, :3], mesh.vertices) + mean[:, :3, 3]
+    if normals is not None:
+        mesh.vertex_normals = unit(np.einsum("vij,vj->vi", mean[:, :3, :3], normals))
+    return mesh
+
+
+def has_normals(mesh: trimesh.Trimesh) -> bool:
+    """Whether the file or the caller has given normals of vertices, or trimesh has computed them."""
+    return "vertex_normals" in mesh._cache.cache
+
+
+def _chunks(content: bytes) -> tuple[bytes, bytes]:
+    """The JSON of a binary file, and what follows it: the chunk of its buffer."""
     size = int.from_bytes(content[12:16], "little")
     if content[:4] != b"glTF" or content[16:20] != JSON or 20 + size > len(content):
         raise ValueError("it is cut off, or no binary glTF")
-    place, binary = 20 + size, 0
-    if content[place + 4 : place + 8] == BINARY:
-        binary = int.from_bytes(content[place : place + 4], "little")
-        if place + 8 + binary > len(content):
-            raise ValueError("it is cut off: its buffer ends before it should")
-    return content[20 : 20 + size], binary
+    rest = content[20 + size :]
+    if rest[4:8] == BINARY and 8 + int.from_bytes(rest[:4], "little") > len(rest):
+        raise ValueError("it is cut off: its buffer ends before it should")
+    return content[20 : 20 + size], rest
 
 
 def _check_extensions(document: dict[str, Any]) -> None:

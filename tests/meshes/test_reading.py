@@ -1,5 +1,6 @@
 """Files as found, however they are written: each is read as it is meant, or the reason for its refusal is true."""
 
+import base64
 import struct
 from pathlib import Path
 
@@ -269,3 +270,41 @@ def test_what_is_not_supported_in_gltf_is_refused_by_its_name(tmp_path: Path, sa
 def test_morph_targets_without_weights_do_not_move_the_mesh(tmp_path: Path):
     path = glb(tmp_path / "a.glb", lambda d: primitive(d).update(targets=[{"POSITION": 0}]))
     assert len(reading.read(path)[1]) == 80
+
+
+def test_a_mesh_with_a_skin_is_where_its_joints_hold_it(tmp_path: Path):
+    """Its own node, of ten times the size, does not matter. Weights are whole numbers; the second joint is twice as
+    large as the first, below which it is, and one vertex has no weight, which gives it to the first of its joints."""
+    num, own = 42, np.eye(4, dtype=np.float32)
+    weights, binds = np.tile(np.array([3, 1, 0, 0], dtype=np.uint8), (num, 1)), np.stack([own, 2 * own])
+    weights[0], binds[1, 3] = 0, [0, 0, 5, 1]  # the format's matrices are transposed
+    content = np.tile(np.array([0, 1, 0, 0], dtype=np.uint8), (num, 1)).tobytes() + weights.tobytes() + binds.tobytes()
+
+    def bind(document):
+        document["buffers"].append({"uri": f"data:;base64,{base64.b64encode(content).decode()}", "byteLength": 464})
+        for place, size, kind, component, count in [
+            (0, 168, "VEC4", 5121, num),
+            (168, 168, "VEC4", 5121, num),
+            (336, 128, "MAT4", 5126, 2),
+        ]:
+            view = {"buffer": len(document["buffers"]) - 1, "byteOffset": place, "byteLength": size}
+            document["bufferViews"].append(view)
+            accessor = {"bufferView": len(document["bufferViews"]) - 1, "componentType": component, "count": count}
+            document["accessors"].append(accessor | {"type": kind})
+        first = len(document["accessors"]) - 3
+        given = primitive(document)["attributes"]
+        given |= {"JOINTS_0": first, "WEIGHTS_0": first + 1, "NORMAL": given["POSITION"]}  # the ball has radius 1
+        document["skins"] = [{"joints": [1, 2], "inverseBindMatrices": first + 2}]
+        document["nodes"] = [
+            {"mesh": 0, "skin": 0, "scale": [10, 10, 10]},
+            {"translation": [1, 0, 0], "children": [2]},
+            {"translation": [0, 1, 0]},
+        ]
+        document["scenes"] = [{"nodes": [0, 1]}]
+
+    rest, held = reading.parts(glb(tmp_path / "a.glb"))[0], reading.parts(glb(tmp_path / "b.glb", bind))[0]
+    x = np.asarray(rest.vertices)
+    by_both = 0.75 * (x + [1, 0, 0]) + 0.25 * (2 * x + [1, 1, 5])
+    by_both[0] = x[0] + [1, 0, 0]
+    np.testing.assert_allclose(held.vertices, by_both, atol=1e-6)
+    np.testing.assert_allclose(held.vertex_normals, x, atol=1e-6)

@@ -13,7 +13,7 @@ from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
-from msf_jax.meshes import reading
+from msf_jax.meshes import reading, scenes
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.solid.geometry import repeated
 
@@ -52,7 +52,7 @@ def _add_normals(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> None:
     normals = np.array(trimesh.Trimesh(places, faces, process=False).vertex_normals)
     normals[~normals.any(axis=1)] = [0.0, 0.0, 1.0]  # of vertices in no face
     for part, row in zip(parts, rows, strict=True):
-        if not reading.has_normals(part):
+        if not scenes.has_normals(part):
             part.vertex_normals = normals[place.ravel()[row]]
 
 
