@@ -104,30 +104,20 @@ def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
 
 
 class Finished(NamedTuple):
-    """vertices (N, 3) and edges (E, 2) of the finished curve.
+    """A finished curve, and its Roadmap, which knows the limits that searches reached.
 
     is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
     target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
-    num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
-    num_unsought: handles without a loop because the search for it reached a limit.
-    is_cut: whether the run had to end before all passes were done.
-    is_sparse, num_pruned, num_grown, finer: see `Draft`.
     node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
+    is_cut: whether the run had to end before all passes were done.
     """
 
-    vertices: np.ndarray
-    edges: np.ndarray
+    draft: Draft
+    roadmap: Roadmap
     is_kept: np.ndarray
     target: np.ndarray
-    num_refused: int = 0
-    num_closed: int = 0
-    is_sparse: bool = False
-    num_pruned: int = 0
-    num_grown: int = 0
-    finer: tuple[tuple[float, np.ndarray], ...] = ()
-    node_of_vertex: np.ndarray | None = None
-    is_cut: bool = False
-    num_unsought: int = 0
+    node_of_vertex: np.ndarray | None
+    is_cut: bool
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -139,75 +129,47 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
 
 
 def finish(
-    shape: Enclosure,
-    nodes: np.ndarray,
-    edges: np.ndarray,
-    is_held: np.ndarray,
+    job: Job,
+    draft: Draft,
     *,
-    prune: float,
     centre: bool,
     extend: bool,
-    detail: float = 0.5,
-    is_thin: bool = False,
-    is_tangle: bool = False,
-    coarse: Enclosure | None = None,
-    outside: Enclosure | None = None,
-    limbs: Callable[[], LimbTree] | None = None,
-    first: Callable[[Draft, Job], Draft] | None = None,
-    clock: Clock | None = None,
+    is_thin: bool,
+    is_tangle: bool,
+    outside: Enclosure,
+    first: Callable[[Draft, Job], Draft] | None,
+    clock: Clock,
 ) -> Finished:
-    """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
+    """Finish the ``draft`` of the flow's curve; its held nodes do not move.
 
     A solid that is too coarse for the flow gets a Reeb curve (see `limbs.reeb_curve`), if it has thin limbs, or more
     than `ASTRAY` of the flow's curve is outside, and that is no more astray. ``centre`` and ``extend`` must be True,
     and no node held.
 
-    ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
-    (see `Config`); ``centre`` and ``extend`` switch those steps. ``is_thin`` says that the solid has thin limbs.
-    ``is_tangle`` says that the flow ended in a tangle that no pass can repair: it stays as it is, unless there is a
-    Reeb curve. ``coarse`` is about the same surface with fewer triangles, fine enough for centring, ``outside`` the
-    surface without cavities, and ``limbs`` returns its merge trees. ``first`` is a pass that comes before all others.
-    If ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
+    ``centre`` and ``extend`` switch those passes. ``is_thin`` says that the solid has thin limbs. ``is_tangle`` says
+    that the flow ended in a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve.
+    ``outside`` is the surface without cavities. ``first`` is a pass that comes before all others. If ``clock`` says
+    that the run has to end, the curve is the one after the last pass that was done.
     """
-    coarse = shape if coarse is None else coarse
-    roadmap = Roadmap(shape)
-    job = Job(shape, coarse, prune, roadmap, limbs or partial(LimbTree, outside or coarse), detail)
-    clock, is_cut = clock or Clock(), False
-    draft, laid = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes))), None
+    nodes, laid, is_cut = draft.vertices, None, False
     try:
-        if centre and extend and not is_held.any():
+        if centre and extend and not draft.is_held.any():
             clock.check()
-            laid = _by_wavefronts(outside or shape, nodes, edges, job, is_thin, is_tangle)
+            laid = _by_wavefronts(outside, nodes, draft.edges, job, is_thin, is_tangle)
         if laid is not None:
-            job, draft = job._replace(is_coarse=True), _of_reeb_curve(laid, nodes)
-        is_tangle &= laid is None
-        before = [] if first is None or laid is not None else [first]
-        wanted = [] if is_tangle else [*before, *passes(centre, extend)]
-        for each in wanted:
+            job, draft, first, is_tangle = job._replace(is_coarse=True), _of_reeb_curve(laid, nodes), None, False
+        for each in [] if is_tangle else [*([first] if first else []), *passes(centre, extend)]:
             clock.check()
             draft = each(draft, job)
     except Stopped:
         is_cut = True
-    if is_tangle:
-        return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)), is_cut=is_cut)
     if (draft.origin < 0).all():  # every node is new, so the first one stands for the flow's nearest node
         draft.origin[0] = np.linalg.norm(nodes - draft.vertices[0], axis=1).argmin()
     is_kept, of_flow = np.isin(np.arange(len(nodes)), draft.origin), draft.node_of_flow[: len(nodes)]
-    return Finished(
-        draft.vertices,
-        in_order(draft.edges),
-        is_kept,
-        draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[of_flow]],
-        job.roadmap.num_refused,
-        job.roadmap.num_closed,
-        draft.is_sparse,
-        draft.num_pruned,
-        draft.num_grown,
-        draft.finer,
-        None if laid is None else draft.node_of_flow[len(nodes) :],
-        is_cut,
-        num_unsought=job.roadmap.num_unsought,
-    )
+    target = draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[of_flow]]
+    of_vertex = None if laid is None else draft.node_of_flow[len(nodes) :]
+    draft = draft._replace(edges=in_order(draft.edges))
+    return Finished(draft, job.roadmap, is_kept, target, of_vertex, is_cut)
 
 
 def _by_wavefronts(

@@ -80,8 +80,8 @@ def assemble(
             notes=tuple(_notes(states, parts, history)),
             figures=figures,
             seconds=clock.seconds,
-            pruned=sum(part.finished.num_pruned for part in parts),
-            grown=sum(part.finished.num_grown for part in parts),
+            pruned=sum(part.finished.draft.num_pruned for part in parts),
+            grown=sum(part.finished.draft.num_grown for part in parts),
             wavefronts=sum(part.finished.node_of_vertex is not None for part in parts),
         )
         curve = _skeleton(as_left, checked, report, source, clock, is_finished=False)
@@ -102,15 +102,15 @@ def assemble(
 def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iteration, ...]) -> list[str]:
     """The report's notes: about the finishing of the curves, limbs of a finer detail, loops, and steps."""
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
-    refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
+    refused, closed = sum(one.roadmap.num_refused for one in done), sum(one.roadmap.num_closed for one in done)
     laid = sum(one.node_of_vertex is not None for one in done)
-    sparse = sum(one.is_sparse for one in done)
-    cut, unsought = sum(one.is_cut for one in done), sum(one.num_unsought for one in done)
+    sparse = sum(one.draft.is_sparse for one in done)
+    cut, unsought = sum(one.is_cut for one in done), sum(one.roadmap.num_unsought for one in done)
     tangles = sum(map(is_left, states, parts))
     limbs = sorted(
         (detail, state.frame.leave(place).tolist())
         for state, one in zip(states, done, strict=True)
-        for detail, place in one.finer
+        for detail, place in one.draft.finer
     )
     detail = math.ceil(20 * limbs[0][0]) / 20 if limbs else 0.0
     places = [place for least, place in limbs if least <= detail]

@@ -12,7 +12,9 @@ from msf_jax.curve import branches, extraction, finishing
 from msf_jax.curve.extraction import Curve
 from msf_jax.curve.finishing import Draft, Finished, Job
 from msf_jax.flow.state import State
+from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs import one_branch
+from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.checking import Surface
 from msf_jax.meso import edits, surgery
 from msf_jax.meso.meso import Meso
@@ -52,26 +54,23 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
         is_held = np.isin(np.arange(len(nodes)), node_of_pin)
         nodes[is_held] = means(state.outside.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with clock.stage("finishing"):
+        coarse = state.coarse if state.shape is state.outside else state.shape  # with the cavities
+        limbs = partial(LimbTree, state.outside) if state.limbs is None else state.limbs.result
+        every = np.arange(len(nodes))
         done = finishing.finish(
-            state.shape,
-            nodes,
-            found.edges,
-            is_held,
-            prune=config.least_slenderness,
+            Job(state.shape, coarse, config.least_slenderness, Roadmap(state.shape), limbs, config.detail),
+            Draft(nodes, found.edges, is_held, every, every),
             centre=config.curve.centre,
             extend=config.curve.extend_tips,
-            detail=config.detail,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
-            coarse=state.coarse if state.shape is state.outside else state.shape,  # with the cavities
             outside=state.outside,
-            limbs=None if state.limbs is None else state.limbs.result,
             first=partial(_recentred, meso, found) if by_surgery else None,
             clock=clock,
         )
         slenderness = None
         if state.limbs is not None and not clock.reason:
-            slenderness = one_branch.slenderness(state.limbs.result(), done.vertices, done.edges)
+            slenderness = one_branch.slenderness(limbs(), done.draft.vertices, done.draft.edges)
     state.limbs = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
@@ -132,12 +131,12 @@ def stitched(
     ids, then the new ones."""
     flow, finished = [], []
     for state, part in zip(states, parts, strict=True):
-        own, done = node_of_input(part), part.finished
+        own, done, curve = node_of_input(part), part.finished, part.finished.draft[:2]
         node = own if done.node_of_vertex is None else done.node_of_vertex
         if not (is_left(state, part) or done.is_cut or clock.reason):
-            node = branches.nearest_on_branch(done.vertices, done.edges, state.outside.vertices, node)
+            node = branches.nearest_on_branch(*curve, state.outside.vertices, node)
         flow.append((part.curve.nodes, part.curve.edges, own))
-        finished.append((done.vertices, done.edges, node))
+        finished.append((*curve, node))
     (as_left, _), (done, order) = (_joined(checked, states, parts, curves) for curves in (flow, finished))
     known = [part.slenderness for part in parts if part.slenderness is not None]
     if len(known) == len(parts):
