@@ -1,16 +1,18 @@
 """Tables of measurements: a row for each branch, node, axis of a plant, or cylinder of a model of a tree.
 
 Branches lead away from roots. An axis, as botanists count them, goes on through a fork: of the branches that leave the
-fork, the thickest and straightest continues the axis. That is the one with the largest
+fork, the one that continues the axis is thick, straight, and leads far. That is the one with the largest
 
-    r (1 + cos a) / 2,
+    r (1 + cos a) / 2 l^(1/3),
 
-r its mean radius, a its angle to the branch before the fork, 0 if straight. The others begin axes of the next order.
+r its mean radius, a its angle to the branch before the fork, 0 if straight, and l the length of the longest path beyond
+the fork's ball: a stub there ends no axis. The others begin axes of the next order.
 The main axis has order 0. The Strahler order of a branch that ends in a tip is 1. Before a fork it is the largest after
 the fork, or one more if several have that (Strahler 1957).
 """
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -28,47 +30,59 @@ if TYPE_CHECKING:
 Columns = dict[str, np.ndarray]
 
 
-def direct_paths(paths: Iterable[np.ndarray], roots: Iterable[int]) -> tuple[list[np.ndarray], dict[int, int]]:
-    """The nodes of each of ``paths`` away from the ``roots``; and the path before each, -1 at a root, for those that
-    are connected to a root, in the order in which they are reached. A path leads both ways from a root within it."""
-    paths, above = list(paths), {}
+def direct_paths(
+    paths: Iterable[np.ndarray], roots: Iterable[int]
+) -> tuple[list[np.ndarray], dict[int, int], list[int]]:
+    """The nodes of each of ``paths``, split at roots within it, away from the ``roots``; the one before each, -1 at a
+    root, for those that are connected to a root, in the order in which they are reached; and which path each is of."""
+    pieces, whole, above = list[np.ndarray](), list[int](), dict[int, int]()
     at_node: dict[int, list[int]] = {}
     for number, nodes in enumerate(paths):
-        for end in {int(nodes[0]), int(nodes[-1])}:
-            at_node.setdefault(end, []).append(number)
-    inside = {int(node): number for number, nodes in enumerate(paths) for node in nodes[1:-1]}
-    for root in roots:
-        queue = [(int(root), -1)]  # a junction, and the path by which it was reached
-        if root in inside:
-            first = inside[root]
-            above[first] = -1
-            queue = [(int(paths[first][0]), first), (int(paths[first][-1]), first)]
-        for node, before in queue:
-            for number in at_node.get(node, []):
-                if number not in above:
-                    above[number] = before
-                    if paths[number][0] != node:
-                        paths[number] = paths[number][::-1]
-                    queue.append((int(paths[number][-1]), number))
-    return paths, above
+        inner = np.flatnonzero(np.isin(nodes[1:-1], list(roots))) + 1
+        for first, last in pairwise([0, *inner.tolist(), len(nodes) - 1]):
+            for end in {int(nodes[first]), int(nodes[last])}:
+                at_node.setdefault(end, []).append(len(pieces))
+            pieces.append(nodes[first : last + 1])
+            whole.append(number)
+    queue = [(int(root), -1) for root in roots]  # a junction, and the path by which it was reached
+    for node, before in queue:
+        for number in at_node.get(node, []):
+            if number not in above:
+                above[number] = before
+                if pieces[number][0] != node:
+                    pieces[number] = pieces[number][::-1]
+                queue.append((int(pieces[number][-1]), number))
+    return pieces, above, whole
 
 
-def direct_branches(skeleton: "Skeleton") -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+class Directed(NamedTuple):
+    """The branches of a curve, away from its roots. paths: the nodes of each, the end nearer to the root first. parent:
+    (B,) the branch before each, -1 for those at a root. outwards: their numbers, from roots on. whole: (B,) which of
+    `Skeleton.branches` each is, or is a part of. degree: (N,) the number of edges at each node."""
+
+    paths: list[np.ndarray]
+    parent: np.ndarray
+    outwards: list[int]
+    whole: np.ndarray
+    degree: np.ndarray
+
+
+def direct_branches(skeleton: "Skeleton") -> Directed:
     """The branches of ``skeleton``, in the order of its ``branches``, from its roots, or in each component from the tip
-    of its thickest limb, or from its thickest node if it has no tip: the nodes of each, the end nearer to the root
-    first; the branch (B,) before each, -1 for those at a root; and the number of edges (N,) at each node."""
+    of its thickest limb, or from its thickest junction if it has no tip. A root within a branch splits it."""
     num, roots = len(skeleton.vertices), skeleton.roots
     degree = graphs.degrees(num, skeleton.edges)
     paths = [np.array(nodes) for nodes in graphs.trace(num, skeleton.edges)]
     if not roots:
-        size = skeleton.radii / (1 + skeleton.radii.max())  # below 1, so that tips, with sizes above 1, go first
+        size = np.full(num, -1.0)
         for nodes in paths:
-            for tip in nodes[[0, -1]][degree[nodes[[0, -1]]] == 1]:
-                size[tip] = 1 + np.median(skeleton.radii[nodes])
+            for end in nodes[[0, -1]]:  # tips go first: sizes of junctions are below 1
+                shrunk = skeleton.radii[end] / (1 + skeleton.radii.max())
+                size[end] = 1 + np.median(skeleton.radii[nodes]) if degree[end] == 1 else shrunk
         roots = branches.roots_of(num, skeleton.edges, size, None)
-    paths, above = direct_paths(paths, roots)
-    parent = [above.get(number, -1) for number in range(len(paths))]
-    return paths, _whole(parent), degree
+    pieces, above, whole = direct_paths(paths, roots)
+    parent = [above.get(number, -1) for number in range(len(pieces))]
+    return Directed(pieces, _whole(parent), list(above), _whole(whole), degree)
 
 
 def _whole(numbers: Sequence[int]) -> np.ndarray:
@@ -77,11 +91,15 @@ def _whole(numbers: Sequence[int]) -> np.ndarray:
 
 def branch_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of branches."""
-    paths, parent, degree = direct_branches(skeleton)
-    points = [skeleton.vertices[nodes] for nodes in paths]
+    paths, parent, _, whole, degree = direct_branches(skeleton)
+    known, points = skeleton.branches, [skeleton.vertices[nodes] for nodes in paths]
     length = np.array([arc_length(path)[-1] for path in points])
     chord = np.array([np.linalg.norm(path[-1] - path[0]) for path in points])
     size = np.array([radii_without_ends(skeleton, nodes, degree) for nodes in paths]).reshape(len(paths), 3)
+    surface = [known[number].surface for number in whole]
+    for number in np.flatnonzero(np.bincount(whole)[whole] > 1).tolist():  # parts of a branch, which a root splits
+        own = np.isin(skeleton.mesh_map, paths[number][1:][degree[paths[number][1:]] < 3])
+        surface[number] = np.nan if skeleton.source is None else skeleton.source.areas[own].sum()
     with np.errstate(divide="ignore", invalid="ignore"):
         tortuosity = np.where(chord > 0, length / chord, np.where(length > 0, np.inf, np.nan))
     return {
@@ -96,10 +114,10 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "mean_radius": size[:, 0],
         "least_radius": size[:, 1],
         "largest_radius": size[:, 2],
-        "volume": _branch_volumes(skeleton, len(paths)),
+        "volume": _branch_volumes(skeleton, paths),
         "angle": _fork_angles(skeleton, paths, parent),
-        "slenderness": np.array([branch.slenderness for branch in skeleton.branches], dtype=float),
-        "surface": np.array([branch.surface for branch in skeleton.branches], dtype=float),
+        "slenderness": np.array([known[number].slenderness for number in whole], dtype=float),
+        "surface": np.array(surface, dtype=float),
     }
 
 
@@ -108,7 +126,7 @@ def node_columns(skeleton: "Skeleton") -> Columns:
     num, branch = len(skeleton.vertices), np.full(len(skeleton.vertices), -1)
     along, curvature = np.full((2, num), np.nan)
     tangent = np.full((num, 3), np.nan)
-    for number, nodes in reversed(list(enumerate(direct_branches(skeleton)[0]))):
+    for number, nodes in reversed(list(enumerate(direct_branches(skeleton).paths))):
         points = skeleton.vertices[nodes]
         branch[nodes], along[nodes] = number, arc_length(points)
         if len(nodes) > 1 and arc_length(points)[-1] > 0:
@@ -175,14 +193,14 @@ def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarr
     return angles
 
 
-def _branch_volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
+def _branch_volumes(skeleton: "Skeleton", paths: list[np.ndarray]) -> np.ndarray:
     """(B,) the volume between each branch and the faces that belong to it; NaN if the surface is not known."""
     if skeleton.source is None:
-        return np.full(num, np.nan)
+        return np.full(len(paths), np.nan)
     solid, vertex = skeleton.source.solid, skeleton.source.input_of_vertex
     node = None if vertex is None else skeleton.mesh_map[vertex]
     nodes, radii = solid.enter(skeleton.vertices), skeleton.radii / solid.diagonal
-    return volumes_of(solid.shape, nodes, skeleton.edges, radii, node) * solid.diagonal**3
+    return volumes_of(solid.shape, nodes, paths, radii, node) * solid.diagonal**3
 
 
 class Axis(NamedTuple):
@@ -196,14 +214,24 @@ class Axis(NamedTuple):
     position: float
 
 
-def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, np.ndarray]:
-    """The axes of the branches of ``skeleton``, away from its roots, parents first, those of a parent from its base to
-    its tip; the Strahler order (B,) of each branch; and the number of edges (N,) at each node."""
-    paths, parent, degree = direct_branches(skeleton)
+def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, Directed]:
+    """The axes of ``skeleton``, away from its roots, parents first, those of a parent from its base to its tip; the
+    Strahler order (B,) of each branch; and the branches."""
+    found = direct_branches(skeleton)
+    paths, parent, outwards, _, degree = found
     radius = np.array([radii_without_ends(skeleton, nodes, degree)[0] for nodes in paths])
+    beyond = np.array([arc_length(skeleton.vertices[nodes])[-1] for nodes in paths])
+    strahler, after = np.ones(len(paths), dtype=np.int64), list[list[int]]([] for _ in paths)
+    for branch in reversed(outwards):
+        if after[branch]:
+            beyond[branch] += beyond[after[branch]].max()
+            orders = strahler[after[branch]]
+            strahler[branch] = orders.max() + (np.sum(orders == orders.max()) > 1)
+        if parent[branch] >= 0:
+            after[parent[branch]].append(branch)
     angle = np.nan_to_num(_fork_angles(skeleton, paths, parent))
-    worth = radius * (1 + np.cos(np.radians(angle))) / 2
-    after = [np.flatnonzero(parent == number).tolist() for number in range(len(paths))]
+    outside = np.maximum(beyond - skeleton.radii[[nodes[0] for nodes in paths]], 0.0)
+    worth = np.cbrt(outside) * radius * (1 + np.cos(np.radians(angle))) / 2
     axes: list[Axis] = []
     waiting = [(number, -1, 0, 0.0) for number in np.flatnonzero(parent < 0).tolist()]
     for number, above, order, position in waiting:
@@ -211,30 +239,22 @@ def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, np.ndarray]:
         while True:
             last = own[-1]
             along += float(arc_length(skeleton.vertices[paths[last]])[-1])
-            # A root in the middle of a branch has branches at both of its ends.
-            onward = [each for each in after[last] if paths[each][0] == paths[last][-1]]
-            goes_on = max(onward, key=lambda each: worth[each], default=-1)
-            leaving += [(each, along) for each in onward if each != goes_on]
-            leaving += [(each, 0.0) for each in after[last] if each not in onward]
+            goes_on = max(after[last], key=lambda each: worth[each], default=-1)
+            leaving += [(each, along) for each in sorted(after[last]) if each != goes_on]
             if goes_on < 0:
                 break
             own.append(goes_on)
         nodes = np.concatenate([paths[own[0]], *(paths[each][1:] for each in own[1:])])
-        waiting += [(each, len(axes), order + 1, place) for each, place in sorted(leaving, key=lambda each: each[1])]
+        waiting += [(each, len(axes), order + 1, place) for each, place in leaving]
         axes.append(Axis(own, nodes, above, order, position))
-    strahler = np.ones(len(paths), dtype=np.int64)
-    for branch in (branch for axis in reversed(axes) for branch in reversed(axis.branches)):  # from the tips
-        if after[branch]:
-            beyond = strahler[after[branch]]
-            strahler[branch] = beyond.max() + (np.sum(beyond == beyond.max()) > 1)
-    return axes, strahler, degree
+    return axes, strahler, found
 
 
 def axis_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of axes."""
-    axes, strahler, degree = axes_of(skeleton)
-    num, volume = len(axes), _branch_volumes(skeleton, len(strahler))
-    size = np.array([radii_without_ends(skeleton, axis.nodes, degree)[:2] for axis in axes]).reshape(num, 2)
+    axes, strahler, found = axes_of(skeleton)
+    num, volume = len(axes), _branch_volumes(skeleton, found.paths)
+    size = np.array([radii_without_ends(skeleton, axis.nodes, found.degree)[:2] for axis in axes]).reshape(num, 2)
     curve, along = Branches(skeleton.vertices, skeleton.edges, skeleton.radii), np.zeros(num)
     position, angle, length = np.full((3, num), np.nan)
     for number, axis in enumerate(axes):
@@ -250,10 +270,8 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
             position[number] = above[near[best]] + share[best] * np.diff(above)[near[best]]
             length[number] += float(np.linalg.norm(place - feet[best])) - begin
             fork = int(np.abs(above - position[number]).argmin())
-            ways = ((1, mother[fork:]), (-1, mother[fork::-1]))  # the parent may bend: both ways count
-            headings = [sign * _heading(curve, skeleton.vertices, way)[0] for sign, way in ways if len(way) > 1]
-            onward = unit(np.sum(headings, axis=0))
-            angle[number] = _degrees_between(ahead, onward)
+            sign, below = (-1, mother[fork::-1]) if fork > 0 else (1, mother)
+            angle[number] = _degrees_between(ahead, sign * _heading(curve, skeleton.vertices, below)[0])
     above = _whole([axis.parent for axis in axes])
     position += np.where(above >= 0, (length - along)[above], 0.0)  # from where the parent itself begins
     internode, last = np.full(num, np.nan), dict[int, float]()

@@ -5,6 +5,7 @@ With s the arc length and x(s) the least-squares cubic over the nodes within a f
     tangent x' / |x'|,   curvature |x' x x''| / |x'|^3.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -17,7 +18,6 @@ from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, cross, to_segment, unit
 from msf_jax.solid.solid import Solid, moved_inside
-from msf_jax.topology import graphs
 
 FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
 FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
@@ -159,17 +159,21 @@ def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num:
 
 
 def volumes_of(
-    shape: Enclosure, nodes: np.ndarray, edges: np.ndarray, radii: np.ndarray, node_of_vertex: np.ndarray | None
+    shape: Enclosure,
+    nodes: np.ndarray,
+    paths: Sequence[list[int] | np.ndarray],
+    radii: np.ndarray,
+    node_of_vertex: np.ndarray | None,
 ) -> np.ndarray:
-    """(B,) the volume between each branch of a curve ``(nodes (N, 3), edges (E, 2))`` and the faces that belong to it.
+    """(B,) the volume between each branch of a curve through ``nodes`` (N, 3) and the faces that belong to it.
 
+    ``paths``: the nodes of each branch.
     A face belongs to the branch of its first corner's node: ``node_of_vertex`` (V,), for the vertices of ``shape``, or
     the nearest if None. A face longer than the limb is thick, by the ``radii`` (N,), is split, and its new corners
     belong to the nearest node.
     """
-    traced = graphs.trace(len(nodes), edges)
     branch = np.full(len(nodes), -1)
-    for number, path in reversed(list(enumerate(traced))):
+    for number, path in reversed(list(enumerate(paths))):
         branch[path] = number
     x, faces, tree = shape.vertices, shape.faces, spatial.KDTree(nodes)
     node = np.asarray(tree.query(x)[1]) if node_of_vertex is None else node_of_vertex
@@ -180,4 +184,4 @@ def volumes_of(
             break
         x, faces = remesh.subdivide(x, faces, face_index=long)[:2]
         node = np.append(node, tree.query(x[len(node) :])[1])
-    return swept_volumes(x[faces], nodes[node[faces]], branch[node[faces[:, 0]]], len(traced))
+    return swept_volumes(x[faces], nodes[node[faces]], branch[node[faces[:, 0]]], len(paths))

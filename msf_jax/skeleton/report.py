@@ -325,7 +325,7 @@ def shares_of(
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area = np.full(len(vertices), np.nan)
     area[asked] = np.where(found.is_found, found.area, np.nan)
-    volume = volumes_of(shape, vertices, edges, radius, node_of_vertex)
+    volume = volumes_of(shape, vertices, graphs.trace(len(vertices), edges), radius, node_of_vertex)
     unexplained, elongation = _of_branches(vertices, edges, radius, area, volume)
     total = max(float(length.sum()), 1e-300)
     return {"in_sheets": in_sheets, "unexplained": unexplained / total, "elongation": elongation}

@@ -27,6 +27,7 @@ from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.measures import add_corners
 from msf_jax.skeleton.report import Report, assessed, count_of
+from msf_jax.solid.geometry import arc_length
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
 MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
 STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
+TIP_REACH = 2.0  # radii of the node nearest to a point: a tip within this length of the branch is meant
 THICK = 4.0  # least ratio of a soma's radius to the median radius
 ARRAYS = ("vertices", "edges", "radii", "mesh_map")  # attributes of a skeleton that are leaves of a pytree
 
@@ -278,8 +280,9 @@ class Skeleton:
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
 
         Args:
-            root: id of the node that is the root of its component, a point (x, y, z) for the node nearest to it, or
-                "soma" (see `soma`). The default is the thickest node, as in the other components. See ``roots``.
+            root: id of the node that is the root of its component; a point (x, y, z) for the node nearest to it, or for
+                the tip if that node is within two radii of one; or "soma" (see `soma`). The default is the thickest
+                node, as in the other components. See ``roots``.
 
         Returns:
             The same nodes and map, with fewer edges. ``report.cut`` counts the loops; ``report.notes`` says where they
@@ -295,7 +298,7 @@ class Skeleton:
             stands = f"{soma.contrast:.3g} times as thick as the thickest elsewhere"
             why = f" (the soma: {stands})" if soma.is_sure else f" (the thickest; NOT SURE to be the soma: {stands})"
         if np.shape(root) == (3,) and np.asarray(root).dtype.kind in "fiu" and np.isfinite(root).all():
-            root = int(np.linalg.norm(self.vertices - np.asarray(root), axis=1).argmin())
+            root = self._tip_near(int(np.linalg.norm(self.vertices - np.asarray(root), axis=1).argmin()))
         is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
         if root is not None and not is_node:
             raise ConfigError(
@@ -310,6 +313,16 @@ class Skeleton:
         note = f"a tree: {count_of(len(gone), 'loop')} cut where thinnest{where}; {place}"
         loops = None if self.report.loops is None else 0
         return replace(_relinked(self, edges, note, cut=self.report.cut + len(gone), loops=loops), roots=roots)
+
+    def _tip_near(self, node: int) -> int:
+        """The nearer tip of the branch that ``node`` is within, if that is within `TIP_REACH` radii; else ``node``."""
+        degree = graphs.degrees(len(self.vertices), self.edges)
+        for nodes in (np.array(path) for path in graphs.trace(len(self.vertices), self.edges) if node in path[1:-1]):
+            along = arc_length(self.vertices[nodes])
+            away = np.where(degree[nodes[[0, -1]]] == 1, np.abs(along[[0, -1]] - along[nodes == node]), np.inf)
+            if away.min() <= TIP_REACH * self.radii[node]:
+                return int(nodes[[0, -1]][away.argmin()])
+        return node
 
     def soma(self) -> Soma:
         """The thickest place, where the soma of a neuron may be, and whether it stands out enough to be sure."""

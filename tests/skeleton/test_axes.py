@@ -124,6 +124,55 @@ def test_an_axis_goes_on_with_the_thickest_and_straightest(radius, goes_on):
     assert len(table["axis"]) == 2
 
 
+def test_a_stub_does_not_end_an_axis():
+    """Where a stem bends by 50 degrees: one as thick as the stem below, straight on, and 0.3 long."""
+    plant = Plant(3.0, 0.0)
+    upper = plant.grow(0, 38, 50, 0, 4.0, 0.1)
+    plant.radii[38:40] = 0.2, 0.2  # the last edge of the first stem is the stub
+    plant.points[39] = plant.points[38] + np.array([0, 0, 0.3])
+    table = plant.curve.to_tree(0).columns("axes")
+    assert table["order"].tolist() == [0, 1] and table["end"][0] == plant.nodes[upper][-1]
+
+
+@pytest.mark.parametrize("degrees", [15.0, 27.0, 60.0])
+def test_an_angle_is_to_the_direction_below_the_fork(degrees):
+    """A symmetric Y: each branch is as many degrees from the trunk, whichever continues it."""
+    plant = Plant(3.0, 0.0)
+    for turn in (0, 180):
+        plant.grow(0, 38, degrees, turn, 2.5, 0.12)
+    kept = np.delete(np.arange(len(plant.points)), 39)  # without the trunk's last edge
+    edges = np.searchsorted(kept, [edge for edge in plant.edges if 39 not in edge])
+    curve = curve_of(np.array(plant.points)[kept], np.sort(edges, axis=1), np.array(plant.radii)[kept])
+    assert curve.to_tree(0).columns("axes")["angle"][1] == pytest.approx(degrees, abs=0.5)
+
+
+def stored_anew(curve: Skeleton, seed: int) -> Skeleton:
+    """The same curve with other numbers of its nodes."""
+    order = np.random.default_rng(seed).permutation(len(curve.vertices))
+    edges = np.unique(np.sort(np.argsort(order)[curve.edges], axis=1), axis=0)
+    return curve_of(curve.vertices[order], edges, curve.radii[order])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_directions_come_from_the_root(seed):
+    """A point near a tip roots at that tip, one within a branch splits it, however the nodes are numbered."""
+    plant = virtual(seed)
+    curve = stored_anew(plant.curve, seed)
+    foot, middle = plant.points[2], plant.points[11]  # 0.3 from the tip, of radius 0.2; and between two forks
+    check(plant, curve.to_tree(tuple(foot)), degrees=3.0, share=1e-3, away=0.02, ends=0.0)
+    tree = curve.to_tree(tuple(middle))
+    np.testing.assert_array_equal(tree.vertices[tree.roots[0]], middle)
+    table, rows = (pandas.DataFrame(tree.columns(of)) for of in ("axes", "branches"))
+    ahead = table[table["parent"] < 0]
+    assert (ahead["order"] == 0).all() and (ahead["start"] == tree.roots[0]).all() and len(ahead) == 2
+    down = float(np.linalg.norm(np.diff(plant.points[:12], axis=0), axis=1).sum())
+    assert sorted(ahead["length"]) == pytest.approx([down, plant.length[0] - down], rel=1e-4)
+    assert len(rows) == len(curve.branches) + 1 and rows["length"].sum() == pytest.approx(curve.length)
+    assert (rows["start"][rows["parent"] < 0] == tree.roots[0]).all()
+    after = rows[rows["parent"] >= 0]
+    assert (after["start"].to_numpy() == rows["end"].to_numpy()[after["parent"]]).all()
+
+
 def test_cylinders_lead_from_parent_to_child(tmp_path):
     """As readers of TreeQSM's cylinders walk them: numbers from 1, and 0 for none."""
     plant = virtual(0)

@@ -110,8 +110,7 @@ def table(skeleton: "Skeleton", of: str) -> str:
 def vtp(skeleton: "Skeleton") -> str:
     """VTK's XML PolyData: a line for each branch, or a vertex for an isolated node; point data are the columns of
     nodes, cell data those of branches. A column without a known value is left out."""
-    from msf_jax.skeleton.centrelines import branch_columns, node_columns
-    from msf_jax.topology import graphs
+    from msf_jax.skeleton.centrelines import branch_columns, direct_branches, node_columns
 
     def array(name: str, values: np.ndarray) -> str:
         """The number of bytes and the values in base64, because VTK's text has no NaN."""
@@ -121,7 +120,7 @@ def vtp(skeleton: "Skeleton") -> str:
         head = f'type="{"Int64" if is_whole else "Float64"}" Name="{name}" NumberOfComponents="{values[:1].size or 1}"'
         return f'<DataArray {head} format="binary">{text}</DataArray>'
 
-    def cells(name: str, paths: list[list[int]]) -> str:
+    def cells(name: str, paths: list[np.ndarray]) -> str:
         nodes = np.array([node for path in paths for node in path], dtype=np.int64)
         ends = np.cumsum([len(path) for path in paths], dtype=np.int64)
         return f"<{name}>{array('connectivity', nodes)}{array('offsets', ends)}</{name}>"
@@ -130,7 +129,7 @@ def vtp(skeleton: "Skeleton") -> str:
         is_known = {name: not np.isnan(values.astype(float)).all() for name, values in columns.items()}
         return "".join(array(name, values) for name, values in columns.items() if is_known[name])
 
-    paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
+    paths = direct_branches(skeleton).paths
     lone, lines = [path for path in paths if len(path) == 1], [path for path in paths if len(path) > 1]
     order = np.argsort([len(path) > 1 for path in paths], kind="stable")  # VTK has vertices before lines
     of_node = {name: values for name, values in node_columns(skeleton).items() if name not in ("node", "x", "y", "z")}

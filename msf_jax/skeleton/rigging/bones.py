@@ -134,11 +134,8 @@ def _direct_paths(vertices: np.ndarray, edges: np.ndarray, size: np.ndarray, roo
     """The branches directed away from the ``roots``, each after the one that it begins at; else those first beyond
     which is the tip that is farthest from all tips: an order that does not change with the numbers of nodes, nor much
     with the places of junctions."""
-    degree, halves = graphs.degrees(len(vertices), edges), []
-    for nodes in (np.array(nodes) for nodes in graphs.trace(len(vertices), edges) if len(nodes) > 1):
-        inner = np.flatnonzero(np.isin(nodes[1:-1], roots)) + 1
-        halves += [nodes[a : b + 1] for a, b in pairwise([0, *inner.tolist(), len(nodes) - 1])]
-    nodes, above = direct_paths(halves, roots)
+    degree, traced = graphs.degrees(len(vertices), edges), graphs.trace(len(vertices), edges)
+    nodes, above, _ = direct_paths((np.array(path) for path in traced if len(path) > 1), roots)
     tips = np.flatnonzero(degree == 1)
     value = dict(zip(tips.tolist(), spatial.distance.cdist(vertices[tips], vertices[tips]).sum(axis=1), strict=True))
     for number in reversed(above):
