@@ -67,8 +67,6 @@ def _fail(message: str, code: int) -> int:
 
 def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
-    if os.environ.get("TF_CPP_MIN_LOG_LEVEL", "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
-        os.environ["TF_CPP_MIN_LOG_LEVEL"] = "3"  # hides a false alarm of XLA, see `cache_compilations`
     with held_interrupts():
         import jax
 

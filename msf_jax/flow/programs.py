@@ -9,6 +9,7 @@ import os
 import threading
 from collections.abc import Callable, Hashable
 from concurrent.futures import Future
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import jax
 import numpy as np
 import platformdirs
 from jax.experimental.compilation_cache import compilation_cache
+from jaxlib import utils  # pyright: ignore[reportAttributeAccessIssue]
 
 from msf_jax.base.clock import begin
 from msf_jax.base.errors import ConfigError
@@ -102,10 +104,6 @@ def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
 def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:
     """Let JAX store compiled programs in ``folder``: only the first run on a machine compiles. Call it once, early.
 
-    For every stored program that it loads, JAX 0.10 prints two long lines on standard error, about features that are
-    "not supported on the host machine". It is a false alarm (jax issue 38445), which JAX 0.12 does not print. Set
-    ``TF_CPP_MIN_LOG_LEVEL=3`` in the environment before JAX is imported to suppress it, as the command line does.
-
     Args:
         folder: created if missing. The default is the folder that JAX is configured to use, by
             ``JAX_COMPILATION_CACHE_DIR`` or its configuration; else the user's cache folder, such as
@@ -117,6 +115,7 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
     Raises:
         ConfigError: ``folder`` cannot be created or written to.
     """
+    _hide_false_alarms()
     configured = getattr(jax.config, "jax_compilation_cache_dir", None)
     if folder is None and configured is not None:
         return Path(configured)
@@ -135,3 +134,27 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
         compilation_cache.reset_cache()  # otherwise JAX keeps using its first folder
     jax.config.update("jax_persistent_cache_min_compile_time_secs", WORTH_KEEPING)
     return path
+
+
+@cache
+def _hide_false_alarms() -> None:
+    """Let XLA print no errors while JAX has a program looked up, and compiled if none is stored.
+
+    For every stored program, JAX 0.10 prints two long lines about features that are "not supported on the host machine"
+    (jax issue 38445; JAX 0.12 does not). Errors of compiling are raised, too.
+    """
+    looking: set[int] = set()  # threads
+
+    def begin_lookup(event: str, **_: Any) -> None:
+        if event == "/jax/compilation_cache/compile_requests_use_cache":
+            looking.add(threading.get_ident())
+            utils.absl_set_min_log_level(3)
+
+    def end_lookup(event: str, *_: float, **__: Any) -> None:
+        if event == "/jax/core/compile/backend_compile_duration":
+            looking.discard(threading.get_ident())
+            if not looking:
+                utils.absl_set_min_log_level(int(os.environ.get("TF_CPP_MIN_LOG_LEVEL", "1")))
+
+    jax.monitoring.register_event_listener(begin_lookup)
+    jax.monitoring.register_event_duration_secs_listener(end_lookup)

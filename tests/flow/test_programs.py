@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from device_cases import build, one_level, pebble
 from jax.experimental.compilation_cache import compilation_cache
+from jaxlib import utils  # pyright: ignore[reportAttributeAccessIssue]
 
 import msf_jax
 from msf_jax import Config, FlowOptions, SolverOptions, Weights
@@ -21,7 +22,10 @@ LAYOUTS = [one_level(64, 10), one_level(96, 10)]
 
 
 def test_steps_from_the_cache_are_those_that_were_compiled(tmp_path, monkeypatch):
-    """Two layouts, one of them compiled by the worker; then by a process that has forgotten them."""
+    """Two layouts, one of them compiled by the worker; then by a process that has forgotten them. XLA prints no errors
+    while they are looked up, and then prints them again."""
+    levels = []
+    monkeypatch.setattr(utils, "absl_set_min_log_level", levels.append)
     before = jax.config.jax_compilation_cache_dir
     monkeypatch.setattr(programs, "WORTH_KEEPING", 0.0)
     msf_jax.cache_compilations(tmp_path)
@@ -38,6 +42,8 @@ def test_steps_from_the_cache_are_those_that_were_compiled(tmp_path, monkeypatch
     jax.config.update("jax_compilation_cache_dir", before)
     compilation_cache.reset_cache()
     assert any(tmp_path.iterdir())
+    usual = int(os.environ.get("TF_CPP_MIN_LOG_LEVEL", "1"))
+    assert set(levels) == {3, usual} and levels[-1] == usual
     for one, other in zip(moved[:2], moved[2:], strict=True):
         np.testing.assert_array_equal(one.positions[:60], other.positions[:60])
 
@@ -60,7 +66,7 @@ def test_sums_over_many_rows_are_those_of_numpy(dtype):
 
 @pytest.mark.system
 def test_a_library_call_prints_nothing_with_an_empty_and_with_a_full_cache(tmp_path):
-    """With the setting that hides a false alarm of XLA in some versions; see `cache_compilations`."""
+    """Not even the false alarm of XLA in some versions, see `programs`."""
     program = f"""
 import jax, msf_jax
 from tests.benchmarks import ground_truth
@@ -68,7 +74,7 @@ jax.config.update("jax_enable_x64", True)
 msf_jax.cache_compilations({str(tmp_path / "cache")!r})
 msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)
 """
-    names = {"PYTHONPATH": str(Path(__file__).parents[2]), "TF_CPP_MIN_LOG_LEVEL": "3"}
+    names = {"PYTHONPATH": str(Path(__file__).parents[2]), "TF_CPP_MIN_LOG_LEVEL": "1"}
     for _ in range(2):
         command = [sys.executable, "-c", program]
         done = subprocess.run(command, capture_output=True, timeout=300, env=os.environ | names, cwd=tmp_path)
