@@ -106,7 +106,7 @@ def run(
     weights, config = checked_options(weights, config)
     if any(np.ndim(weight) for weight in vars(weights).values()):
         raise ConfigError("a batch takes weights that are numbers: expected no array with one for each vertex")
-    writers.writer_for(f"curve{suffix}")  # refuses a wrong suffix before the runs
+    writers.writer_for(f"curve{suffix}", shaping.label)  # refuses a wrong suffix before the runs
     if jobs is not None and jobs < 1:
         raise ConfigError(f"jobs is {jobs}: expected a whole number of 1 or more")
     is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
@@ -191,7 +191,7 @@ def work(job: BatchJob) -> None:
             mesh = shaping.scaled(reading.read(job.source))
             row["vertices"] = len(mesh[0])
             skeleton = shaping.shaped(msf_jax.skeletonize(mesh, weights, config, repair=repair or False))
-            content = writers.writer_for(job.target)(skeleton, mesh)
+            content = writers.writer_for(job.target, shaping.label)(skeleton, mesh)
         report = skeleton.report
         row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
         row |= report.to_dict() | {"is_sound": report.is_sound, "are_limbs": report.are_limbs}

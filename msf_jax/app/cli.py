@@ -96,8 +96,9 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     """``skeletonize``, and ``view``, which differs in what it writes by default."""
     target = _target(arguments, ".html" if arguments.command == "view" else ".swc")
     suffix = target.suffix.lower()
-    render = None if suffix in (".html", ".png") else writers.writer_for(target)  # refuses a suffix before the flow
     shaping = shaping_of(arguments)
+    is_curve = suffix not in (".html", ".png")
+    render = writers.writer_for(target, shaping.label) if is_curve else None  # refuses a suffix before the flow
     mesh, skeleton, stopped = _curve_of(arguments)
     skeleton, notes = shaping.shaped(skeleton), ()
     source = arguments.mesh if shaping.scale == 1 else mesh  # a format that contains the mesh has its file's materials

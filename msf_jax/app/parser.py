@@ -163,6 +163,7 @@ def _add_shaping(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--root", type=root, metavar="R", help=f"{tree}thickest, as --root=-1,2,3")
     radius = "ball: of the largest ball inside (default); section: of a disc with the cross-section's area"
     group.add_argument("--radius", choices=["ball", "section"], help=radius)
+    group.add_argument("--label", type=int, metavar="N", help="label of all but a soma in an .swc file, as 3, dendrite")
 
 
 def shaping_of(arguments: argparse.Namespace) -> Shaping:

@@ -16,6 +16,7 @@ class Shaping(NamedTuple):
     scale: factor on the mesh's coordinates. units: name of the unit of length. resample: distance of nodes. simplify:
     the most by which the curve moves while it loses nodes. heal: the longest gap between pieces that is closed. root:
     of a tree, a point, "soma" or "thickest"; None keeps loops. radius: "ball" or "section", see `Skeleton.with_radii`.
+    label: as `Skeleton.save` takes it.
     """
 
     scale: float = 1.0
@@ -25,6 +26,7 @@ class Shaping(NamedTuple):
     heal: float | None = None
     root: tuple[float, ...] | str | None = None
     radius: str | None = None
+    label: int | None = None
 
     def scaled(self, mesh: "tuple[np.ndarray, np.ndarray]") -> "tuple[np.ndarray, np.ndarray]":
         """Vertices and faces of ``mesh``, scaled."""

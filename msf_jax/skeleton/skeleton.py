@@ -447,11 +447,12 @@ class Skeleton:
             raise ConfigError(f"there is no table of {of!r}: expected one of {', '.join(map(repr, tables))}")
         return tables[of](self)
 
-    def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None) -> None:
+    def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None, label: int | None = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
-          the cut edges and the report.
+          the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
+          number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.
         - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges).
         - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
@@ -462,14 +463,14 @@ class Skeleton:
         `msf_jax.read_curve` reads ``.npz``, ``.json``, ``.swc`` and ``.polylines.txt``.
 
         Raises:
-            ConfigError: the suffix is none of these, or a ``.glb`` was requested without a mesh.
+            ConfigError: the suffix is none of these, there is no mesh for a ``.glb``, or a label for another format.
             MeshError: ``mesh`` is not the one that the curve was made from.
             OSError: the file cannot be written; what was there before is untouched.
         """
         from msf_jax.base.writing import write_whole
         from msf_jax.skeleton.formats import writers
 
-        write_whole(path, writers.writer_for(path)(self, mesh))
+        write_whole(path, writers.writer_for(path, label)(self, mesh))
 
     def rig(self, mesh: "MeshLike | None" = None, names: str | None = None) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.

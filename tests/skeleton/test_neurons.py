@@ -45,14 +45,58 @@ def test_a_curve_of_one_thickness_or_one_ball_has_no_soma():
 
 
 def test_labels_of_an_swc_are_soma_forks_and_ends(tmp_path):
-    neuron(2.0).to_tree("soma").save(tmp_path / "a.swc")
+    neuron(2.5).to_tree("soma").save(tmp_path / "a.swc")
     rows = rows_of(tmp_path / "a.swc")
     assert rows[0, :3].tolist() == [1, 1, 3] and rows[0, 6] == -1
     count = {label: int((rows[:, 1] == label).sum()) for label in (0, 1, 5, 6)}
-    assert count == {0: 43, 1: 1, 5: 2, 6: 4}  # two ends of the fibre, two side branches
+    assert count == {0: 41, 1: 1, 5: 2, 6: 4}  # two ends of the fibre, two side branches
     assert set(rows[rows[:, 1] == 6, 2]) == {0.0, 39.0, 22.5, 32.5}
-    neuron(0.3).to_tree("soma").save(tmp_path / "b.swc")
-    assert not (rows_of(tmp_path / "b.swc")[:, 1] == 1).any()
+    neuron(0.3).to_tree("soma").save(tmp_path / "b.swc", label=3)
+    assert set(rows_of(tmp_path / "b.swc")[:, 1]) == {3.0}
+    for name, label in (("a.obj", 3), ("a.swc", -1)):
+        with pytest.raises(ConfigError, match=f"label is {label} for '{name}': expected a whole number"):
+            neuron(2.5).save(tmp_path / name, label=label)
+
+
+def area_of(rows: np.ndarray) -> float:
+    """Of the membrane, as simulators count it: a soma of one node is a ball, and its neurites begin with their own
+    first node; along other links it is that of a cone."""
+    area = 0.0
+    for _, label, *place, radius, parent in rows:
+        above = rows[int(parent) - 1] if parent > 0 else None
+        if label == 1:
+            area += 4 * np.pi * radius**2
+        elif above is not None and above[1] != 1:
+            slant = np.hypot(np.linalg.norm(place - above[2:5]), radius - above[5])
+            area += np.pi * (radius + above[5]) * slant
+    return area
+
+
+@pytest.mark.parametrize("size", [2.5, 7.0])
+def test_the_area_of_an_swc_is_that_of_a_ball_and_its_neurites(size, tmp_path):
+    """Nodes in the soma are as wide as the ball is there; neurites go on through it, and taper."""
+    directions = np.array([[0, 0, 1], [0.94, 0, -0.33], [-0.47, 0.82, -0.33]])
+    along = np.linspace(0, size + 40, 300)[1:]
+    width = np.sqrt(np.maximum(size**2 - along**2, 0))
+    thin = np.linspace(0.8, 0.3, 299)
+    places = [
+        np.zeros((1, 3)),
+        *(along[:, None] * one for one in directions / np.linalg.norm(directions, axis=1)[:, None]),
+    ]
+    edges = [(0 if k == 0 else 299 * arm + k, 299 * arm + k + 1) for arm in range(3) for k in range(299)]
+    radii = np.concatenate([[size], *3 * [np.maximum(width, thin)]])
+    curve = replace(curve_of(np.concatenate(places), np.array(edges), radii), units="um")
+    curve.to_tree("soma").save(tmp_path / "a.swc", label=3)
+    rows = rows_of(tmp_path / "a.swc")
+    at = np.interp(size, along, thin)
+    cones = 3 * np.pi * (at + 0.3) * np.hypot(40, at - 0.3)
+    assert area_of(rows) == pytest.approx(4 * np.pi * size**2 + cones, rel=1e-3)
+    assert set(rows[1:, 1]) == {3.0} and rows[0].tolist() == [1, 1, 0, 0, 0, size, -1]
+    begins = rows[rows[:, 6] == 1]
+    assert len(begins) == 3 and np.linalg.norm(begins[:, 2:5], axis=1) == pytest.approx(size)
+    assert begins[:, 5] == pytest.approx(at, rel=0.01)
+    again = msf_jax.read_curve(tmp_path / "a.swc")
+    assert again.report.components == 1 and again.report.cycles == 0 and again.units == "um"
 
 
 def test_files_say_what_radii_and_units_they_have(tmp_path):
@@ -135,7 +179,7 @@ def test_navis_knows_the_units_and_the_labels(tmp_path):
     curve = replace(neuron(2.0).to_tree("soma"), units="um")
     curve.save(tmp_path / "a.swc")
     read = navis.read_swc(str(tmp_path / "a.swc"), read_meta=True)
-    assert str(read.units) in ("1 micrometer", "micrometer") and read.n_nodes == 50
+    assert str(read.units) in ("1 micrometer", "micrometer") and read.n_nodes == 48  # the soma had five
     assert read.cable_length == pytest.approx(curve.length, rel=1e-5)
     soma = read.nodes[read.nodes["label"] == 1]
     assert len(soma) == 1 and soma[["x", "y", "z"]].to_numpy().tolist() == [[3.0, 0.0, 0.0]]

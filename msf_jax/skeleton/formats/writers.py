@@ -27,7 +27,6 @@ WRITTEN = "curve skeleton written by msf_jax"
 CUT = "# cut edge"  # begins the comment of an SWC file that lists a cut edge by its two ids
 REPORT = "# report: "  # begins the comment with a line of the report
 UNITS = "# units: "  # begins the comment with the unit of lengths
-LABELS = {"soma": 1, "fork": 5, "end": 6, "other": 0}  # of SWC, as CNIC counts them
 RADII = {"ball": "of the largest ball inside", "section": "of a disc with the area of the cross-section"}
 
 
@@ -40,38 +39,55 @@ def _point(position: np.ndarray) -> str:
     return " ".join(map(number, position))
 
 
-def swc(skeleton: "Skeleton") -> str:
+def swc(skeleton: "Skeleton", label: int | None = None) -> str:
     """SWC (id, label, x, y, z, radius, parent): ids from 1, parents before children, -1 for the parent of a root; a
-    tree's root first. The root is labelled as soma only if that is sure."""
+    tree's root first. If that is surely a soma, it is one node, see `gather_soma`. All others have the ``label``."""
     from msf_jax.topology import graphs
 
-    parent = graphs.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
-    row_of = {node: row for row, node in enumerate(parent, 1)} | {-1: -1}
-    cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
+    vertices, edges, radii, roots = skeleton.vertices, skeleton.edges, skeleton.radii, skeleton.roots
     header = [f"# {WRITTEN}"]
     if not np.isnan(skeleton.report.inside):  # a curve that was read from a file has no report
         header += [REPORT + " ".join(line.split()) for line in skeleton.report.lines()]
-    header.append("# labels: " + ", ".join(f"{label} {name}" for name, label in LABELS.items()))
+    header.append(f"# labels: 1 soma, {'5 fork, 6 end, 0' if label is None else label} other")  # as CNIC counts them
+    has_soma = bool(roots) and (soma := skeleton.soma()).is_sure and soma.node == roots[0]
+    if has_soma:
+        vertices, edges, radii, roots = gather_soma(vertices, edges, radii, roots)
+        header.append("# soma: one node, in place of those within its radius, where neurites begin")
     header.append(f"# radius: {RADII[skeleton.radius_of]}")
     if units := " ".join(skeleton.units.split()):
         header += [UNITS + units, f"# Meta: {json.dumps({'units': units})}"]  # navis reads the second
+    parent = graphs.tree(len(vertices), edges, roots)
+    row_of = {node: row for row, node in enumerate(parent, 1)} | {-1: -1}
+    cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in edges.tolist() if parent[a] != b and parent[b] != a]
     header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")
-    label = swc_labels(skeleton, parent)
+    above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
+    children = np.bincount(above, minlength=len(vertices))
+    labels = np.select([children > 1, children == 0], [5, 6], 0) if label is None else np.full(len(vertices), label)
+    labels[list(roots[:has_soma])] = 1
     rows = [
-        f"{row_of[node]} {label[node]} {_point(skeleton.vertices[node])} {number(skeleton.radii[node])} {row_of[above]}"
+        f"{row_of[node]} {labels[node]} {_point(vertices[node])} {number(radii[node])} {row_of[above]}"
         for node, above in parent.items()
     ]
     return "\n".join([*header, *cut, *rows]) + "\n"
 
 
-def swc_labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
-    """(N,) the label of each node in the tree of ``parent``."""
-    above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
-    children = np.bincount(above, minlength=len(skeleton.vertices))
-    label = np.select([children > 1, children == 0], [LABELS["fork"], LABELS["end"]], LABELS["other"])
-    if skeleton.roots and (soma := skeleton.soma()).is_sure and soma.node == skeleton.roots[0]:
-        label[soma.node] = LABELS["soma"]
-    return label
+def gather_soma(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, roots: tuple[int, ...]) -> tuple[Any, ...]:
+    """The curve with one node, 0, for the first root and all nodes in the ball of its radius, and the roots in it.
+
+    Each edge out of the ball begins with a new node on the ball, as wide as the edge's other end. So the area of the
+    surface is the ball's and that of the cones along all edges but those in the ball.
+    """
+    from msf_jax.solid.geometry import unit
+
+    centre, radius = vertices[roots[0]], radii[roots[0]]
+    is_out = np.linalg.norm(vertices - centre, axis=1) > radius
+    rank, kept = np.where(is_out, np.cumsum(is_out), 0), np.append(roots[0], np.flatnonzero(is_out))
+    vertices, radii, links = vertices[kept], radii[kept], np.sort(rank[edges], axis=1)
+    first = np.unique(links[(links[:, 0] == 0) & (links[:, 1] > 0), 1])
+    begin = len(kept) + np.arange(len(first))
+    edges = np.concatenate([links[links[:, 0] > 0], np.stack([0 * begin, begin], 1), np.stack([first, begin], 1)])
+    begins = centre + radius * unit(vertices[first] - centre)
+    return np.append(vertices, begins, 0), edges, np.append(radii, radii[first]), tuple(rank[list(roots)].tolist())
 
 
 def obj(skeleton: "Skeleton") -> str:
@@ -195,16 +211,18 @@ WRITERS: "dict[str, Callable[..., str | bytes]]" = {
 }
 
 
-def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str | bytes]":
+def writer_for(path: str | os.PathLike[str], label: int | None = None) -> "Callable[[Skeleton, Any], str | bytes]":
     """The function from a skeleton and its mesh to the content of a file, for the suffix of ``path``.
 
     Raises:
-        ConfigError: no format has that suffix.
+        ConfigError: no format has that suffix, or one without labels has a ``label``.
     """
     name = Path(path).name
     suffix = next((each for each in WRITERS if name.lower().endswith(each)), None)
     if suffix is None:
         beams = "; skeleton.frame().save(...) in Python writes beams" if name.lower().endswith(".inp") else ""
         raise ConfigError(f"no format for {name!r}: expected one of the suffixes {', '.join(WRITERS)}{beams}")
-    write = WRITERS[suffix]
+    if label is not None and (suffix != ".swc" or label < 0):
+        raise ConfigError(f"label is {label!r} for {name!r}: expected a whole number of 0 or more, for an .swc file")
+    write = WRITERS[suffix] if label is None else partial(swc, label=label)
     return write if suffix == ".glb" else lambda skeleton, mesh: write(skeleton)
