@@ -2224,7 +2224,7 @@ define noundef i64 @msf_jax.solid.sections.measures(ptr readonly %0) local_unnam
   %23 = getelementptr i8, ptr %0, i64 104
   %24 = load i64, ptr %23, align 8
   %25 = icmp slt i64 %18, 1
-  br i1 %25, label %319, label %26
+  br i1 %25, label %343, label %26
 26:
   %27 = getelementptr i8, ptr %0, i64 112
   %28 = load i64, ptr %27, align 8
@@ -2239,7 +2239,7 @@ define noundef i64 @msf_jax.solid.sections.measures(ptr readonly %0) local_unnam
   br i1 %35, label %154, label %36
 36:
   %37 = icmp eq i64 %41, %18
-  br i1 %37, label %319, label %38
+  br i1 %37, label %343, label %38
 38:
   %39 = phi i64 [ %43, %36 ], [ 0, %26 ]
   %40 = phi i64 [ %41, %36 ], [ 0, %26 ]
@@ -2384,173 +2384,198 @@ define noundef i64 @msf_jax.solid.sections.measures(ptr readonly %0) local_unnam
 165:
   %166 = getelementptr i8, ptr %62, i64 48
   %167 = load double, ptr %166, align 8
-  %168 = getelementptr i8, ptr %62, i64 56
+  %168 = getelementptr i8, ptr %62, i64 152
   %169 = load double, ptr %168, align 8
-  %170 = getelementptr i8, ptr %62, i64 80
+  %170 = getelementptr i8, ptr %62, i64 56
   %171 = load double, ptr %170, align 8
-  %172 = getelementptr i8, ptr %62, i64 88
+  %172 = getelementptr i8, ptr %62, i64 80
   %173 = load double, ptr %172, align 8
-  %174 = getelementptr i8, ptr %62, i64 96
+  %174 = getelementptr i8, ptr %62, i64 88
   %175 = load double, ptr %174, align 8
-  %176 = getelementptr i8, ptr %62, i64 64
+  %176 = getelementptr i8, ptr %62, i64 96
   %177 = load double, ptr %176, align 8
-  %178 = getelementptr i8, ptr %62, i64 104
+  %178 = getelementptr i8, ptr %62, i64 64
   %179 = load double, ptr %178, align 8
-  %180 = getelementptr i8, ptr %62, i64 112
+  %180 = getelementptr i8, ptr %62, i64 104
   %181 = load double, ptr %180, align 8
-  %182 = getelementptr i8, ptr %62, i64 120
+  %182 = getelementptr i8, ptr %62, i64 112
   %183 = load double, ptr %182, align 8
-  %184 = getelementptr i8, ptr %62, i64 72
+  %184 = getelementptr i8, ptr %62, i64 120
   %185 = load double, ptr %184, align 8
-  %186 = getelementptr i8, ptr %62, i64 128
+  %186 = getelementptr i8, ptr %62, i64 72
   %187 = load double, ptr %186, align 8
-  %188 = getelementptr i8, ptr %62, i64 136
+  %188 = getelementptr i8, ptr %62, i64 128
   %189 = load double, ptr %188, align 8
-  %190 = getelementptr i8, ptr %62, i64 144
+  %190 = getelementptr i8, ptr %62, i64 136
   %191 = load double, ptr %190, align 8
-  %192 = add nuw i64 %60, 1
-  br label %193
-193:
-  %194 = phi i64 [ %317, %193 ], [ %192, %165 ]
-  %195 = phi double [ %316, %193 ], [ %191, %165 ]
-  %196 = phi double [ %314, %193 ], [ %189, %165 ]
-  %197 = phi double [ %312, %193 ], [ %187, %165 ]
-  %198 = phi double [ %310, %193 ], [ %185, %165 ]
-  %199 = phi double [ %308, %193 ], [ %183, %165 ]
-  %200 = phi double [ %306, %193 ], [ %181, %165 ]
-  %201 = phi double [ %304, %193 ], [ %179, %165 ]
-  %202 = phi double [ %302, %193 ], [ %177, %165 ]
-  %203 = phi double [ %300, %193 ], [ %175, %165 ]
-  %204 = phi double [ %298, %193 ], [ %173, %165 ]
-  %205 = phi double [ %296, %193 ], [ %171, %165 ]
-  %206 = phi double [ %294, %193 ], [ %169, %165 ]
-  %207 = phi double [ %284, %193 ], [ %167, %165 ]
-  %208 = phi i64 [ %209, %193 ], [ %39, %165 ]
-  %209 = add i64 %208, 1
-  %210 = icmp slt i64 %208, 0
-  %211 = select i1 %210, i64 %4, i64 0
-  %212 = add i64 %211, %208
-  %213 = mul i64 %212, %6
-  %214 = getelementptr double, ptr %2, i64 %213
-  %215 = load double, ptr %214, align 8
-  %216 = getelementptr i8, ptr %214, i64 8
-  %217 = load double, ptr %216, align 8
-  %218 = getelementptr i8, ptr %214, i64 16
-  %219 = load double, ptr %218, align 8
-  %220 = icmp slt i64 %209, %43
-  %221 = select i1 %220, i64 %209, i64 %39
-  %222 = icmp slt i64 %221, 0
-  %223 = select i1 %222, i64 %4, i64 0
-  %224 = add i64 %223, %221
-  %225 = mul i64 %224, %6
-  %226 = getelementptr double, ptr %2, i64 %225
-  %227 = load double, ptr %226, align 8
-  %228 = getelementptr i8, ptr %226, i64 8
-  %229 = load double, ptr %228, align 8
-  %230 = getelementptr i8, ptr %226, i64 16
-  %231 = load double, ptr %230, align 8
-  %232 = fadd double %215, %227
-  %233 = fmul double %232, 5.000000e-01
-  %234 = fadd double %217, %229
-  %235 = fmul double %234, 5.000000e-01
-  %236 = fadd double %219, %231
-  %237 = fmul double %236, 5.000000e-01
-  %238 = fsub double %227, %215
-  %239 = fsub double %229, %217
-  %240 = fsub double %231, %219
-  %241 = fmul double %238, %238
-  %242 = fmul double %239, %239
-  %243 = fadd double %241, %242
-  %244 = fmul double %240, %240
-  %245 = fadd double %243, %244
-  %246 = tail call double @llvm.sqrt.f64(double %245)
-  %247 = select i1 %210, i64 %31, i64 0
-  %248 = getelementptr i8, ptr %8, i64 %247
-  %249 = shl i64 %208, 3
-  %250 = getelementptr i8, ptr %248, i64 %249
-  %251 = load double, ptr %250, align 8
-  %252 = fsub double %233, %157
-  %253 = fsub double %235, %160
-  %254 = fsub double %237, %163
-  %255 = fsub double %215, %157
-  %256 = fsub double %217, %160
-  %257 = fsub double %219, %163
-  %258 = fmul double %255, %255
-  %259 = fmul double %256, %256
-  %260 = fadd double %258, %259
-  %261 = fmul double %257, %257
-  %262 = fadd double %260, %261
-  %263 = tail call double @llvm.sqrt.f64(double %262)
-  %264 = fmul double %252, %252
-  %265 = fmul double %253, %253
+  %192 = getelementptr i8, ptr %62, i64 144
+  %193 = load double, ptr %192, align 8
+  %194 = add nuw i64 %60, 1
+  br label %195
+195:
+  %196 = phi i64 [ %194, %165 ], [ %341, %195 ]
+  %197 = phi double [ %193, %165 ], [ %340, %195 ]
+  %198 = phi double [ %191, %165 ], [ %338, %195 ]
+  %199 = phi double [ %189, %165 ], [ %336, %195 ]
+  %200 = phi double [ %187, %165 ], [ %334, %195 ]
+  %201 = phi double [ %185, %165 ], [ %332, %195 ]
+  %202 = phi double [ %183, %165 ], [ %330, %195 ]
+  %203 = phi double [ %181, %165 ], [ %328, %195 ]
+  %204 = phi double [ %179, %165 ], [ %326, %195 ]
+  %205 = phi double [ %177, %165 ], [ %324, %195 ]
+  %206 = phi double [ %175, %165 ], [ %322, %195 ]
+  %207 = phi double [ %173, %165 ], [ %320, %195 ]
+  %208 = phi double [ %171, %165 ], [ %318, %195 ]
+  %209 = phi double [ %169, %165 ], [ %308, %195 ]
+  %210 = phi double [ %167, %165 ], [ %287, %195 ]
+  %211 = phi i64 [ %39, %165 ], [ %212, %195 ]
+  %212 = add i64 %211, 1
+  %213 = icmp slt i64 %211, 0
+  %214 = select i1 %213, i64 %4, i64 0
+  %215 = add i64 %214, %211
+  %216 = mul i64 %215, %6
+  %217 = getelementptr double, ptr %2, i64 %216
+  %218 = load double, ptr %217, align 8
+  %219 = getelementptr i8, ptr %217, i64 8
+  %220 = load double, ptr %219, align 8
+  %221 = getelementptr i8, ptr %217, i64 16
+  %222 = load double, ptr %221, align 8
+  %223 = icmp slt i64 %212, %43
+  %224 = select i1 %223, i64 %212, i64 %39
+  %225 = icmp slt i64 %224, 0
+  %226 = select i1 %225, i64 %4, i64 0
+  %227 = add i64 %226, %224
+  %228 = mul i64 %227, %6
+  %229 = getelementptr double, ptr %2, i64 %228
+  %230 = load double, ptr %229, align 8
+  %231 = getelementptr i8, ptr %229, i64 8
+  %232 = load double, ptr %231, align 8
+  %233 = getelementptr i8, ptr %229, i64 16
+  %234 = load double, ptr %233, align 8
+  %235 = fadd double %218, %230
+  %236 = fmul double %235, 5.000000e-01
+  %237 = fadd double %220, %232
+  %238 = fmul double %237, 5.000000e-01
+  %239 = fadd double %222, %234
+  %240 = fmul double %239, 5.000000e-01
+  %241 = fsub double %230, %218
+  %242 = fsub double %232, %220
+  %243 = fsub double %234, %222
+  %244 = fmul double %241, %241
+  %245 = fmul double %242, %242
+  %246 = fadd double %244, %245
+  %247 = fmul double %243, %243
+  %248 = fadd double %246, %247
+  %249 = tail call double @llvm.sqrt.f64(double %248)
+  %250 = select i1 %213, i64 %31, i64 0
+  %251 = getelementptr i8, ptr %8, i64 %250
+  %252 = shl i64 %211, 3
+  %253 = getelementptr i8, ptr %251, i64 %252
+  %254 = load double, ptr %253, align 8
+  %255 = fsub double %236, %157
+  %256 = fsub double %238, %160
+  %257 = fsub double %240, %163
+  %258 = fsub double %218, %157
+  %259 = fsub double %220, %160
+  %260 = fsub double %222, %163
+  %261 = fsub double %230, %157
+  %262 = fsub double %232, %160
+  %263 = fsub double %234, %163
+  %264 = fmul double %258, %258
+  %265 = fmul double %259, %259
   %266 = fadd double %264, %265
-  %267 = fmul double %254, %254
+  %267 = fmul double %260, %260
   %268 = fadd double %266, %267
   %269 = tail call double @llvm.sqrt.f64(double %268)
-  %270 = fmul double %269, 4.000000e+00
-  %271 = fadd double %263, %270
-  %272 = fsub double %227, %157
-  %273 = fsub double %229, %160
-  %274 = fsub double %231, %163
-  %275 = fmul double %272, %272
-  %276 = fmul double %273, %273
-  %277 = fadd double %275, %276
-  %278 = fmul double %274, %274
-  %279 = fadd double %277, %278
-  %280 = tail call double @llvm.sqrt.f64(double %279)
-  %281 = fadd double %280, %271
-  %282 = fdiv double %281, 6.000000e+00
-  %283 = fmul double %246, %282
-  %284 = fadd double %207, %283
-  store double %284, ptr %166, align 8
-  %285 = fmul double %251, %251
-  %286 = fsub double 1.000000e+00, %285
-  %287 = fcmp olt double %286, 0.000000e+00
-  %288 = select i1 %287, double 0.000000e+00, double %286
-  %289 = fadd double %288, 0x3FA47AE147AE147C
-  %290 = tail call double @llvm.sqrt.f64(double %289)
-  %291 = fdiv double %246, %290
-  %292 = fmul double %251, %291
-  %293 = fmul double %252, %292
-  %294 = fadd double %206, %293
-  store double %294, ptr %168, align 8
-  %295 = fmul double %233, %293
-  %296 = fadd double %205, %295
-  store double %296, ptr %170, align 8
-  %297 = fmul double %235, %293
-  %298 = fadd double %204, %297
-  store double %298, ptr %172, align 8
-  %299 = fmul double %237, %293
-  %300 = fadd double %203, %299
-  store double %300, ptr %174, align 8
-  %301 = fmul double %253, %292
-  %302 = fadd double %202, %301
-  store double %302, ptr %176, align 8
-  %303 = fmul double %233, %301
-  %304 = fadd double %201, %303
-  store double %304, ptr %178, align 8
-  %305 = fmul double %235, %301
-  %306 = fadd double %200, %305
-  store double %306, ptr %180, align 8
-  %307 = fmul double %237, %301
-  %308 = fadd double %199, %307
-  store double %308, ptr %182, align 8
-  %309 = fmul double %254, %292
-  %310 = fadd double %198, %309
-  store double %310, ptr %184, align 8
-  %311 = fmul double %233, %309
-  %312 = fadd double %197, %311
-  store double %312, ptr %186, align 8
-  %313 = fmul double %235, %309
-  %314 = fadd double %196, %313
-  store double %314, ptr %188, align 8
-  %315 = fmul double %237, %309
-  %316 = fadd double %195, %315
-  store double %316, ptr %190, align 8
-  %317 = add i64 %194, -1
-  %318 = icmp samesign ugt i64 %317, 1
-  br i1 %318, label %193, label %36
-319:
+  %270 = fmul double %255, %255
+  %271 = fmul double %256, %256
+  %272 = fadd double %270, %271
+  %273 = fmul double %257, %257
+  %274 = fadd double %272, %273
+  %275 = tail call double @llvm.sqrt.f64(double %274)
+  %276 = fmul double %261, %261
+  %277 = fmul double %262, %262
+  %278 = fadd double %276, %277
+  %279 = fmul double %263, %263
+  %280 = fadd double %278, %279
+  %281 = tail call double @llvm.sqrt.f64(double %280)
+  %282 = fmul double %275, 4.000000e+00
+  %283 = fadd double %269, %282
+  %284 = fadd double %281, %283
+  %285 = fdiv double %284, 6.000000e+00
+  %286 = fmul double %249, %285
+  %287 = fadd double %210, %286
+  store double %287, ptr %166, align 8
+  %288 = fmul double %259, %263
+  %289 = fmul double %260, %262
+  %290 = fsub double %288, %289
+  %291 = fmul double %260, %261
+  %292 = fmul double %258, %263
+  %293 = fsub double %291, %292
+  %294 = fmul double %258, %262
+  %295 = fmul double %259, %261
+  %296 = fsub double %294, %295
+  %297 = fmul double %53, %290
+  %298 = fmul double %57, %296
+  %299 = fadd double %298, %297
+  %300 = fmul double %55, %293
+  %301 = fadd double %300, %299
+  %302 = fmul double %258, %261
+  %303 = fmul double %260, %263
+  %304 = fadd double %302, %303
+  %305 = fmul double %259, %262
+  %306 = fadd double %305, %304
+  %307 = tail call double @atan2(double %301, double %306)
+  %308 = fadd double %209, %307
+  store double %308, ptr %168, align 8
+  %309 = fmul double %254, %254
+  %310 = fsub double 1.000000e+00, %309
+  %311 = fcmp olt double %310, 0.000000e+00
+  %312 = select i1 %311, double 0.000000e+00, double %310
+  %313 = fadd double %312, 0x3FA47AE147AE147C
+  %314 = tail call double @llvm.sqrt.f64(double %313)
+  %315 = fdiv double %249, %314
+  %316 = fmul double %254, %315
+  %317 = fmul double %255, %316
+  %318 = fadd double %208, %317
+  store double %318, ptr %170, align 8
+  %319 = fmul double %236, %317
+  %320 = fadd double %207, %319
+  store double %320, ptr %172, align 8
+  %321 = fmul double %238, %317
+  %322 = fadd double %206, %321
+  store double %322, ptr %174, align 8
+  %323 = fmul double %240, %317
+  %324 = fadd double %205, %323
+  store double %324, ptr %176, align 8
+  %325 = fmul double %256, %316
+  %326 = fadd double %204, %325
+  store double %326, ptr %178, align 8
+  %327 = fmul double %236, %325
+  %328 = fadd double %203, %327
+  store double %328, ptr %180, align 8
+  %329 = fmul double %238, %325
+  %330 = fadd double %202, %329
+  store double %330, ptr %182, align 8
+  %331 = fmul double %240, %325
+  %332 = fadd double %201, %331
+  store double %332, ptr %184, align 8
+  %333 = fmul double %257, %316
+  %334 = fadd double %200, %333
+  store double %334, ptr %186, align 8
+  %335 = fmul double %236, %333
+  %336 = fadd double %199, %335
+  store double %336, ptr %188, align 8
+  %337 = fmul double %238, %333
+  %338 = fadd double %198, %337
+  store double %338, ptr %190, align 8
+  %339 = fmul double %240, %333
+  %340 = fadd double %197, %339
+  store double %340, ptr %192, align 8
+  %341 = add i64 %196, -1
+  %342 = icmp samesign ugt i64 %341, 1
+  br i1 %342, label %195, label %36
+343:
   ret i64 0
 }
 define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_addr {

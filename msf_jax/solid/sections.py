@@ -53,7 +53,7 @@ class Sections(NamedTuple):
     area: (P,) inside the loop, negative for one around a cavity; 0 without a loop.
     size: (P,) twice the area over the loop's length: the radius of a disc, the thickness of a sheet; 0 without a loop.
     is_found: (P,) whether there is a loop that bounds the solid from outside.
-    is_around: (P,) whether the loop goes around the point.
+    is_around: (P,) whether the loop goes around the point. has_middle: (P,) whether it goes around its centroid.
     slide: (P, 3) motion of the centroid within the plane, when the plane moves along its normal n by a unit of length.
     turn: (P, 3, 3) motion of the centroid when the plane turns about the point: turn @ dn for a change dn of n.
     """
@@ -64,6 +64,7 @@ class Sections(NamedTuple):
     size: np.ndarray
     is_found: np.ndarray
     is_around: np.ndarray
+    has_middle: np.ndarray
     slide: np.ndarray
     turn: np.ndarray
 
@@ -172,9 +173,10 @@ def measures(places: Points, leans: Reals, normals: Points, ends: Ints, rows: In
     """Sums over loops with corners at ``places`` (C, 3) relative to their points, in planes with ``normals`` (P, 3).
 
     Loop k belongs to point ``rows[k]``, and ends before ``ends[k]``. ``leans`` (C,) is the inward slope of the wall
-    after each corner: minus the product of the wall's and the plane's normals. Columns of ``found`` (P, 19), which are
+    after each corner: minus the product of the wall's and the plane's normals. Columns of ``found`` (P, 20), which are
     0 at first: 0 to 2 the centroid, 3 twice the area, 4 the angle around the point, 5 the length, 6 the length times
-    the mean distance from the centroid; 7 to 9 and, row by row, 10 to 18 sums of the centroid's derivatives.
+    the mean distance from the centroid; 7 to 9 and, row by row, 10 to 18 sums of the centroid's derivatives; 19 the
+    angle around the centroid.
     """
     first = 0
     for loop in range(len(ends)):
@@ -195,8 +197,9 @@ def measures(places: Points, leans: Reals, normals: Points, ends: Ints, rows: In
                 a, b = point_of(places, here), point_of(places, here + 1 if here + 1 < stop else first)
                 middle = (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2
                 length, lean, off = norm(minus(b, a)), leans[here], minus(middle, centroid)
-                away = norm(minus(a, centroid)) + 4 * norm(off)
-                sums[6] += length * ((away + norm(minus(b, centroid))) / 6)  # Simpson's rule
+                from_a, from_b = minus(a, centroid), minus(b, centroid)
+                sums[6] += length * ((norm(from_a) + 4 * norm(off) + norm(from_b)) / 6)  # Simpson's rule
+                sums[19] += atan2(dot(times(from_a, from_b), normal), dot(from_a, from_b))
                 lean *= length / sqrt(max(1 - lean * lean, 0.0) + ADDED_SINE * ADDED_SINE)
                 for i in range(3):
                     sums[7 + i] += lean * off[i]
@@ -239,7 +242,7 @@ def nowhere(points: np.ndarray) -> Sections:
     """The result for points without a loop."""
     zero, none = np.zeros(len(points)), np.zeros(len(points), dtype=bool)
     slide, turn = np.zeros_like(points), np.zeros((*points.shape, 3))
-    return Sections(points.copy(), zero, zero.copy(), zero.copy(), none, none.copy(), slide, turn)
+    return Sections(points.copy(), zero, zero.copy(), zero.copy(), none, none.copy(), none.copy(), slide, turn)
 
 
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
@@ -247,17 +250,18 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     loop = corners.loop
     places = corners.places(shape) - points.take(loop, axis=0)
     leans = -np.einsum("ci,ci->c", shape.normals.take(corners.triangle, axis=0), normals.take(loop, axis=0))
-    sums = np.zeros((len(points), 19))
+    sums = np.zeros((len(points), 20))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
     measures(places, leans, normals, ends, loop[ends - 1], sums)
     area2, angle, perimeter = sums[:, 3], sums[:, 4], np.maximum(sums[:, 5], 1e-300)
     is_found = area2 > 0
     size, radius = (np.where(is_found, column, 0.0) / perimeter for column in (area2, sums[:, 6]))
     safe = np.where(is_found, area2, np.inf)[:, None]
-    slide, turn = sums[:, 7:10] / (safe / 2), -sums[:, 10:] / (safe / 2)
+    slide, turn = sums[:, 7:10] / (safe / 2), -sums[:, 10:19] / (safe / 2)
     centroid = np.where(is_found[:, None], sums[:, :3], 0.0)
-    is_around = is_found & (angle > np.pi)
-    return Sections(points + centroid, radius, area2 / 2, size, is_found, is_around, slide, turn.reshape(-1, 3, 3))
+    is_around, has_middle = (is_found & (turned > np.pi) for turned in (angle, sums[:, 19]))
+    turn = turn.reshape(-1, 3, 3)
+    return Sections(points + centroid, radius, area2 / 2, size, is_found, is_around, has_middle, slide, turn)
 
 
 def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
@@ -267,17 +271,17 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
     area. That depends only on the walls there, which run along the limb: its derivatives are 0, and such a section
     counts as a round one, whose size is its radius.
     """
+    rows = np.flatnonzero(found.is_found & ~found.has_middle)
     found = Sections(*(field.copy() for field in found))
-    for row in np.flatnonzero(found.is_found & ~shape.contains(found.centroid)).tolist():
+    for row in rows[~shape.contains(found.centroid[rows])].tolist():
         own = slice(*np.searchsorted(corners.loop, [row, row + 1]))
         side = unit(cross(normals[row], np.eye(3)[np.abs(normals[row]).argmin()]))
         frame = np.stack([side, cross(normals[row], side)])
         places = corners._replace(tail=corners.tail[own], head=corners.head[own], part=corners.part[own]).places(shape)
         x = np.einsum("cj,ij->ci", places - found.centroid[row], frame)
         x = np.concatenate([x, x[:1]])
-        if not _is_around(x, np.zeros(2)):
-            found.centroid[row] += _narrowest(x) @ frame
-            found.size[row], found.slide[row], found.turn[row] = found.radius[row], 0.0, 0.0
+        found.centroid[row] += _narrowest(x) @ frame
+        found.size[row], found.slide[row], found.turn[row] = found.radius[row], 0.0, 0.0
     return found
 
 
