@@ -17,15 +17,19 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval
+from scipy import spatial
 
 from msf_jax.curve import branches
 from msf_jax.curve.junctions import AXIS, Branches
-from msf_jax.skeleton.measures import limb_sections, profile_of, tangents_of, volumes_of
+from msf_jax.skeleton.measures import limb_sections, profile_of, section_of, tangents_of, volumes_of
 from msf_jax.solid.geometry import arc_length, nearest_to_ray, unit
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
+
+SURE = 0.3  # least weight of a section that counts, however wide beside the ball: 1.35 times the usual radius has it
+ROUND = 1.2  # largest ratio of a disc's radius to the ball's at a node whose section counts, however wide on its branch
 
 Columns = dict[str, np.ndarray]
 
@@ -298,42 +302,69 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
     }
 
 
+def _disc_radii(skeleton: "Skeleton") -> np.ndarray:
+    """(N,) the radius of a disc with the area of the limb's section at each node; NaN where it is not known, or not of
+    one limb: neither as wide as is usual along its branch, nor, as where a stem begins, round."""
+    disc = np.full(len(skeleton.vertices), np.nan)
+    if skeleton.source is not None:
+        solid = skeleton.source.solid
+        balls = solid.radii(skeleton.vertices)
+        for node, loop in limb_sections(solid, skeleton.vertices, skeleton.edges).items():
+            radius = np.sqrt(max(section_of(loop.corners).area, 0.0) / np.pi)
+            if loop.weight > SURE or radius < ROUND * balls[node]:
+                disc[node] = radius
+    return disc
+
+
 def cylinder_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of cylinders: one along each edge, by the names of TreeQSM as rTwig reads them.
 
-    Numbers of cylinders and branches begin with 1, and 0 is none. ``UnmodRadius`` is the mean of the radii at both
-    ends. In ``radius`` the part of an axis within its parent is as thick as the axis is outside.
+    Numbers of cylinders and branches begin with 1, and 0 is none. ``radius`` is that of a disc with the area of the
+    limb's section, between known ones in proportion: balls are smaller in uneven limbs, and larger at forks. An axis
+    begins at the surface of its parent, not within it. So cylinders have the solid's volume. ``UnmodRadius`` is the
+    mean of the skeleton's radii at both ends.
     """
-    axes, *_ = axes_of(skeleton)
-    first = np.cumsum([0, *(len(axis.nodes) - 1 for axis in axes)])
-    ends, radius = [np.empty((0, 2), dtype=np.int64)], [np.empty(0)]
-    parent, extension = np.zeros((2, first[-1]), dtype=np.int64)
+    (axes, *_), disc = axes_of(skeleton), _disc_radii(skeleton)
+    sizes, ends, spans = list[np.ndarray](), [np.empty((0, 2), dtype=np.int64)], [np.empty((0, 2, 3))]
+    radius, parent, branch = [np.empty(0)], list[int](), list[int]()
     into: dict[tuple[int, int], int] = {}  # the cylinder of an axis that ends in a node
     for number, axis in enumerate(axes):
-        nodes, mine = axis.nodes, np.arange(first[number], first[number + 1])
-        ends.append(np.stack([nodes[:-1], nodes[1:]], axis=1))
-        own, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
-        if axis.parent >= 0:
-            outside = np.flatnonzero(along > own[0])
-            own = np.where(along <= own[0], np.minimum(own, own[outside[0]] if len(outside) else own[-1]), own)
+        nodes, known, last = axis.nodes, np.isfinite(disc[axis.nodes]), 0
+        points, along = skeleton.vertices[nodes], arc_length(skeleton.vertices[nodes])
+        own = np.interp(along, along[known], disc[nodes[known]]) if known.any() else skeleton.radii[nodes]
+        sizes.append(own)
+        if axis.parent >= 0 and len(nodes) > 1:
+            away, nearest = spatial.KDTree(skeleton.vertices[axes[axis.parent].nodes]).query(points)
+            depth = sizes[axis.parent][nearest] - away
+            last = int(np.append(depth[1:-1] < 0, True).argmax())  # the node before the parent's surface
+            share = float(np.clip(depth[last] / max(depth[last] - depth[last + 1], 1e-300), 0.0, 1.0))
+            points, own = (
+                np.concatenate([[(1 - share) * each[last] + share * each[last + 1]], each[last + 1 :]])
+                for each in (points, own)
+            )
+        for k, node in enumerate(nodes[1:].tolist()):
+            into[number, node] = len(parent) + 1
+            if k >= last:
+                parent.append(into[number, int(nodes[k])] if k > last else into.get((axis.parent, int(nodes[0])), 0))
+                branch.append(number)
+        ends.append(np.stack([nodes[last:-1], nodes[last + 1 :]], axis=1))
+        spans.append(np.stack([points[:-1], points[1:]], axis=1))
         radius.append((own[:-1] + own[1:]) / 2)
-        into |= {(number, int(node)): int(k) + 1 for node, k in zip(nodes[1:], mine, strict=True)}
-        if len(mine):
-            parent[mine[1:]], extension[mine[:-1]] = mine[:-1] + 1, mine[1:] + 1
-            parent[mine[0]] = into.get((axis.parent, int(nodes[0])), 0)
-    pairs = np.concatenate(ends)
-    tail, head = skeleton.vertices[pairs[:, 0]], skeleton.vertices[pairs[:, 1]]
-    branch = np.repeat(np.arange(len(axes)), np.diff(first))
+    axis_of, above = _whole(branch), _whole(parent)
+    first = np.searchsorted(axis_of, axis_of)
+    is_first = first == np.arange(len(axis_of))
+    extension = np.append(np.where(is_first[1:], 0, np.arange(2, len(axis_of) + 1)), 0)[: len(axis_of)]
+    tail, head = np.moveaxis(np.concatenate(spans), 1, 0)
     return {
         "radius": np.concatenate(radius),
         "length": np.linalg.norm(head - tail, axis=1),
         **dict(zip(("start.x", "start.y", "start.z"), tail.T, strict=True)),
         **dict(zip(("axis.x", "axis.y", "axis.z"), unit(head - tail).T, strict=True)),
-        "parent": parent,
+        "parent": above,
         "extension": extension,
-        "added": np.zeros(first[-1], dtype=np.int64),
-        "UnmodRadius": skeleton.radii[pairs].mean(axis=1),
-        "branch": branch + 1,
-        "BranchOrder": _whole([axis.order for axis in axes])[branch],
-        "PositionInBranch": np.arange(first[-1]) - first[:-1][branch] + 1,
+        "added": np.zeros(len(axis_of), dtype=np.int64),
+        "UnmodRadius": skeleton.radii[np.concatenate(ends)].mean(axis=1),
+        "branch": axis_of + 1,
+        "BranchOrder": _whole([axis.order for axis in axes])[axis_of],
+        "PositionInBranch": np.arange(len(axis_of)) - first + 1,
     }

@@ -418,10 +418,10 @@ class Skeleton:
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
-        A dictionary of arrays, as `pandas.DataFrame` takes it. ``save("x.csv")``, ``save("x.nodes.csv")``,
-        ``.axes.csv`` and ``.cylinders.csv`` write the same tables. Lengths are in the caller's
-        units, angles in degrees; unknown values are NaN. Branches are directed away from the root of `to_tree`, or from
-        the tip of the thickest limb.
+        A branch with the root of `to_tree` within has two rows. The table is a dictionary of arrays, as
+        `pandas.DataFrame` takes it. ``save("x.csv")``, ``save("x.nodes.csv")``, ``.axes.csv`` and ``.cylinders.csv``
+        write the same tables. Lengths are in the caller's units, angles in degrees; unknown values are NaN. Branches
+        are directed away from the root of `to_tree`, or from the tip of the thickest limb.
 
         - "branches": start and end nodes; parent, the branch before it, or -1; is_tip; length, chord, tortuosity
           (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
@@ -429,10 +429,11 @@ class Skeleton:
           slenderness and surface, as in `Branch`.
         - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
-        - "axes": of a plant: an axis goes on through forks with the thickest and straightest branch. parent axis, or
-          -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent; internode, the
-          length of the parent since the axis before; angle to the parent; length, chord, radii and volume.
-        - "cylinders": along each edge, by the names of TreeQSM and rTwig, numbered from 1.
+        - "axes": of a plant: an axis goes on through forks with the branch that is thick, straight and leads far.
+          parent axis, or -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent;
+          internode, the length of the parent since the axis before; angle to the parent's direction below the fork;
+          length, chord, radii and volume.
+        - "cylinders": along each edge outside of the parent axis, by the names of TreeQSM and rTwig, numbered from 1.
 
         Raises:
             ConfigError: ``of`` is neither.
