@@ -27,7 +27,6 @@ MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes 
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 # Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
 ASTRAY = 0.05
-FIRST_ROUNDS = 2  # rounds of a centring before junctions are sought
 
 
 class Draft(NamedTuple):
@@ -226,7 +225,8 @@ def complete_cycles(draft: Draft, job: Job) -> Draft:
 def centre_nodes(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = False) -> Draft:
     """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    curve, rounds = (draft.vertices, draft.edges, is_held), FIRST_ROUNDS if is_far else centring.ROUNDS
+    rounds = centring.ROUNDS // 3 if is_far else centring.ROUNDS  # a few before junctions are sought
+    curve = draft.vertices, draft.edges, is_held
     return draft.changed(centring.centre(job.coarse, *curve, rounds, is_far, job.shape.handles))
 
 

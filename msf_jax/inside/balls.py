@@ -35,7 +35,6 @@ from msf_jax.topology import graphs
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
 MOST_SAMPLES = 20_000  # of a surface, between its vertices, at which balls start
-MOST_QUERIES = 60  # queries for each ball, at most
 THIN = 0.005  # diagonals: a limb of a smaller radius is thin
 SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
 LEAST_THICKNESS = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
@@ -141,9 +140,7 @@ def shrinking_balls(
     # Points without a normal keep the first radius.
     active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
     grows = np.ones(num, dtype=bool)
-    for _ in range(MOST_QUERIES):
-        if not len(active):
-            break
+    while len(active):  # a ball that shrinks has one more point outside
         v, n, r = points[active], normals[active], radius[active]
         away, found = tree.query(v - r[:, None] * n, k=2, distance_upper_bound=float(r.max()))
         away, found = np.asarray(away), np.asarray(found)
