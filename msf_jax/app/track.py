@@ -9,12 +9,13 @@ from tqdm import tqdm
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.writing import made_folder, write_whole
-from msf_jax.gradients.track import FAULTS, Track, Tracker
+from msf_jax.gradients.track import Track, Tracker
 from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import writers
 from msf_jax.skeleton.skeleton import Skeleton
 
 TABLE = "frames.csv"  # file of the table, in the folder of the results
+SHARES = ("inside", "crowded", "grown")  # columns of the table, attributes of a `TrackedFrame`
 
 
 def frames_in(folder: str, output: str) -> list[Path]:
@@ -43,7 +44,7 @@ def run(
     """
     folder, tracker, text = made_folder(output), Tracker(skeleton), io.StringIO()
     table = csv.writer(text)
-    table.writerow(["frame", "mesh", "curve", "inside", *FAULTS, "wants_run"])
+    table.writerow(["frame", "mesh", "curve", "vanished", *SHARES, "wants_run"])
     num_lacking, doubts = 0, []
     try:
         for number, path in enumerate(tqdm(paths, desc="track", unit="frame", disable=None if progress else True)):
@@ -58,9 +59,9 @@ def run(
             num_lacking += not has_curve
             if frame.wants_run:
                 doubts.append(f"{path.name}: {frame}")
-            faults = [f"{frame.faults.get(name, 0):.6g}" for name in FAULTS]
+            shares = [f"{getattr(frame, name):.6g}" for name in SHARES]
             curve = target.name if has_curve else ""
-            table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *faults, int(frame.wants_run)])
+            table.writerow([number, path.name, curve, len(frame.vanished), *shares, int(frame.wants_run)])
     finally:  # after a bad frame or an interruption, the table has the frames before it
         write_whole(folder / TABLE, text.getvalue())
     return folder / TABLE, num_lacking, doubts

@@ -1,10 +1,9 @@
 """`track`: one curve through a sequence of meshes with the same faces; the same nodes in each, and its validity.
 
 It evaluates `follow` for each frame. The recorded cross-sections can look right although a limb has entered another
-one, or a new limb has grown. So a frame is checked against its whole moved surface: the curve is inside, its radii are
-the recorded ones, the surface does not cross itself, and the loops go around its handles. Lengths are compared relative
-to the growth of the mesh, and a change counts only if it also shows under the affine map that fits the moved mesh best:
-stretching the whole mesh is no fault.
+one, or a new limb has grown. So a frame is checked against its whole moved surface: which shares of the curve's length
+are inside, and have walls too near or around them, and which share of the surface's area is too far from the curve. A
+fold inside a bend, or limbs that touch, leave the curve where it belongs, and are no faults.
 """
 
 from collections.abc import Iterable
@@ -19,26 +18,15 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.gradients.follow import binding_of, checked_vertices, evaluated
 from msf_jax.meshes import reading
 from msf_jax.metrics import inside_fraction
-from msf_jax.skeleton.report import loops_of
 from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.solid.crossings import apart_pairs
-from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import ROUNDING, triangle_areas
 from msf_jax.solid.solid import Solid
 
-# Chosen on three shapes (a capsule, a hand, three limbs), and tested on others.
-INSIDE = 0.99  # share of the curve's length that must be inside
-PINCHED = 0.5  # ratio of a node's radius to the recorded one, below which its ball has shrunk
-GROWN = 1.0  # radii: growth of a vertex's distance from its node that counts as a new limb
-WIDE = 0.25  # share of the recorded distance that the growth must exceed in addition; the distance is large in sheets
-SLIGHT = 0.005  # diagonals: radii count as at least this, because noise dominates shorter lengths
-PINNED = 1e-6  # diagonals: nodes this near to the recorded surface were pinned to it, and are not checked
-FAULTS = {  # attributes of a `TrackedFrame` that are faults if they are not 0 or empty, and what they count
-    "vanished": "nodes without a section",
-    "overlaps": "nodes around which the surface winds once more",
-    "changed": "nodes whose distance from the surface has changed",
-    "crossings": "pairs of faces in which the surface crosses itself",
-    "loops": "loops that go around no handle of their own any more",
-}
+# Chosen on three bent bodies, and tested on others.
+MOST_LOST = 0.01  # share of the curve's length, or of the surface's area, that may be lost
+# Ratios to what was recorded, relative to the growth of the whole mesh
+NEAR = 0.3  # of a node's radius, below which walls are too near
+FAR = 2.0  # of a vertex's distance from its node, above which a limb has grown there
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,46 +37,37 @@ class TrackedFrame:
         number: of the frame, from 0.
         nodes: (N, 3), in the mesh's units; NaN for ``vanished`` nodes.
         radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN for ``vanished``.
-        inside: fraction of the curve's length inside. NaN if nodes have ``vanished``: then nothing else is checked.
-        vanished: (k,) nodes whose cross-section no longer exists.
-        overlaps: (k,) nodes whose winding number is above 1, and higher than in the mesh of the run.
-        changed: (k,) nodes whose ball has shrunk by more than half, or of which a vertex has moved away by more than a
-            radius: a limb has grown there, or was crushed.
-        crossings: number of pairs of faces that cross although they are far apart along the surface.
-        loops: number of loops that go around no handle of their own any more; as ``crossings``, 0 if the mesh of the
-            run crossed itself.
+        vanished: (k,) nodes whose cross-section no longer exists. If there are any, the shares are NaN.
+        inside: share of the curve's length that is inside.
+        crowded: share of the length in the mesh of the run that has become too narrow, or is in another part, too: its
+            radius is less than 0.3 of that in the run, or its winding number is above 1, and higher than there.
+        grown: share of the surface's area that is more than twice as far from its nodes as in the mesh of the run.
+            Both are relative to the growth of the whole mesh.
     """
 
     number: int
     nodes: np.ndarray
     radii: np.ndarray
-    inside: float
     vanished: np.ndarray
-    overlaps: np.ndarray
-    changed: np.ndarray
-    crossings: int
-    loops: int
+    inside: float = np.nan
+    crowded: float = np.nan
+    grown: float = np.nan
 
     @property
     def wants_run(self) -> bool:
-        """Whether the curve is no longer valid, so that this frame needs `msf_jax.skeletonize`, if it is a solid."""
-        return bool(self.faults) or not self.inside >= INSIDE
-
-    @property
-    def faults(self) -> dict[str, int]:
-        """The faults by the names of their attributes: the number of nodes, pairs of faces, or loops."""
-        found = {name: getattr(self, name) for name in FAULTS}
-        counts = {name: len(some) if isinstance(some, np.ndarray) else some for name, some in found.items()}
-        return {name: count for name, count in counts.items() if count}
+        """Whether the curve is no longer valid, so that this frame needs `msf_jax.skeletonize`, if it is a solid: nodes
+        have ``vanished``, or over 1 % of the curve is not ``inside``, or ``crowded``, or of the surface ``grown``.
+        """
+        return bool(len(self.vanished)) or max(1 - self.inside, self.crowded, self.grown) > MOST_LOST
 
     def __repr__(self) -> str:
-        inside = "not checked further" if len(self.vanished) else f"{100 * self.inside:.2f} % inside"
-        parts = [f"frame {self.number}: {inside}"]
-        for name, count in self.faults.items():
-            found = getattr(self, name)
-            first = f", the first {found[0]}" if isinstance(found, np.ndarray) else ""
-            parts.append(f"{FAULTS[name]}: {count}{first}")
-        return "; ".join(parts) + ("; needs a fresh run" if self.wants_run else "")
+        if len(self.vanished):
+            about = f"{len(self.vanished)} nodes without a section, the first {self.vanished[0]}"
+        else:
+            about = (
+                f"{self.inside:.2%} of the curve inside, {self.crowded:.2%} crowded, {self.grown:.2%} of surface grown"
+            )
+        return f"frame {self.number}: {about}{'; needs a fresh run' if self.wants_run else ''}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +119,7 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
 
     Returns:
         Nodes and radii for each frame, with the same ids in all. ``wants_run`` is True for a frame that is bent,
-        flattened or torn too far, in which limbs intersect, or in which a limb has grown. See `TrackedFrame`.
+        flattened or torn too far, in which a limb has come into another one, or has grown. See `TrackedFrame`.
 
     Raises:
         ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
@@ -166,10 +145,10 @@ class Tracker:
         # Repair changes faces, so the caller's faces of a repaired mesh are not compared.
         self.faces = None if skeleton.report.repairs else _sorted(self.vertex[self.solid.shape.faces])
         shape, x = self.solid.shape, self.solid.enter(skeleton.vertices)
-        self.recorded = _measured(shape, x, self.node)
-        self.most, self.is_free = np.maximum(shape.winding_numbers(x), 1), self.recorded[0] > PINNED
-        self.is_embedded = not self._crossings(shape, x)
-        self.loops = self._loops(shape, x)
+        self.radii, self.away = shape.distances(x), np.linalg.norm(shape.vertices - x[self.node], axis=1)
+        length = np.linalg.norm(x[self.edges[:, 0]] - x[self.edges[:, 1]], axis=1)
+        self.share = length / max(length.sum(), 1e-300)
+        self.most = np.maximum(shape.winding_numbers(x), 1)
 
     def frame(self, number: int, given: Any) -> TrackedFrame:
         """The curve in the mesh ``given``, with its checks."""
@@ -178,54 +157,27 @@ class Tracker:
         except MeshError as error:
             raise MeshError(f"frame {number}: {error}") from error
         nodes, radii = (part[: len(self.most)].astype(float) for part in evaluated(self.binding, array))
-        moved, none = np.asarray(array, dtype=np.float64)[self.vertex], np.zeros(0, dtype=np.int64)
+        moved = np.asarray(array, dtype=np.float64)[self.vertex]
         vanished = np.flatnonzero(np.isnan(nodes).any(axis=1)) if np.ptp(moved, axis=0).any() else np.arange(len(nodes))
         if len(vanished):
-            return TrackedFrame(number, nodes, radii, np.nan, vanished, none, none, 0, 0)
+            return TrackedFrame(number, nodes, radii, vanished)
         solid = Solid(moved, self.solid.shape.faces)
         shape, x = solid.shape, solid.enter(nodes)
-        now, winding = _measured(shape, x, self.node), shape.winding_numbers(x)
+        radius, winding = shape.distances(x), shape.winding_numbers(x)
         scale = float(np.median(shape.reaches / np.maximum(self.solid.shape.reaches, 1e-300)))
-        changed = self._changed(now, tuple(scale * lengths for lengths in self.recorded))
-        if changed.any() and (stretched := self._stretched(shape)) is not None:
-            changed &= self._changed(now, stretched)
+        # A pin is on the surface: its radius and the distance from its own vertex are rounding.
+        is_crowded = (winding > self.most) | (radius < NEAR * scale * self.radii - ROUNDING)
+        is_far = np.linalg.norm(shape.vertices - x[self.node], axis=1) > FAR * scale * self.away + ROUNDING
+        area = triangle_areas(shape.triangles)
         return TrackedFrame(
             number,
             nodes,
-            np.where(winding > 0, 1.0, -1.0) * solid.diagonal * now[0],
-            inside_fraction(shape, x, self.edges, np.where(winding > 0, now[0], 0.0)),
+            np.where(winding > 0, 1.0, -1.0) * solid.diagonal * radius,
             vanished,
-            overlaps=np.flatnonzero(self.is_free & (winding > self.most)),
-            changed=np.flatnonzero(changed),
-            crossings=self._crossings(shape, x) if self.is_embedded else 0,
-            loops=max(self.loops - self._loops(shape, x), 0) if self.is_embedded else 0,
+            inside_fraction(shape, x, self.edges, np.where(winding > 0, radius, 0.0)),
+            float(is_crowded[self.edges].mean(axis=1) @ self.share),
+            float(is_far[shape.faces].mean(axis=1) @ area / area.sum()),
         )
-
-    def _changed(self, now: tuple[np.ndarray, ...], was: tuple[np.ndarray, ...]) -> np.ndarray:
-        """(N,) nodes whose ball has shrunk, or of which a vertex has moved away, by `_measured` lengths."""
-        changed = now[0] < PINCHED * (was[0] - SLIGHT)
-        thick = np.maximum(np.maximum(was[0], now[0]), SLIGHT)[self.node]
-        is_away = now[1] - was[1] > GROWN * thick + WIDE * was[1]
-        changed[self.node[is_away]] = True
-        return changed & self.is_free
-
-    def _stretched(self, shape: Enclosure) -> tuple[np.ndarray, ...] | None:
-        """What is measured under the affine map that best fits the moved mesh; None if that reflects."""
-        before, after = self.solid.shape.vertices, shape.vertices
-        mean, away = before.mean(axis=0), after.mean(axis=0)
-        matrix = np.linalg.lstsq(before - mean, after - away, rcond=None)[0]
-        if np.linalg.det(matrix) <= 0:
-            return None
-        x = (self.solid.enter(self.skeleton.vertices) - mean) @ matrix + away
-        return _measured(Enclosure((before - mean) @ matrix + away, shape.faces), x, self.node)
-
-    def _crossings(self, shape: Enclosure, x: np.ndarray) -> int:
-        length = np.linalg.norm(x[self.edges[:, 0]] - x[self.edges[:, 1]], axis=1)
-        return len(apart_pairs(shape, self.node, np.maximum(shape.distances(x), SLIGHT), self.edges, length))
-
-    def _loops(self, shape: Enclosure, x: np.ndarray) -> int:
-        """How many handles the curve's loops go around; 0 if they are too many to tell."""
-        return loops_of(shape, x, self.edges, self.node)["loops"] or 0
 
     def _vertices_of(self, given: Any) -> Any:
         if isinstance(given, np.ndarray | jax.Array) or (isinstance(given, list | tuple) and len(given) != 2):
@@ -234,11 +186,6 @@ class Tracker:
         if self.faces is not None and not np.array_equal(_sorted(faces), self.faces):
             raise MeshError(f"its {len(faces)} faces are not those of the mesh that the skeleton was made from")
         return vertices
-
-
-def _measured(shape: Enclosure, x: np.ndarray, node: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The exact radii (N,) of nodes at ``x`` (N, 3), and the distance (V,) of each vertex from its own node."""
-    return shape.distances(x), np.linalg.norm(shape.vertices - x[node], axis=1)
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:
