@@ -12,7 +12,8 @@ from msf_jax.base import version
 
 # The public modules, and the public names of others. A module is imported when it is used first: a program that needs
 # no JAX does not import it. Editors and type checkers read `__init__.pyi`.
-_PATHS = ["app.batch", "guide", "metrics", "shapes", "view", "gradients.losses", "gradients.torch", "tuning.objectives"]
+_PATHS = ["app.batch", "guide", "metrics", "shapes", "view"]
+_PATHS += ["gradients.losses", "gradients.measures", "gradients.torch", "tuning.objectives"]
 _NAMES = {
     "base.binding": "Binding",
     "base.errors": "ConfigError FlowError Interrupted MeshError",
@@ -21,7 +22,7 @@ _NAMES = {
     "flow.loop": "contract skeletonize",
     "flow.programs": "cache_compilations",
     "flow.state": "Flow",
-    "gradients.follow": "Batch Followed follow stack",
+    "gradients.follow": "Followed follow stack",
     "gradients.replay": "replay replay_meso replay_radii",
     "gradients.tape": "Tape",
     "gradients.track": "Track track",

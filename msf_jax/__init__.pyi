@@ -21,8 +21,8 @@ from msf_jax.flow.loop import skeletonize as skeletonize
 from msf_jax.flow.programs import cache_compilations as cache_compilations
 from msf_jax.flow.state import Flow as Flow
 from msf_jax.gradients import losses as losses
+from msf_jax.gradients import measures as measures
 from msf_jax.gradients import torch as torch
-from msf_jax.gradients.follow import Batch as Batch
 from msf_jax.gradients.follow import Followed as Followed
 from msf_jax.gradients.follow import follow as follow
 from msf_jax.gradients.follow import stack as stack

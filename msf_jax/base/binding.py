@@ -7,31 +7,39 @@ With c_j(V) the centroids of the recorded cross-sections, node i is
 where a smooths along the branches. At the recorded vertices node i differs from sum_j a_ij c_j by a vector; the entries
 of b turn, stretch and shear this vector with the limb.
 
-A binding is a pytree of arrays without static fields. Arrays are padded to one of few capacities, so that bindings of
-one capacity share a compiled program. Padding is assigned to the last node and the last section, which no curve uses,
-and refers to vertices that the curve uses: it changes no value and no gradient.
+A binding is a pytree of arrays without static fields. Several are joined to one as graph libraries batch: rows of all
+meshes follow each other, and numbers of rows are shifted. Arrays are padded to one of few capacities, so that bindings
+of one capacity share a compiled program. Padding is assigned to the last node and the last section, which no curve
+uses, and refers to vertices that the curve uses: it changes no value and no gradient.
 """
 
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from msf_jax.base.errors import ConfigError
+
 FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near each other, and so are groups of 64, ...
-# The smallest capacity of each field of `Sizes`. Capacities of the mesh grow by factors of two, those of the curve by
-# factors of four, independently, because a finer mesh has no more nodes. Each pair of capacities is a compiled program.
-SMALLEST_SIZES = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
-SMALLEST_SIZES |= {"corners": 6144, "turning": 28672}
+SMALLEST = 64  # rows: the least capacity; each further one is larger by the square root of two
 ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
-    "nodes": ("rest", "side"),
+    "vertices": ("vertices",),
     "faces": ("faces", "twin"),
+    "nodes": ("rest", "side"),
     "edges": ("edges", "branch"),
-    "corners": ("tail", "head", "part", "onward", "section", "share"),
     "sections": ("is_loop", "node"),
+    "corners": ("tail", "head", "part", "onward", "section", "share"),
     "smoothing": ("a_row", "a_column", "a_value"),
     "turning": ("b_row", "b_column", "b_value"),
 }
-MESH = ("vertices", "faces")  # fields that grow with the mesh
-BOTH = ("corners", "turning")  # fields that grow with the nodes, and with the square root of the vertices
+REFERS = {  # the fields whose values are numbers of rows
+    "vertices": ("tail", "head", "b_column", "faces"),
+    "nodes": ("node", "a_row", "b_row", "edges"),
+    "sections": ("section", "a_column"),
+    "corners": ("onward",),
+    "edges": ("branch",),
+    "faces": ("twin",),  # three times
+}
+KIND = {name: kind for kind, names in REFERS.items() for name in names}
 
 
 class Sizes(NamedTuple):
@@ -49,23 +57,26 @@ class Sizes(NamedTuple):
 
 
 class Binding(NamedTuple):
-    """Arrays for N nodes, E edges, S sections, C corners of sections, F faces and V vertices of the caller's mesh.
-    Lengths are in ``unit``. In a batch, every array has one more axis, the first.
+    """Arrays for N nodes, E edges, S sections, C corners of sections, F faces and V vertices of the caller's mesh, or
+    of B meshes together. Lengths are in ``unit``.
 
-    live: the numbers without padding. tail, head: (C,) the vertices of the mesh edge that each corner lies on. part:
-    (C,) the corner's place on it, as a fraction from tail to head. onward: (C,) the next corner of the section.
-    section: (C,) the section of each corner, ascending. share: (C,) one over the number of corners in the section.
-    is_loop: (S,) False for a cloud of points, whose centroid is their mean. node: (S,) the
-    node of each section. a_row, a_column, a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value:
-    entries of b, (N, V). rest: (N, 3) r. faces: (F, 3) triangles of the surface, neighbours close to each other. twin:
-    (F, 3): edge 3 f + k leads from corner k of face f to the next corner; its twin is the same edge of the face on the
-    other side. side: (N,) -1 for a node whose nearest wall faces away from it, where the surface crosses itself; else
-    1. edges: (E, 2) of the curve. branch: (E,) the branch of each edge, counted among those of `Skeleton.branches` that
-    have an edge. centre: (3,), diagonal: () of the surface in the caller's units. unit: () a power of two near the
-    diagonal; scaling by it is exact, so that all compilers round alike.
+    live: the numbers without padding, of B meshes (B,) each. vertices: (V, 3) as recorded, in the caller's units; 0 for
+    one in no face, and in padding. tail, head: (C,) the vertices of the mesh edge that each corner lies on. part: (C,)
+    the corner's place on it, as a fraction from tail to head. onward: (C,) the next corner of the section. section:
+    (C,) the section of each corner, ascending. share: (C,) one over the number of corners in the section. is_loop: (S,)
+    False for a cloud of points, whose centroid is their mean. node: (S,) the node of each section. a_row, a_column,
+    a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value: entries of b, (N, V). rest: (N, 3) r.
+    faces: (F, 3) triangles of the surface, neighbours close to each other. twin: (F, 3): edge 3 f + k leads from corner
+    k of face f to the next corner; its twin is the same edge of the face on the other side. side: (N,) -1 for a node
+    whose nearest wall faces away from it, where the surface crosses itself; else 1. edges: (E, 2) of the curve, one
+    branch after the other, each from end to end. branch: (E,) the branch of each edge, ascending: its number among
+    those of `Skeleton.branches` that have an edge, plus the number of edges of the meshes before. centre: (3,),
+    diagonal: () of the surface in the caller's units. unit: () a power of two near the diagonal; scaling by it is
+    exact, so that all compilers round alike. Of B meshes centre is (B, 3), diagonal and unit (B,).
     """
 
     live: Sizes
+    vertices: Any
     tail: Any
     head: Any
     part: Any
@@ -91,70 +102,136 @@ class Binding(NamedTuple):
     unit: Any
 
     def __repr__(self) -> str:
-        shape = np.shape(self.diagonal)
-        batch = f"{shape[0]} curves, " if shape else ""
-        return f"Binding({batch}capacity of {self.capacity.nodes} nodes and {self.capacity.vertices} vertices)"
+        of = f"{np.size(self.diagonal)} curves, " if np.shape(self.diagonal) else ""
+        return f"Binding({of}capacity of {self.capacity.nodes} nodes and {self.capacity.vertices} vertices)"
 
     @property
     def capacity(self) -> Sizes:
-        """The capacities of the arrays. That of vertices follows from the capacity of faces."""
-        axis = np.ndim(self.diagonal)
-        counts = {kind: np.shape(getattr(self, names[0]))[axis] for kind, names in ROWS.items()}
-        return Sizes(**counts, vertices=counts["faces"] * SMALLEST_SIZES["vertices"] // SMALLEST_SIZES["faces"])
-
-    @property
-    def node_mask(self) -> Any:
-        """(N,) bool: rows that are nodes, not padding."""
-        return _mask(self.live.nodes, np.shape(self.rest)[-2])
-
-    @property
-    def edge_mask(self) -> Any:
-        """(E,) bool: rows that are edges, not padding."""
-        return _mask(self.live.edges, np.shape(self.edges)[-2])
-
-    @property
-    def vertex_mask(self) -> Any:
-        """(V,) bool: rows that are vertices, not padding."""
-        return _mask(self.live.vertices, self.capacity.vertices)
+        """The capacities of the arrays."""
+        return Sizes(**{kind: np.shape(getattr(self, names[0]))[0] for kind, names in ROWS.items()})
 
     @property
     def num_vertices(self) -> int:
         """The capacity of vertices."""
-        return self.capacity.vertices
+        return np.shape(self.vertices)[0]
+
+    @property
+    def vertex_mask(self) -> Any:
+        """(V,) bool: rows that are vertices, not padding."""
+        return self._mask("vertices")
+
+    @property
+    def node_mask(self) -> Any:
+        """(N,) bool: rows that are nodes, not padding."""
+        return self._mask("nodes")
+
+    @property
+    def edge_mask(self) -> Any:
+        """(E,) bool: rows that are edges, not padding."""
+        return self._mask("edges")
+
+    @property
+    def mesh_mask(self) -> Any:
+        """(B,) bool: meshes that are some, not padding."""
+        return self.live.vertices > 0
+
+    def _mask(self, kind: str) -> Any:
+        count = getattr(self.live, kind).sum()
+        return count > np.arange(getattr(self.capacity, kind), dtype=count.dtype)
+
+    def mesh_of(self, kind: str) -> Any:
+        """The mesh of each row of ``kind``, a field of `Sizes`; the last mesh for padding."""
+        stop = getattr(self.live, kind).reshape(-1).cumsum(dtype=np.int32)
+        rows = np.arange(getattr(self.capacity, kind), dtype=np.int32)
+        return stop.searchsorted(rows, side="right").clip(None, len(stop) - 1)
+
+    def spread(self, values: Any, kind: str) -> Any:
+        """``values`` of each mesh (B, ...) for each row of ``kind``; those of a binding of one mesh as they are."""
+        return values[self.mesh_of(kind)] if np.ndim(self.diagonal) else values
+
+    def split(self, values: Any, kind: str = "nodes") -> list[np.ndarray]:
+        """``values`` with a row for each of the "nodes", "edges" or "vertices", mesh by mesh, without padding."""
+        counts = np.reshape(getattr(self.live, kind), -1)
+        parts = np.split(np.asarray(values)[: counts.sum()], np.cumsum(counts)[:-1])
+        return [part for part, num in zip(parts, np.reshape(self.live.vertices, -1), strict=True) if num]
+
+    def like(self, *others: "Binding") -> "Binding":
+        """This binding in the largest capacities of ``others``, so that a program of one capacity serves all of them.
+
+        If one of ``others`` is of B meshes, so is the result: those that this one lacks are padding, see ``mesh_mask``.
+
+        Raises:
+            ConfigError: one of ``others`` is no binding, there are none, or a capacity is too small.
+        """
+        if not others or not all(isinstance(each, Binding) for each in others):
+            kinds = ", ".join(type(each).__name__ for each in others) or "nothing"
+            raise ConfigError(f"others are {kinds}: expected msf_jax.Binding, of skeletons or stack")
+        bare, shape = unpadded(self), max(np.shape(each.diagonal) for each in others)
+        most = Sizes(*map(max, zip(*(each.capacity for each in others), strict=True)))
+        sizes = {"meshes": (np.size(self.diagonal), int(np.prod(shape)))}
+        sizes |= {name: (need, getattr(most, name)) for name, need in _needed(bare.live)._asdict().items()}
+        small = [f"{need} {name} in a capacity of {room}" for name, (need, room) in sizes.items() if need > room]
+        if small:
+            raise ConfigError(f"the binding needs {', '.join(small)}: expected one that fits into the others")
+        if shape:
+            bare, more = _of_meshes(bare), (0, shape[0] - np.size(self.diagonal))
+            bare = bare._replace(
+                live=Sizes(*(np.pad(count, more) for count in bare.live)),
+                centre=np.pad(bare.centre, (more, (0, 0))),
+                diagonal=np.pad(bare.diagonal, more, constant_values=1),
+                unit=np.pad(bare.unit, more, constant_values=1),
+            )
+        return padded(bare, most)
 
 
-def _mask(count: Any, num: int) -> Any:
-    count = np.asarray(count) if isinstance(count, int) else count
-    return count[..., None] > np.arange(num, dtype=count.dtype)
+def _of_meshes(binding: Binding) -> Binding:
+    """``binding`` of one mesh as one of B = 1; of more, as it is."""
+    return binding._replace(
+        live=Sizes(*map(np.atleast_1d, binding.live)),
+        centre=np.atleast_2d(binding.centre),
+        diagonal=np.atleast_1d(binding.diagonal),
+        unit=np.atleast_1d(binding.unit),
+    )
 
 
-def capacity_for(*sizes: Sizes) -> Sizes:
-    """The smallest capacity for all of ``sizes``, and for the extra node and section that padding is assigned to."""
-    needed = {
-        name: max(getattr(each, name) + (name in ("nodes", "sections")) for each in sizes) for name in SMALLEST_SIZES
-    }
-    mesh = curve = 0
-    while any(_capacity(name, mesh, 0) < needed[name] for name in MESH):
-        mesh += 1
-    while any(_capacity(name, mesh, curve) < need for name, need in needed.items()):
-        curve += 1
-    return Sizes(**{name: _capacity(name, mesh, curve) for name in SMALLEST_SIZES})
+def joined(bindings: list[Binding]) -> Binding:
+    """One binding of all meshes of ``bindings``, which have no padding, nor has the result."""
+    every = list(map(_of_meshes, bindings))
+    live = Sizes(*map(np.concatenate, zip(*(each.live for each in every), strict=True)))
+    start = {kind: np.cumsum([0, *(getattr(each.live, kind).sum() for each in every)]) for kind in REFERS}
+
+    def shifted(name: str) -> list[np.ndarray]:
+        values = [getattr(each, name) for each in every]
+        if name not in KIND:
+            return values
+        rows = 3 if name == "twin" else 1
+        return [value + rows * first for value, first in zip(values, start[KIND[name]], strict=False)]
+
+    return Binding(live, *(np.concatenate(shifted(name)) for name in Binding._fields[1:]))
 
 
-def _capacity(name: str, mesh: int, curve: int) -> int:
-    """The capacity of field ``name``, after ``mesh`` steps of the mesh's capacities and ``curve`` of the curve's."""
-    rung = mesh if name in MESH else 2 * curve + mesh / 2 if name in BOTH else 2 * curve
-    return int(SMALLEST_SIZES[name] * 2**rung)
+def _needed(sizes: Sizes) -> Sizes:
+    """The rows of all meshes, and the extra node and section that padding is assigned to."""
+    return Sizes(*(int(np.sum(count)) + (name in ("nodes", "sections")) for name, count in sizes._asdict().items()))
+
+
+def capacity_for(sizes: Sizes) -> Sizes:
+    """The smallest capacity for ``sizes``, each field by itself."""
+    return Sizes(*(_capacity(need) for need in _needed(sizes)))
+
+
+def _capacity(need: int) -> int:
+    step = 0
+    while int(SMALLEST * 2 ** (step / 2)) < need:
+        step += 1
+    return int(SMALLEST * 2 ** (step / 2))
 
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:
     """``binding``, of NumPy arrays without padding, padded to ``capacity``; integers become int32."""
-    node, section, vertex = capacity.nodes - 1, capacity.sections - 1, binding.faces[0, 0]
-    filling: dict[str, Any] = dict.fromkeys(("tail", "head", "b_column"), vertex)
-    filling |= dict.fromkeys(("section", "a_column"), section) | dict.fromkeys(
-        ("node", "a_row", "b_row", "edges"), node
-    )
-    filling |= {"branch": capacity.edges - 1, "onward": np.arange(len(binding.onward), capacity.corners), "side": 1.0}
+    row = {kind: getattr(capacity, kind) - 1 for kind in REFERS} | {"vertices": binding.faces[0, 0]}
+    filling: dict[str, Any] = {name: row[kind] for name, kind in KIND.items()}
+    filling |= {"onward": np.arange(len(binding.onward), capacity.corners), "side": 1.0}
     filling |= {"faces": binding.faces[-1], "twin": binding.twin[-1]}  # padding repeats the last face; others are 0
 
     def filled(name: str, count: int) -> np.ndarray:
@@ -168,8 +245,8 @@ def padded(binding: Binding, capacity: Sizes) -> Binding:
 
 
 def unpadded(binding: Binding) -> Binding:
-    """``binding`` without padding, as NumPy arrays; it must not be a batch."""
-    live = Sizes(*(int(count) for count in binding.live))
+    """``binding`` without padding, as NumPy arrays."""
+    live = Sizes(*map(np.asarray, binding.live))
     arrays = {name: np.asarray(value) for name, value in binding._asdict().items() if name != "live"}
-    rows = {name: arrays[name][: getattr(live, kind)] for kind, names in ROWS.items() for name in names}
+    rows = {name: arrays[name][: getattr(live, kind).sum()] for kind, names in ROWS.items() for name in names}
     return Binding(live=live, **arrays | rows)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
+from jax import lax
 
 from msf_jax.base.binding import Binding
 from msf_jax.device.nearest import signed_distances
@@ -33,25 +34,33 @@ def corners(binding: Binding, vertices: jax.Array) -> jax.Array:
     return tail + jnp.asarray(binding.part, vertices.dtype)[:, None] * (head - tail)
 
 
+def area_vectors(binding: Binding, place: jax.Array) -> tuple[jax.Array, jax.Array, jax.Array]:
+    """The means (S, 3) of the corners at ``place`` (C, 3) of each section, twice its area vector N (S, 3), and the
+    parts (C, 3) of that."""
+    num, share = len(binding.node), jnp.asarray(binding.share, place.dtype)[:, None]
+    mean = jax.ops.segment_sum(share * place, binding.section, num, indices_are_sorted=True)
+    p = place - mean[binding.section]
+    cross = jnp.cross(p, p[binding.onward])
+    return mean, jax.ops.segment_sum(cross, binding.section, num, indices_are_sorted=True), cross
+
+
 def centroids(binding: Binding, place: jax.Array) -> tuple[jax.Array, jax.Array]:
     """The centroids (S, 3) of the sections whose corners are at ``place`` (C, 3), and whether each vanished (S,)."""
     num, dtype = len(binding.node), place.dtype
-    share = jnp.asarray(binding.share, dtype)[:, None]
+    share = jnp.asarray(binding.share, dtype)
 
     def total(value: jax.Array) -> jax.Array:
         return jax.ops.segment_sum(value, binding.section, num, indices_are_sorted=True)
 
-    mean = total(share * place)
+    mean, vector, cross = area_vectors(binding, place)
     p = place - mean[binding.section]
     onward = p[binding.onward]
-    cross = jnp.cross(p, onward)
-    vector = total(cross)
     twice2 = (vector * vector).sum(1)
     is_some = twice2 > 0
     twice = jnp.where(is_some, jnp.sqrt(jnp.where(is_some, twice2, 1.0)), 0.0)
     normal = vector / jnp.where(is_some, twice, 1.0)[:, None]
     part = (cross * normal[binding.section]).sum(1)
-    spread2 = total(share[:, 0] * (p * p).sum(1))
+    spread2 = total(share * (p * p).sum(1))
     is_loop = jnp.asarray(binding.is_loop)
     is_there = is_loop & (twice / 2 > VANISHED * spread2)
     off = total(part[:, None] * (p + onward)) / (3 * jnp.where(is_there, twice, 1.0))[:, None]
@@ -62,8 +71,9 @@ def follow(binding: Binding, vertices: jax.Array) -> Followed:
     """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose section has vanished, 0 in
     padding."""
     dtype = vertices.dtype
-    unit = jnp.asarray(binding.unit, dtype)
-    entered = (vertices - jnp.asarray(binding.centre, dtype)) / unit
+    binding = jax.tree.map(lax.stop_gradient, binding)
+    unit, centre = jnp.asarray(binding.unit, dtype)[..., None], jnp.asarray(binding.centre, dtype)
+    entered = (vertices - binding.spread(centre, "vertices")) / binding.spread(unit, "vertices")
     centroid, is_vanished = centroids(binding, corners(binding, entered))
     num = len(binding.rest)
 
@@ -75,8 +85,8 @@ def follow(binding: Binding, vertices: jax.Array) -> Followed:
     turned = product(binding.b_row, binding.b_column, binding.b_value, entered)
     nodes = nodes + turned + jnp.asarray(binding.rest, dtype)
     is_gone = jax.ops.segment_max(is_vanished.astype(jnp.int32), binding.node, num) > 0
-    nodes = jnp.where(is_gone[:, None], jnp.nan, nodes)
-    radii = signed_distances(binding, nodes, entered)
+    unit, centre = binding.spread(unit, "nodes"), binding.spread(centre, "nodes")
+    radii = unit[..., 0] * signed_distances(binding, nodes, entered)
     is_node = binding.node_mask
-    placed = jnp.where(is_node[:, None], jnp.asarray(binding.centre, dtype) + unit * nodes, 0.0)
-    return Followed(placed, jnp.where(is_node, unit * radii, 0.0))
+    placed = jnp.where(is_node[:, None], jnp.where(is_gone[:, None], jnp.nan, centre + unit * nodes), 0.0)
+    return Followed(placed, jnp.where(is_node, jnp.where(is_gone, jnp.nan, radii), 0.0))

@@ -32,7 +32,7 @@ def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -
 
 
 def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
-    """(N,) the face nearest to each of ``points`` (N, 3), the first of several; 0 for NaN and for padding."""
+    """(N,) the face nearest to each of ``points`` (N, 3), the first of several; any for NaN and for padding."""
     num, dtype = len(points), points.dtype
     count = binding.faces.shape[0]
     size = FACES_TOGETHER
@@ -47,16 +47,23 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
     radius = jnp.sqrt(((runs - centre[:, None]) ** 2).sum(-1).max(1))
     away = jnp.sqrt(((points[:, None] - centre) ** 2).sum(-1))
     bound = away - radius - ROUNDING * jnp.finfo(dtype).eps * (away + radius)
-    is_run = jnp.arange(len(runs)) * size < binding.live.faces
+    # Of several meshes, a point is nearest to a face of its own: one from ``first`` to before ``stop``.
+    per_mesh = jnp.asarray(binding.live.faces)
+    ends = jnp.cumsum(per_mesh).reshape(per_mesh.shape).astype(jnp.int32)
+    first, stop = (jnp.broadcast_to(binding.spread(x, "nodes")[..., None], (num, 1)) for x in (ends - per_mesh, ends))
+    start = jnp.arange(len(runs), dtype=jnp.int32) * size
+    is_run = (start < stop) & (start + size > first)
     bound = jnp.where(is_run & binding.node_mask[:, None], jnp.maximum(bound, 0.0), jnp.inf)
     runs = corners.reshape(-1, size, 3, 3)
 
     def smallest(point: jax.Array, run: jax.Array) -> tuple[jax.Array, jax.Array]:
-        away = squared_distances(point, runs[run])
-        return away.min(axis=1), run * size + away.argmin(axis=1)
+        faces = start[run][:, None] + jnp.arange(size, dtype=jnp.int32)
+        is_own = (first[point] <= faces) & (faces < stop[point])
+        away = jnp.where(is_own, squared_distances(points[point], runs[run]), jnp.inf)
+        return away.min(axis=1), start[run] + away.argmin(axis=1)
 
     # All pairs of a point and a run that may contain its nearest face, numbered, and tested ``together`` at a time.
-    some, _ = smallest(points, bound.argmin(axis=1))
+    some, _ = smallest(jnp.arange(num), bound.argmin(axis=1))
     pair = jnp.cumsum((bound * bound <= some[:, None]).ravel().astype(jnp.int32))
     together = AT_ONCE // size
 
@@ -65,7 +72,7 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         number = jnp.searchsorted(pair, done + 1 + jnp.arange(together, dtype=jnp.int32))
         number = jnp.minimum(number, len(pair) - 1)  # testing the last pair again changes nothing
         point, run = number // len(runs), number % len(runs)
-        away, which = smallest(points[point], run)
+        away, which = smallest(point, run)
         least = jnp.minimum(best, jax.ops.segment_min(away, point, num, indices_are_sorted=True))
         which = jnp.where(away == least[point], which, count)
         first = jax.ops.segment_min(which.astype(jnp.int32), point, num, indices_are_sorted=True)
@@ -73,9 +80,9 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
 
     none = 0 * pair[-1]  # not a constant: in a `jax.shard_map` the state must vary from device to device
     far = jnp.full(num, jnp.inf, dtype) + none
-    start = (none, far, jnp.zeros(num, jnp.int32) + none)
-    found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, start)[2]
-    return jnp.minimum(found, binding.live.faces - 1)  # padding repeats the last face
+    state = (none, far, first[:, 0] + none)
+    found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, state)[2]
+    return jnp.minimum(found, per_mesh.sum(dtype=jnp.int32) - 1)  # padding repeats the last face
 
 
 def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:

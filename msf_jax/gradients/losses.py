@@ -1,84 +1,97 @@
-"""Losses of followed curves, for training. Each is a number, 0 at best, of one curve, with its rows of padding.
+"""Losses of followed curves, for training. Each is a number, 0 at best, of each mesh; rows of padding do not count.
 
-    found = msf_jax.follow(skeleton.binding, vertices)
+    found = msf_jax.follow(skeleton.binding, skeleton.binding.vertices)
     loss = losses.near(found, skeleton.binding, target) + 0.1 * losses.clearance(found, skeleton.binding, 0.01)
 
-For a batch, `jax.vmap` a loss over all arguments. Targets are in the mesh's units. Losses are in squared diagonals of
-the mesh, so that those of meshes of any size can be added. They are means over the nodes. A node whose cross-section
-has vanished is NaN, and so is the loss: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh out, also out of the
-gradient. Arguments of other shapes or kinds are a `ConfigError`.
+For the binding of one skeleton a loss is a number, for one by `msf_jax.stack` of B meshes (B,). Targets are in the
+mesh's units. Losses are in squared diagonals of the mesh, so that those of meshes of any size can be added. They are
+means over the nodes. A node whose cross-section has vanished is NaN, and so is the loss of its mesh: ``jnp.where(
+jnp.isnan(loss), 0, loss)`` leaves such a mesh out, also out of the gradient. Arguments of other shapes or kinds are a
+`ConfigError`. Lengths, areas and angles for a loss of your own are in `msf_jax.measures`.
 """
 
 from typing import Any
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import lax
 
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.gradients.follow import numbers_of
+from msf_jax.gradients.follow import numbers_of, promoting
 
 SAMPLES = 4  # points along each edge of a curve
 SHORTEST = 1e-4  # diagonals: shorter edges count less in the turning, in proportion to their length
-BLOCK = 32  # points whose nearest ones are found in one step: bounds memory
+BLOCK = 32  # points whose nearest ones are found together: bounds memory
+ROWS = 128  # of other points that are looked at in one step
 TINY = 1e-24  # diagonals squared: below this squared length, the gradient of a length is 0
 
 
-def near(found: Any, binding: Binding, target: Any, mask: Any = None) -> jax.Array:
+@promoting()
+def near(found: Any, binding: Binding, target: Any, mesh: Any = None) -> jax.Array:
     """Mean squared distance between the curve and a ``target``, in squared diagonals: the mean of both directions.
 
     One direction is from points spread evenly over the curve's length to the nearest target point. The other is from
-    each target point to the nearest of those points, or of nodes without an edge. It needs no correspondence.
+    each target point to the nearest of those points, or of nodes without an edge. It needs no correspondence. Target
+    points that are h apart along the curve leave h^2 / 24 of a curve through all of them: take them close together.
 
     Args:
         found: of `msf_jax.follow`, nodes (N, 3).
         binding: the binding that was followed.
-        target: (P, 3) points along the wanted curve, in the mesh's units.
-        mask: (P,) bool: points that count; all if not given. If none counts, the loss is 0.
+        target: (P, 3) points along the wanted curves, in the units of their meshes.
+        mesh: (P,) the number of the mesh that each point belongs to, in any order; all to the first if not given. A
+            point of -1 does not count. The loss of a mesh without points is 0.
 
     Differentiable in: nodes, target, with the nearest points held fixed.
     """
     nodes = _nodes(found, binding)
-    target = _scaled(binding, numbers_of("target", target, ConfigError))
+    target = numbers_of("target", target, ConfigError)
     if target.ndim != 2 or target.shape[1] != 3:
         raise ConfigError(f"target has shape {target.shape}: expected points (P, 3)")
-    is_point = jnp.ones(len(target), bool) if mask is None else jnp.asarray(mask)
-    if is_point.shape != (len(target),) or is_point.dtype != bool:
-        raise ConfigError(f"mask has shape {is_point.shape}, type {is_point.dtype}: expected ({len(target)},) bool")
+    if mesh is None and jnp.ndim(binding.diagonal):
+        raise ConfigError(
+            f"mesh is None, and the binding has {len(binding.diagonal)} meshes: expected (P,) their numbers"
+        )
+    mesh = numbers_of("mesh", np.zeros(len(target), np.int32) if mesh is None else mesh, ConfigError)
+    if mesh.shape != (len(target),) or not jnp.isdtype(mesh.dtype, "integral"):
+        raise ConfigError(f"mesh has shape {mesh.shape}, type {mesh.dtype}: expected ({len(target)},) whole numbers")
+    num = jnp.size(binding.diagonal)
+    mesh = jnp.where((mesh >= 0) & (mesh < num), mesh, num).astype(jnp.int32)  # those of padding come last
+    order = jnp.argsort(mesh)
+    mesh, target = mesh[order], target[order]
+    diagonal = lax.stop_gradient(jnp.reshape(jnp.asarray(binding.diagonal, target.dtype), -1))
+    target = target / diagonal[jnp.minimum(mesh, num - 1)][:, None]
+    # The points of each curve follow those of the meshes before: nodes, and samples of edges.
+    of_edge, of_node = (jnp.asarray(binding.mesh_of(kind)) for kind in ("edges", "nodes"))
     a, b = nodes[binding.edges.T]
     share = (jnp.arange(SAMPLES, dtype=nodes.dtype) + 0.5) / SAMPLES
     points = (a[:, None] + share[None, :, None] * (b - a)[:, None]).reshape(-1, 3)
-    is_sample, weight = (jnp.repeat(x, SAMPLES) for x in (binding.edge_mask, norm(b - a)))
-    # A node without an edge has no length, so it counts only if the curve has no edges at all.
+    is_sample, weight, of_sample = (jnp.repeat(x, SAMPLES) for x in (binding.edge_mask, norm(b - a), of_edge))
+    # A node without an edge has no length, so it counts only if its curve has no edges at all.
     at_edge = jnp.zeros(len(nodes), bool).at[binding.edges].max(binding.edge_mask[:, None])
     is_lone = binding.node_mask & ~at_edge
+    is_bare = jnp.reshape(binding.live.edges, -1)[of_node] == 0
     points, is_sample = jnp.concatenate([points, nodes]), jnp.concatenate([is_sample, is_lone])
-    weight = jnp.concatenate([weight, (is_lone & ~binding.edge_mask.any()).astype(weight.dtype)])
-    there = jnp.where(is_point.any(), _to_nearest(points, target, is_point | ~is_point.any()), 0.0)
-    back = _to_nearest(target, points, is_sample)
-    return (_mean(there, jnp.where(is_sample, weight, 0.0)) + _mean(back, is_point)) / 2
+    weight = jnp.concatenate([weight, (is_lone & is_bare).astype(weight.dtype)])
+    own = jnp.where(is_sample, jnp.concatenate([of_sample, of_node]), num)
+    order = jnp.argsort(own)
+    points, is_sample, weight, own = (x[order] for x in (points, is_sample, weight, own))
+    there, back = _to_nearest(points, own, target, mesh, num), _to_nearest(target, mesh, points, own, num)
+    loss = _mean(there, jnp.where(is_sample, weight, 0.0), own, num) + _mean(back, mesh < num, mesh, num)
+    return (loss / 2).reshape(jnp.shape(binding.diagonal))
 
 
-def branch_lengths(found: Any, binding: Binding) -> jax.Array:
-    """(E,) the length of each branch, in the mesh's units, in the order of `Skeleton.branches`, without those that have
-    no edge; 0 in padding.
-
-    Differentiable in: nodes; the gradient at an edge of length 0 is 0.
-    """
-    a, b = _nodes(found, binding)[binding.edges.T]
-    along = jnp.where(binding.edge_mask, norm(b - a), 0.0)
-    return jnp.asarray(binding.diagonal, along.dtype) * jax.ops.segment_sum(along, binding.branch, len(along))
-
-
+@promoting()
 def smoothness(found: Any, binding: Binding) -> jax.Array:
     """Mean over nodes with two neighbours of one minus the cosine of the angle by which the curve turns there.
 
     Differentiable in: nodes.
     """
-    return turning(_nodes(found, binding), binding.edges, binding.edge_mask, binding.node_mask)
+    return _mean_of_nodes(binding, *turning(_nodes(found, binding), binding.edges, binding.edge_mask))
 
 
+@promoting()
 def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
     """Mean over the nodes of the squared shortfall of the radii below ``least``, in squared diagonals.
 
@@ -95,64 +108,93 @@ def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
     rows, least = len(_nodes(found, binding)), numbers_of("least", least, ConfigError)
     if least.shape not in ((), (rows,)):
         raise ConfigError(f"least has shape {least.shape}: expected a number, or ({rows},), one for each row of nodes")
-    return _mean(jnp.maximum(_scaled(binding, least - found.radii), 0.0) ** 2, binding.node_mask)
+    short = jnp.maximum(_scaled(binding, (least - found.radii)[:, None])[:, 0], 0.0)
+    return _mean_of_nodes(binding, short**2, binding.node_mask)
 
 
-def turning(nodes: jax.Array, edges: Any, is_edge: Any, is_node: Any) -> jax.Array:
-    """See `smoothness`; ``nodes`` (N, 3) in diagonals, ``edges`` (E, 2)."""
+def turning(nodes: jax.Array, edges: Any, is_edge: Any) -> tuple[jax.Array, jax.Array]:
+    """One minus the cosine of the turn at each node (N,), and whether it has two neighbours; ``nodes`` (N, 3) in
+    diagonals, ``edges`` (E, 2). See `smoothness`."""
     num, (a, b) = len(nodes), edges.T
     along = nodes[b] - nodes[a]
     along = jnp.where(is_edge[:, None], along / jnp.maximum(norm(along), SHORTEST)[:, None], 0.0)
     total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
     one = is_edge.astype(nodes.dtype)
-    is_passed = is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
+    is_passed = jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2
     # Unit vectors u, v to both neighbours cancel where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
-    return _mean((total * total).sum(1) / 2, is_passed)
+    return (total * total).sum(1) / 2, is_passed
 
 
-def _to_nearest(points: jax.Array, others: jax.Array, counts: jax.Array) -> jax.Array:
-    """(P,) squared distance from each of ``points`` (P, 3) to the nearest of ``others`` (Q, 3) that ``counts`` (Q,);
-    inf if none does. NaN passes through."""
+def _to_nearest(points: jax.Array, own: jax.Array, others: jax.Array, their: jax.Array, num: int) -> jax.Array:
+    """(P,) squared distance from each of ``points`` (P, 3) of the meshes ``own`` (P,) to the nearest of ``others``
+    (Q, 3) of the same mesh, where ``their`` (Q,) ascends; 0 if there is none. Rows of mesh ``num`` are padding."""
     if not len(others):
-        return jnp.full(len(points), jnp.inf, points.dtype)
+        return jnp.zeros(len(points), points.dtype)
     fixed = lax.stop_gradient(others)
+    first, stop = (jnp.searchsorted(their, jnp.arange(num), side=side) for side in ("left", "right"))
 
-    def nearest(point: jax.Array) -> jax.Array:
-        return jnp.where(counts, ((point[None] - fixed) ** 2).sum(-1), jnp.inf).argmin()
+    def nearest(given: tuple[jax.Array, jax.Array]) -> jax.Array:
+        point, mesh = given
+        until = jnp.where(mesh < num, stop[jnp.minimum(mesh, num - 1)], 0)
 
-    found = lax.map(nearest, lax.stop_gradient(points), batch_size=BLOCK)
-    away = ((points - others[found]) ** 2).sum(-1)
-    return jnp.where(counts.any(), away, jnp.inf)
+        def step(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+            at, best, which = state
+            rows = at + jnp.arange(ROWS, dtype=at.dtype)
+            away = ((point - fixed[jnp.minimum(rows, len(fixed) - 1)]) ** 2).sum(-1)
+            away = jnp.where(rows < until, away, jnp.inf)
+            row = away.argmin()
+            is_nearer = ~(away[row] >= best)  # a NaN is the nearest
+            return at + ROWS, jnp.where(is_nearer, away[row], best), jnp.where(is_nearer, rows[row], which)
+
+        at = first[jnp.minimum(mesh, num - 1)]
+        start = at, jnp.inf + 0 * point[0], at  # not a constant: in a `jax.shard_map` it varies from device to device
+        return lax.while_loop(lambda state: state[0] < until, step, start)[2]
+
+    found = lax.map(nearest, (lax.stop_gradient(points), own), batch_size=BLOCK)
+    found = jnp.minimum(found, len(others) - 1)
+    return jnp.where(their[found] == own, ((points - others[found]) ** 2).sum(-1), 0.0)
 
 
 def _nodes(found: Any, binding: Binding) -> jax.Array:
-    """The nodes (N, 3) of ``found``, in diagonals, if it is of one curve with as many rows as ``binding``."""
+    """The nodes (N, 3) of ``found``, in diagonals."""
+    return _scaled(binding, checked(found, binding))
+
+
+def checked(found: Any, binding: Binding) -> jax.Array:
+    """The nodes (N, 3) of ``found``, if it has as many rows as ``binding``."""
     if not isinstance(binding, Binding) or not hasattr(found, "nodes"):
         raise ConfigError(
             f"found is a {type(found).__name__}, and binding a {type(binding).__name__}: expected what msf_jax.follow "
             "returned, and then the binding that was followed, such as skeleton.binding"
         )
-    rows, shape = jnp.shape(binding.rest)[-2], jnp.shape(found.nodes)
-    if shape != (rows, 3) or jnp.ndim(binding.diagonal):
+    rows, shape = jnp.shape(binding.rest)[0], jnp.shape(found.nodes)
+    if shape != (rows, 3):
         raise ConfigError(
-            f"found has nodes of shape {shape}: expected ({rows}, 3), as msf_jax.follow(binding, vertices) gives them; "
-            "of a batch, jax.vmap the loss over both"
+            f"found has nodes of shape {shape}: expected ({rows}, 3), as msf_jax.follow(binding, vertices) gives them"
         )
-    return _scaled(binding, found.nodes)
+    return jnp.asarray(found.nodes)
 
 
 def _scaled(binding: Binding, lengths: Any) -> jax.Array:
-    """``lengths`` in diagonals of the recorded mesh."""
+    """``lengths`` (N, ...) of nodes in diagonals of the recorded mesh."""
     lengths = jnp.asarray(lengths)
-    return lengths / jnp.asarray(binding.diagonal, lengths.dtype)
+    diagonal = lax.stop_gradient(jnp.asarray(binding.diagonal, lengths.dtype))
+    return lengths / binding.spread(diagonal[..., None], "nodes")
 
 
-def _mean(values: jax.Array, weight: jax.Array) -> jax.Array:
-    """The mean of ``values`` weighted by ``weight``, which may be a mask; 0 if all weights are 0."""
+def _mean_of_nodes(binding: Binding, values: jax.Array, counts: jax.Array) -> jax.Array:
+    """The mean of ``values`` (N,) over the nodes that ``counts`` (N,), of each mesh."""
+    of, num = jnp.asarray(binding.mesh_of("nodes")), jnp.size(binding.diagonal)
+    return _mean(values, binding.node_mask & counts, of, num).reshape(jnp.shape(binding.diagonal))
+
+
+def _mean(values: jax.Array, weight: jax.Array, mesh: jax.Array, num: int) -> jax.Array:
+    """(num,) the mean of ``values`` of each ``mesh``, weighted by ``weight``, which may be a mask; 0 if all are 0."""
     weight = weight.astype(values.dtype)
-    total = weight.sum()
+    total = jax.ops.segment_sum(weight, mesh, num)
     # Values with weight 0 may be infinite.
-    return (weight * jnp.where(weight > 0, values, 0.0)).sum() / jnp.where(total > 0, total, 1.0)
+    sums = jax.ops.segment_sum(weight * jnp.where(weight > 0, values, 0.0), mesh, num)
+    return sums / jnp.where(total > 0, total, 1.0)
 
 
 def norm(vectors: jax.Array) -> jax.Array:

@@ -13,19 +13,18 @@ import jax.numpy as jnp
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients import follow as by_jax
-from msf_jax.gradients.follow import Batch, Followed
+from msf_jax.gradients.follow import Followed
 
 
 def follow(skeleton: Any, vertices: Any) -> Followed:
     """`msf_jax.follow` of a ``torch.Tensor``, for a loss in PyTorch; see there.
 
     Args:
-        skeleton: a `Skeleton`, its ``binding``, or a `Batch` of `msf_jax.stack`.
-        vertices: (V, 3) tensor, float32 or float64; of a batch (B, V, 3), as ``batch.vertices`` has it.
+        skeleton: a `Skeleton`, or a binding, of one or by `msf_jax.stack`.
+        vertices: (V, 3) tensor, float32 or float64.
 
     Returns:
-        Tensors of the type and on the device of ``vertices``: nodes (N, 3) and radii (N,), of a batch with B before. As
-        in JAX, rows of padding are 0, and so is their gradient: see ``batch.node_mask`` and ``batch.vertex_mask``.
+        Tensors of the type and on the device of ``vertices``: nodes (N, 3) and radii (N,).
 
     Differentiable in: vertices, once.
 
@@ -45,8 +44,6 @@ def follow(skeleton: Any, vertices: Any) -> Followed:
             "vertices is float64, and JAX would compute in float32: expected vertices.float(), or "
             'jax.config.update("jax_enable_x64", True) at the start'
         )
-    if isinstance(skeleton, Batch) and tuple(vertices.shape) != skeleton.vertices.shape:
-        raise MeshError(f"vertices has shape {tuple(vertices.shape)}: expected {skeleton.vertices.shape}, as the batch")
     return Followed(*_function(torch).apply(vertices, skeleton))
 
 
@@ -56,7 +53,7 @@ def _function(torch: Any) -> Any:
 
     def backward(ctx: Any, *slopes: Any) -> tuple[Any, None]:
         (vertices,) = ctx.saved_tensors
-        _, pull = jax.vjp(lambda moved: _followed(ctx.skeleton, moved), _to_jax(vertices))
+        _, pull = jax.vjp(lambda moved: tuple(by_jax.follow(ctx.skeleton, moved)), _to_jax(vertices))
         return torch.from_dlpack(pull(tuple(map(_to_jax, slopes)))[0]), None
 
     class Follow(torch.autograd.Function):
@@ -64,7 +61,7 @@ def _function(torch: Any) -> Any:
         def forward(ctx: Any, vertices: Any, skeleton: Any) -> tuple[Any, ...]:
             ctx.save_for_backward(vertices)
             ctx.skeleton = skeleton
-            return tuple(map(torch.from_dlpack, _followed(skeleton, _to_jax(vertices))))
+            return tuple(map(torch.from_dlpack, by_jax.follow(skeleton, _to_jax(vertices))))
 
     Follow.backward = staticmethod(torch.autograd.function.once_differentiable(backward))
     return Follow
@@ -72,13 +69,3 @@ def _function(torch: Any) -> Any:
 
 def _to_jax(tensor: Any) -> jax.Array:
     return jax.dlpack.from_dlpack(tensor.detach().contiguous())
-
-
-def _followed(skeleton: Any, vertices: jax.Array) -> tuple[jax.Array, ...]:
-    """(nodes, radii) of a skeleton, a binding or a batch."""
-    if isinstance(skeleton, Batch):
-        return tuple(_followed_batch(skeleton.bindings, vertices))
-    return tuple(by_jax.follow(skeleton, vertices))
-
-
-_followed_batch = jax.jit(jax.vmap(by_jax.follow))

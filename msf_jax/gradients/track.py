@@ -153,7 +153,7 @@ class Tracker:
     def frame(self, number: int, given: Any) -> TrackedFrame:
         """The curve in the mesh ``given``, with its checks."""
         try:
-            array = checked_vertices(self.skeleton, self._vertices_of(given))
+            _, array = checked_vertices(self.skeleton, self._vertices_of(given))
         except MeshError as error:
             raise MeshError(f"frame {number}: {error}") from error
         nodes, radii = (part[: len(self.most)].astype(float) for part in evaluated(self.binding, array))

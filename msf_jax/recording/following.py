@@ -17,7 +17,6 @@ so it is a matrix b times the vertices. Both a and b reproduce every affine map 
 only the mean of its pins, as its row of b.
 """
 
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -102,11 +101,12 @@ def record(
     # Behind the nearest wall of a node inside, the surface winds around less, unless the wall is another part's.
     foot = closest_point(shape.triangles[nearest], x)
     behind = shape.winding_numbers(foot + RESOLUTION * unit(foot - x))
-    branch_of = {frozenset(pair): k for k, path in enumerate(paths) for pair in pairwise(path.nodes.tolist())}
+    ends = [np.stack([path.nodes[:-1], path.nodes[1:]], axis=1) for path in paths]
     unit_of_length = 2.0 ** np.round(np.log2(solid.diagonal))
     scale = solid.diagonal / unit_of_length
     binding = Binding(
         live=Sizes(*8 * [0]),
+        vertices=surface.given(num),
         tail=surface.vertex[corners.tail],
         head=surface.vertex[corners.head],
         part=corners.part,
@@ -125,13 +125,13 @@ def record(
         faces=surface.vertex[shape.faces[order]],
         twin=3 * np.argsort(order)[twin // 3] + twin % 3,
         side=np.where(np.where(inside, behind > here, behind < here), -1.0, 1.0),
-        edges=edges,
-        branch=np.array([branch_of[frozenset(pair)] for pair in edges.tolist()], dtype=np.int64),
+        edges=np.concatenate([edges[:0], *ends]),
+        branch=np.repeat(np.arange(len(ends)), list(map(len, ends))),
         centre=solid.centre,
         diagonal=np.asarray(solid.diagonal),
         unit=np.asarray(unit_of_length),
     )
-    return binding._replace(live=binding.capacity._replace(vertices=num))
+    return binding._replace(live=binding.capacity)
 
 
 def _sections(

@@ -34,10 +34,10 @@ def binding_of(skeleton: "Skeleton") -> Binding:
 
 def jacobian(skeleton: "Skeleton") -> sparse.csr_matrix:
     """See `Skeleton.jacobian`."""
-    padded, surface = skeleton.binding, skeleton.bound_surface
-    binding, vertices = bindings.unpadded(padded), surface.given(len(skeleton.mesh_map))
-    num, num_sections, many = len(binding.rest), len(binding.node), len(vertices)
-    entered = np.pad((vertices - binding.centre) / binding.unit, ((0, padded.num_vertices - many), (0, 0)))
+    padded = skeleton.binding
+    binding = bindings.unpadded(padded)
+    num, num_sections, many = len(binding.rest), len(binding.node), len(binding.vertices)
+    entered = (padded.vertices - padded.centre) / padded.unit
     slopes = np.asarray(_slopes(padded, entered.astype(real_dtype())), dtype=np.float64)  # axis, corner, axis
     corner = np.arange(len(binding.section))
     ends: Any = sparse.coo_matrix(

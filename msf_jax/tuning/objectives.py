@@ -201,8 +201,8 @@ def smooth() -> Objective:
     """Mean over nodes with two neighbours of one minus the cosine of the angle by which the curve turns there."""
 
     def function(curve: Placed) -> jax.Array:
-        is_edge, is_node = (jnp.ones(len(rows), bool) for rows in (curve.edges, curve.nodes))
-        return losses.turning(curve.nodes / curve.diagonal, curve.edges, is_edge, is_node)
+        turn, counts = losses.turning(curve.nodes / curve.diagonal, curve.edges, jnp.ones(len(curve.edges), bool))
+        return jnp.where(counts, turn, 0.0).sum() / jnp.maximum(counts.sum(), 1)
 
     return Objective("smooth", function)
 

@@ -2,6 +2,7 @@
 Its derivatives are in test_transformations."""
 
 import functools
+import importlib.util
 import pickle
 
 import jax
@@ -10,13 +11,14 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
+from jax import export
 from run_cases import flow_of
 from scipy.spatial.transform import Rotation
 from test_transformations import in_process
 
 import msf_jax
-from msf_jax import ConfigError, MeshError
-from msf_jax.base.binding import SMALLEST_SIZES, capacity_for, padded, unpadded
+from msf_jax import ConfigError, MeshError, losses
+from msf_jax.base.binding import capacity_for, unpadded
 from msf_jax.solid.solid import Solid
 from tests.benchmarks import ground_truth
 
@@ -219,20 +221,19 @@ def test_a_section_that_vanished_is_named(limbs):
 
 
 def test_every_curve_of_a_batch_is_what_it_is_alone(batch):
-    """In padding there is nothing. One program serves every curve of a capacity."""
-    assert len(batch) == 2 and batch.vertices.shape == (2, 1024, 3) and batch.node_mask.shape == (2, 320)
-    assert repr(batch) == "Batch(2 curves, 320 rows of nodes, 1024 of vertices)"
-    found = jax.jit(jax.vmap(msf_jax.follow))(batch.bindings, moved(batch.vertices))
+    """In padding there is nothing."""
+    assert str(batch).startswith("Binding(2 curves, capacity of")
+    found = jax.jit(msf_jax.follow)(batch, moved(batch.vertices))
+    nodes, radii, at = batch.split(found.nodes), batch.split(found.radii), batch.split(batch.vertices, "vertices")
     for k, name in enumerate(("tube", "y")):
         vertices, _, skeleton = curve(name)
-        is_vertex = np.asarray(batch.vertex_mask[k])
-        np.testing.assert_allclose(batch.vertices[k][is_vertex], vertices, rtol=0, atol=1e-14)
-        assert not np.asarray(batch.vertices)[k][~is_vertex].any()
-        alone = msf_jax.follow(skeleton, moved(vertices))
-        for part, other in zip(batch.unstack(found)[k], alone, strict=True):
+        np.testing.assert_allclose(at[k], vertices, rtol=0, atol=1e-14)
+        for part, other in zip((nodes[k], radii[k]), msf_jax.follow(skeleton, moved(vertices)), strict=True):
             np.testing.assert_allclose(part, other, rtol=0, atol=1e-13)
-    for padding in (np.asarray(found.nodes)[~batch.node_mask], np.asarray(found.radii)[~batch.node_mask]):
-        assert not padding.any()
+        assert (batch.mesh_of("nodes") == k)[batch.node_mask].sum() == len(skeleton.vertices)
+    assert not np.asarray(batch.vertices)[~batch.vertex_mask].any()
+    for part in found:
+        assert not np.asarray(part)[~batch.node_mask].any()
 
 
 BITS = """
@@ -245,28 +246,28 @@ import test_follow as cases
 
 curves = pickle.load(open(sys.argv[1], "rb"))
 batch = msf_jax.stack([skeleton for _, skeleton in curves])
+split = lambda values, kind="nodes": batch.split(values, kind)
 everywhere = jax.numpy.asarray(cases.moved(batch.vertices))
 
 def value(binding, vertices):  # linear in the nodes: powers of them are rounded by how many there are
     found = msf_jax.follow(binding, vertices)
-    factor = jax.numpy.cos(jax.numpy.arange(len(found.radii), dtype=found.radii.dtype))
+    before = jax.numpy.cumsum(binding.live.nodes) - binding.live.nodes
+    row = jax.numpy.arange(len(found.radii)) - before[binding.mesh_of("nodes")]
+    factor = jax.numpy.cos(row.astype(found.radii.dtype))
     whole = (factor[:, None] * found.nodes * np.array([1.0, 0.7, -0.4])).sum() + (factor * found.radii ** 2).sum()
     return whole, found
 
-slope = jax.value_and_grad(value, argnums=1, has_aux=True)
-(_, found), by_vertex = jax.jit(jax.vmap(slope))(batch.bindings, everywhere)
-slope = jax.jit(slope)
+slope = jax.jit(jax.value_and_grad(value, argnums=1, has_aux=True))
+(_, found), by_vertex = slope(batch, everywhere)
+large = padded(unpadded(batch), type(batch.live)(*(2 * most for most in batch.capacity)))  # a program of its own
 for k, (vertices, skeleton) in enumerate(curves):
-    own = unpadded(skeleton.binding)
-    shared = batch.bindings.capacity._asdict()  # one program for both
-    num, nodes = len(vertices), len(skeleton.vertices)
-    binding = padded(own, own.live._replace(**{name: 2 * capacity for name, capacity in shared.items()}))
+    binding = msf_jax.stack([skeleton]).like(large)
     rows = np.zeros((binding.num_vertices, 3))
-    rows[:num] = everywhere[k, :num]
+    rows[: len(vertices)] = split(everywhere, "vertices")[k]
     (_, alone), by_own = slope(binding, rows)
     for one, other in zip(found, alone):
-        np.testing.assert_array_equal(np.asarray(one)[k, :nodes], np.asarray(other)[:nodes])
-    np.testing.assert_array_equal(np.asarray(by_vertex)[k, :num], np.asarray(by_own)[:num])
+        np.testing.assert_array_equal(split(one)[k], binding.split(other)[0])
+    np.testing.assert_array_equal(split(by_vertex, "vertices")[k], binding.split(by_own, "vertices")[0])
 print("same bits")
 """
 
@@ -278,36 +279,54 @@ def test_padding_and_company_change_no_bit(tmp_path):
     assert "same bits" in in_process(tmp_path, BITS, curves)
 
 
-def test_curves_of_a_capacity_share_a_program(batch, compilations, monkeypatch):
-    """Another curve of the same mesh, pruned and resampled; and a second batch that takes the capacity of the first,
-    though its largest mesh is smaller."""
+def test_what_is_like_another_shares_its_programs(batch, compilations):
+    """Another curve of the same mesh, resampled; and a batch of fewer meshes, whose padding says so."""
     vertices, _, skeleton = curve("y")
-    other, tube = skeleton.resample(0.2), curve("tube")[2]
-    assert other.binding.capacity == skeleton.binding.capacity and len(other.vertices) != len(skeleton.vertices)
-    for name, capacity in (("vertices", 256), ("faces", 640)):  # so that the tube has another capacity than the limbs
-        monkeypatch.setitem(SMALLEST_SIZES, name, capacity)
-    second = msf_jax.stack([tube, tube], like=batch)
-    together = jax.jit(jax.vmap(msf_jax.follow))
-    together(batch.bindings, batch.vertices)
-    msf_jax.follow(skeleton, vertices)
+    tube, other = curve("tube")[2], skeleton.resample(0.2)
+    compiled = jax.jit(msf_jax.follow)
+    compiled(batch, batch.vertices)
+    msf_jax.follow(skeleton.binding, vertices)
+    second = msf_jax.stack([tube]).like(batch)
     compilations.clear()
-    msf_jax.follow(other, vertices)
-    msf_jax.follow(other.binding, vertices)
-    msf_jax.follow(padded(unpadded(tube.binding), skeleton.binding.capacity), curve("tube")[0])
-    found = together(second.bindings, second.vertices)
+    assert len(other.vertices) != len(skeleton.vertices)
+    of_other = msf_jax.follow(other.binding.like(skeleton.binding), vertices)
+    found = compiled(second, second.vertices)
     assert not compilations
-    for nodes, _ in second.unstack(found):
-        np.testing.assert_allclose(nodes, tube.vertices, rtol=0, atol=1e-12)
-    assert msf_jax.stack([tube]).vertices.shape[1] < second.vertices.shape[1]
+    np.testing.assert_allclose(of_other.nodes[: len(other.vertices)], other.vertices, rtol=0, atol=1e-12)
+    assert second.mesh_mask.tolist() == [True, False] and second.capacity == batch.capacity
+    (nodes,) = second.split(found.nodes)
+    np.testing.assert_allclose(nodes, tube.vertices, rtol=0, atol=1e-12)
+    with pytest.raises(ConfigError, match=r"needs 948 vertices in a capacity of 128, .*fits into the other"):
+        skeleton.binding.like(tube.binding)
+    with pytest.raises(ConfigError, match="needs 2 meshes in a capacity of 1,"):
+        batch.like(skeleton.binding)
 
 
 def test_a_capacity_has_room_for_what_is_asked_and_for_padding():
-    """A mesh of twice the vertices is one step up: meshes of 500 to 12,000 vertices have five capacities."""
+    """And is at most by the square root of two more, in each field by itself."""
     sizes = unpadded(curve("y")[2].binding).live
-    capacity = capacity_for(sizes)
-    assert all(one >= other for one, other in zip(capacity, sizes, strict=True)) and capacity.nodes > sizes.nodes
-    many = {capacity_for(sizes._replace(vertices=num, faces=2 * num)).vertices for num in range(500, 12_001, 7)}
-    assert many == {1024, 2048, 4096, 8192, 16384}
+    assert capacity_for(sizes).nodes > sizes.nodes
+    for num in range(100, 12_001, 7):
+        capacity = capacity_for(sizes._replace(vertices=num, turning=9 * num))
+        assert num <= capacity.vertices <= 1.4143 * num and 9 * num <= capacity.turning <= 1.4143 * 9 * num
+        assert capacity.corners == capacity_for(sizes).corners
+
+
+def test_a_binding_is_data_and_no_parameter(batch):
+    """Its gradient is 0, also where it is a part of a model; and it can be exported as an argument."""
+    skeleton = curve("tube")[2]
+
+    def value(binding):
+        found = msf_jax.follow(binding, skeleton.binding.vertices)
+        return (found.nodes**2).sum() + (found.radii**2).sum() + losses.near(found, binding, np.ones((3, 3)))
+
+    slopes = jax.grad(value, allow_int=True)(skeleton.binding)
+    assert not any(np.any(part) for part in jax.tree.leaves(slopes) if part.dtype != jax.dtypes.float0)
+    exported = export.export(jax.jit(msf_jax.follow))(batch, batch.vertices)
+    again = export.deserialize(exported.serialize()) if importlib.util.find_spec("flatbuffers") else exported
+    np.testing.assert_array_equal(
+        again.call(batch, batch.vertices).nodes, jax.jit(msf_jax.follow)(batch, batch.vertices).nodes
+    )
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.float16, np.int32])
@@ -368,6 +387,9 @@ def test_bad_vertices_are_refused(limbs, given, says):
             msf_jax.follow(followed, given(vertices))
     with pytest.raises(MeshError, match="as in the mesh of the skeleton"):
         jax.jit(lambda moved: msf_jax.follow(skeleton.binding, moved).nodes)(vertices[:5])
+    for wrong in (vertices, vertices[:5]):  # a traced binding does not say how many rows are padding
+        with pytest.raises(MeshError, match=r"expected \(1024, 3\), .* and its padding, as binding\.vertices"):
+            jax.jit(msf_jax.follow)(skeleton.binding, wrong)
 
 
 def test_a_curve_without_its_mesh_and_what_is_no_curve_are_refused(limbs, tmp_path):
@@ -387,8 +409,8 @@ def test_a_curve_without_its_mesh_and_what_is_no_curve_are_refused(limbs, tmp_pa
     for given, says in (([], "a list of nothing"), ([skeleton, vertices], "of Skeleton, nd"), (skeleton, "a Skeleton")):
         with pytest.raises(ConfigError, match=f"skeletons is .*{says}"):
             msf_jax.stack(given)
-    with pytest.raises(ConfigError, match="like is a Skeleton"):
-        msf_jax.stack([skeleton], like=skeleton)  # pyright: ignore[reportArgumentType]
+    with pytest.raises(ConfigError, match="others are Skeleton"):
+        skeleton.binding.like(skeleton)
     for sigma, says in ((-1.0, "negative"), ([1.0, 2.0], "shape")):
         with pytest.raises(ConfigError, match=says):
             skeleton.covariance(sigma)

@@ -76,10 +76,10 @@ def case(name: str) -> Case:
         "vertices": lambda x: replayed(tape.weights, x),
         "nodes": lambda x: weighed(msf_jax.follow(limbs, x)),
         "radii": lambda x: (msf_jax.follow(limbs, x).radii ** 2).sum(),
-        "batch": lambda x: jax.vmap(weighed)(jax.vmap(msf_jax.follow)(batch.bindings, x)).sum(),
+        "batch": lambda x: weighed(msf_jax.follow(batch, x)),
     }
-    moved = np.asarray(batch.vertices) + 0.05 * np.sin(2 * np.asarray(batch.vertices)[..., [1, 2, 0]] + 0.3)
-    start = moved if name == "batch" else moved[1, : len(limbs.mesh_map)]
+    moved = np.asarray(batch.vertices) + 0.05 * np.sin(2 * np.asarray(batch.vertices)[:, [1, 2, 0]] + 0.3)
+    start = moved if name == "batch" else batch.split(moved, "vertices")[1]
     if name in ("weights", "vertices"):
         start = np.log(jax.tree.leaves(tape.weights)) if name == "weights" else np.asarray(tape.vertices)
     direction = random.normal(size=start.shape)
@@ -158,7 +158,7 @@ def check_export(name):
 TABLE = {  # transformations of each function; the slow ones come last, as those of a replay compile for seconds
     "nodes": ["grad", "forward", "second", "strict", "export"],
     "radii": ["grad", "forward"],
-    "batch": ["grad", "grad_of_vmap", "scan", "strict"],
+    "batch": ["grad", "grad_of_vmap", "scan", "second", "strict"],
     "weights": ["grad", "export"],
     "vertices": ["grad", "grad_of_vmap"],
 }
@@ -211,13 +211,13 @@ found = spread(jax.value_and_grad(value))(places)
 np.testing.assert_allclose(found[0], values, rtol=1e-7)
 np.testing.assert_allclose(found[1], slopes, rtol=0, atol=1e-6 * np.abs(slopes).max())
 assert len(found[0].sharding.device_set) == 2
-batch = msf_jax.stack(curves)
-weigh = lambda binding, vertices: cases.weighed(msf_jax.follow(binding, vertices))
-run = lambda pair: weigh(*pair)
-np.testing.assert_allclose(spread(run)((batch.bindings, batch.vertices)), followed, rtol=1e-12)
+equal = [skeleton.binding.like(curves[1].binding) for skeleton in curves]  # of one capacity: they can be mapped over
+bindings = jax.tree.map(lambda *parts: np.stack(parts), *equal)
+found = spread(lambda binding: cases.weighed(msf_jax.follow(binding, binding.vertices)))(bindings)
+np.testing.assert_allclose(found, followed, rtol=1e-12)
 there = jax.devices()[1]
 for skeleton in (curves[0], curves[0].binding):
-    vertices = jax.device_put(np.asarray(batch.vertices)[0, : len(curves[0].mesh_map)], there)
+    vertices = jax.device_put(equal[0].vertices[: len(curves[0].mesh_map)], there)
     assert msf_jax.follow(skeleton, vertices).nodes.devices() == {there}
 print("spread over", jax.device_count())
 """
@@ -238,8 +238,8 @@ def in_process(folder: Path, script: str, given, **variables) -> str:
 @pytest.mark.system
 def test_replays_and_batches_are_spread_over_devices(tmp_path):
     """In a process that has two. Values and slopes are those of this one, which has one."""
-    batch = msf_jax.stack(curves())
-    followed = jax.vmap(weighed)(jax.vmap(msf_jax.follow)(batch.bindings, batch.vertices))
+    both_of = [curves()[0].binding.like(curves()[1].binding), curves()[1].binding]
+    followed = [float(weighed(msf_jax.follow(each, each.vertices))) for each in both_of]
     _, values, slopes = both("weights")
     given = recorded().tape, curves(), case("weights").places[:2], values[:2], slopes[:2], np.asarray(followed)
     flags = f"{os.environ.get('XLA_FLAGS', '')} --xla_force_host_platform_device_count=2"

@@ -1,0 +1,171 @@
+"""Measures of followed curves, for losses: lengths, chords, means along branches, areas of sections, angles.
+
+    found = msf_jax.follow(skeleton.binding, vertices)
+    length = measures.lengths(found, skeleton.binding)
+    radius = measures.means(found, skeleton.binding, found.radii)
+
+Those of branches have a row for each branch, in the order of `Skeleton.branches` without those that have no edge, and
+rows of zeros up to the number of edges (E,). In a binding by `msf_jax.stack` the branches of a mesh begin at the row of
+its first edge: ``binding.split(length, "edges")`` has them mesh by mesh. All are in the mesh's units and exact for the
+polyline of the nodes. Arguments of other shapes or kinds are a `ConfigError`.
+"""
+
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+from jax import lax
+
+from msf_jax.base.binding import Binding
+from msf_jax.base.errors import ConfigError
+from msf_jax.device import following
+from msf_jax.gradients.follow import checked_vertices, numbers_of, promoting
+from msf_jax.gradients.losses import checked, norm
+
+NEAR, FAR = 1.0, 3.0  # radii of its first node: between these, a branch has its direction
+
+
+@promoting()
+def lengths(found: Any, binding: Binding) -> jax.Array:
+    """(E,) the length of each branch.
+
+    Differentiable in: nodes; the gradient at an edge of length 0 is 0.
+    """
+    return integrals(found, binding, jnp.ones(len(checked(found, binding)), found.nodes.dtype))
+
+
+@promoting()
+def chords(found: Any, binding: Binding) -> jax.Array:
+    """(E,) the distance between the ends of each branch; 0 for a loop. Length over chord is its tortuosity.
+
+    Differentiable in: nodes; the gradient at a distance of 0 is 0.
+    """
+    ends = checked(found, binding)[_ends(binding)]
+    return jnp.where(_is_branch(binding), norm(ends[:, 1] - ends[:, 0]), 0.0)
+
+
+@promoting()
+def integrals(found: Any, binding: Binding, values: Any) -> jax.Array:
+    """(E,) the integral of ``values`` (N,) of the nodes along each branch, linear on each edge.
+
+    The resistance of a branch to a flow that Poiseuille describes is 8 viscosity / pi times that of ``radius**-4``.
+
+    Differentiable in: nodes, values.
+    """
+    nodes, values = checked(found, binding), numbers_of("values", values, ConfigError)
+    if values.shape != (len(nodes),):
+        raise ConfigError(f"values has shape {values.shape}: expected ({len(nodes)},), a number for each row of nodes")
+    a, b = binding.edges.T
+    of_edge = jnp.where(binding.edge_mask, norm(nodes[b] - nodes[a]) * (values[a] + values[b]) / 2, 0.0)
+    return jax.ops.segment_sum(of_edge, binding.branch, len(of_edge), indices_are_sorted=True)
+
+
+@promoting()
+def means(found: Any, binding: Binding, values: Any) -> jax.Array:
+    """(E,) the mean of ``values`` (N,) along each branch, such as ``found.radii`` or `areas`.
+
+    Differentiable in: nodes, values.
+    """
+    length = lengths(found, binding)
+    return integrals(found, binding, values) / jnp.where(length > 0, length, 1.0)
+
+
+@promoting()
+def areas(skeleton: Any, vertices: Any) -> jax.Array:
+    """(N,) the area of the cross-section at each node, across the curve, for a mesh with moved ``vertices`` (V, 3).
+
+    As nodes are weighted means of the centroids of sections, this is that mean of their areas. The cuts move with the
+    mesh; the area of one that has become oblique is that of its projection along the curve. NaN at a node that has no
+    section of one limb near it: a pin, a node in a sheet; 0 in padding.
+
+    Args:
+        skeleton, vertices: of `msf_jax.follow`; of a binding, N counts its rows of padding.
+
+    Differentiable in: vertices.
+    """
+    binding, array = checked_vertices(skeleton, vertices)
+    rows = binding.num_vertices - len(array)
+    area = _areas(binding, jnp.pad(array, ((0, rows), (0, 0))))
+    return area if isinstance(skeleton, Binding) else area[: len(skeleton.vertices)]
+
+
+@jax.jit
+def _areas(binding: Binding, vertices: jax.Array) -> jax.Array:
+    binding, dtype = jax.tree.map(lax.stop_gradient, binding), vertices.dtype
+    nodes, num = following.follow(binding, vertices).nodes, len(binding.rest)
+    place = following.corners(binding, vertices - binding.spread(jnp.asarray(binding.centre, dtype), "vertices"))
+    vector = following.area_vectors(binding, place)[1] / 2
+    a, b = binding.edges.T
+    along = nodes[b] - nodes[a]
+    length = norm(along)
+    along = along / jnp.where(length > 0, length, 1.0)[:, None]
+    # The projection is the same for both directions of an edge, and a node has the mean of the squares at its edges.
+    both = jnp.where(binding.edge_mask[:, None, None], along[:, :, None] * along[:, None, :], 0.0)
+    both = jax.ops.segment_sum(both, a, num) + jax.ops.segment_sum(both, b, num)
+    square = jnp.einsum("si,sij,sj->s", vector, both[binding.node], vector)
+    square = square / jnp.maximum(jnp.bincount(binding.edges.ravel(), length=num), 1)[binding.node]
+    is_some = binding.is_loop & (square > 0)
+    area = jnp.where(is_some, jnp.sqrt(jnp.where(is_some, square, 1.0)), 0.0)
+    weight = jnp.asarray(binding.a_value, dtype) * is_some[binding.a_column]
+    total, sums = (
+        jax.ops.segment_sum(weight * of, binding.a_row, num, indices_are_sorted=True)
+        for of in (1.0, area[binding.a_column])
+    )
+    return jnp.where(binding.node_mask, jnp.where(total > 0, sums / jnp.where(total > 0, total, 1.0), jnp.nan), 0.0)
+
+
+@promoting()
+def angles(found: Any, binding: Binding, one: Any, other: Any) -> jax.Array:
+    """The angle in radians between branches ``one`` and ``other`` where they meet; pi if one goes straight on.
+
+    The direction of a branch is that of the chord from `NEAR` to `FAR` times the radius of the node where both meet,
+    along the branch, or over all of one that is shorter.
+
+    Args:
+        found, binding: of `msf_jax.follow`, and the binding that was followed.
+        one, other: rows of branches, numbers or arrays of one shape, which the result has. NaN if they do not meet; if
+            they meet twice, as in a loop, the angle at the first end of ``one``.
+
+    Differentiable in: nodes, radii.
+    """
+    nodes, num = checked(found, binding), len(binding.edges)
+    one, other = (numbers_of(name, of, ConfigError) for name, of in (("one", one), ("other", other)))
+    a, b = binding.edges.T
+    length = norm(nodes[b] - nodes[a])
+    length = jnp.where(binding.edge_mask, length, 0.0)
+    total = jax.ops.segment_sum(length, binding.branch, num, indices_are_sorted=True)
+    before = jnp.cumsum(total) - total
+    stop = jnp.cumsum(length) - before[binding.branch]  # along the branch, at the end of each edge
+    ends = _ends(binding)
+
+    def direction(end: int) -> jax.Array:
+        radius = jnp.abs(found.radii[ends[:, end]])
+        low, high = jnp.minimum(NEAR * radius, total / 2), jnp.minimum(FAR * radius, total)
+        if end:
+            low, high = total - high, total - low
+        part = jnp.clip(stop, low[binding.branch], high[binding.branch])
+        part = part - jnp.clip(stop - length, low[binding.branch], high[binding.branch])
+        step = (part / jnp.where(length > 0, length, 1.0))[:, None] * (nodes[b] - nodes[a])
+        chord = jax.ops.segment_sum(step, binding.branch, num, indices_are_sorted=True)
+        return -chord if end else chord
+
+    away = jnp.stack([direction(0), direction(1)], axis=1)
+    meets = ends[one][..., :, None] == ends[other][..., None, :]
+    is_first = jnp.cumsum(meets.reshape(*meets.shape[:-2], 4), axis=-1).reshape(meets.shape) == 1
+    pick = (meets & is_first).astype(nodes.dtype)
+    u, v = jnp.einsum("...ij,...ik->...k", pick, away[one]), jnp.einsum("...ij,...jk->...k", pick, away[other])
+    angle = jnp.arctan2(norm(jnp.cross(u, v)), (u * v).sum(-1))
+    return jnp.where(meets.any((-1, -2)), angle, jnp.nan)
+
+
+def _is_branch(binding: Binding) -> jax.Array:
+    """(E,) rows that are branches, which have an edge."""
+    return jax.ops.segment_max(binding.edge_mask.astype(jnp.int32), binding.branch, len(binding.edges)) > 0
+
+
+def _ends(binding: Binding) -> jax.Array:
+    """(E, 2) the first and the last node of each branch; rows that are none have any."""
+    rows, most = jnp.arange(len(binding.edges)), len(binding.edges) - 1
+    first, last = (jnp.searchsorted(jnp.asarray(binding.branch), rows, side=side) for side in ("left", "right"))
+    edges = jnp.asarray(binding.edges)
+    return jnp.stack([edges[jnp.minimum(first, most), 0], edges[jnp.maximum(last - 1, 0), 1]], axis=1)
