@@ -64,9 +64,7 @@ class TrackedFrame:
         if len(self.vanished):
             about = f"{len(self.vanished)} nodes without a section, the first {self.vanished[0]}"
         else:
-            about = (
-                f"{self.inside:.2%} of the curve inside, {self.crowded:.2%} crowded, {self.grown:.2%} of surface grown"
-            )
+            about = f"curve {self.inside:.2%} inside, {self.crowded:.2%} crowded; surface {self.grown:.2%} grown"
         return f"frame {self.number}: {about}{'; needs a fresh run' if self.wants_run else ''}"
 
 
