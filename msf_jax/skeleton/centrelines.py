@@ -16,13 +16,12 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.polynomial.polynomial import polyval
 from scipy import spatial
 
 from msf_jax.curve import branches
 from msf_jax.curve.junctions import AXIS, Branches
 from msf_jax.skeleton.measures import limb_sections, profile_of, section_of, tangents_of, volumes_of
-from msf_jax.solid.geometry import arc_length, nearest_to_ray, unit
+from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -173,16 +172,14 @@ def _degrees_between(one: np.ndarray, other: np.ndarray) -> float:
     return float(np.degrees(np.arccos(np.clip(one @ other, -1.0, 1.0))))
 
 
-def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> np.ndarray:
     """The direction (3,) of a path that leaves a junction at its first node, in the middle of the stretch that gives
-    its axis (see `curve.junctions`); and a place (3,) on that axis, with the length of the path up to there. Of a path
-    that is too short for an axis, its chord and its start."""
+    its axis (see `curve.junctions`); its chord if it is too short for one."""
     axis = curve.axis(path)
     if axis is None:
-        return unit(vertices[path[-1]] - vertices[path[0]]), vertices[path[0]], 0.0
+        return unit(vertices[path[-1]] - vertices[path[0]])
     middle = float(axis.along[axis.first]) + AXIS / 2 * axis.size
-    place = np.asarray(polyval(middle, axis.parabola))
-    return unit(axis.parabola[1] + 2 * middle * axis.parabola[2]), place, middle
+    return unit(axis.parabola[1] + 2 * middle * axis.parabola[2])
 
 
 def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
@@ -192,7 +189,7 @@ def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarr
     for number in np.flatnonzero((parent >= 0) & [len(nodes) > 1 for nodes in paths]).tolist():
         nodes, mother = paths[number], paths[parent[number]]
         mother = mother if mother[-1] != nodes[0] else mother[::-1]
-        ahead, back = (_heading(curve, skeleton.vertices, each)[0] for each in (nodes, mother))
+        ahead, back = (_heading(curve, skeleton.vertices, each) for each in (nodes, mother))
         angles[number] = _degrees_between(-ahead, back)
     return angles
 
@@ -259,34 +256,21 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
     axes, strahler, found = axes_of(skeleton)
     num, volume = len(axes), _branch_volumes(skeleton, found.paths)
     size = np.array([radii_without_ends(skeleton, axis.nodes, found.degree)[:2] for axis in axes]).reshape(num, 2)
-    curve, along = Branches(skeleton.vertices, skeleton.edges, skeleton.radii), np.zeros(num)
-    position, angle, length = np.full((3, num), np.nan)
+    curve = Branches(skeleton.vertices, skeleton.edges, skeleton.radii)
+    position, angle, internode = np.full((3, num), np.nan)
+    last = dict[int, float]()  # of each parent, the position of the axis before
     for number, axis in enumerate(axes):
-        length[number] = along[number] = float(arc_length(skeleton.vertices[axis.nodes])[-1])
-        if axis.parent >= 0 and along[number] > 0:
-            mother = axes[axis.parent].nodes
-            points, above = skeleton.vertices[mother], arc_length(skeleton.vertices[mother])
-            # Within the parent the curve bends towards the fork, so the line of the axis is extended backwards.
-            ahead, place, begin = _heading(curve, skeleton.vertices, axis.nodes)
-            near = np.flatnonzero(np.abs(above - axis.position)[:-1] <= along[number])
-            share, feet, off = nearest_to_ray(points[np.stack([near, near + 1], axis=1)], place, -ahead)
-            best = int(off.argmin())
-            position[number] = above[near[best]] + share[best] * np.diff(above)[near[best]]
-            length[number] += float(np.linalg.norm(place - feet[best])) - begin
-            fork = int(np.abs(above - position[number]).argmin())
-            sign, below = (-1, mother[fork::-1]) if fork > 0 else (1, mother)
-            angle[number] = _degrees_between(ahead, sign * _heading(curve, skeleton.vertices, below)[0])
-    above = _whole([axis.parent for axis in axes])
-    position += np.where(above >= 0, (length - along)[above], 0.0)  # from where the parent itself begins
-    internode, last = np.full(num, np.nan), dict[int, float]()
-    for number in np.argsort(position, kind="stable").tolist():
-        mother, place = axes[number].parent, float(position[number])
-        if mother >= 0:
-            internode[number] = place - last.get(mother, 0.0)
-            last[mother] = place
+        if axis.parent >= 0:
+            mother, position[number] = axes[axis.parent].nodes, axis.position
+            internode[number] = axis.position - last.get(axis.parent, 0.0)
+            last[axis.parent] = axis.position
+            if len(axis.nodes) > 1:
+                below = mother[int((mother == axis.nodes[0]).argmax()) :: -1]
+                ahead, back = (_heading(curve, skeleton.vertices, path) for path in (axis.nodes, below))
+                angle[number] = _degrees_between(ahead, -back)
     return {
         "axis": np.arange(num),
-        "parent": above,
+        "parent": _whole([axis.parent for axis in axes]),
         "order": _whole([axis.order for axis in axes]),
         "strahler": _whole([strahler[axis.branches[0]] for axis in axes]),
         "start": _whole([axis.nodes[0] for axis in axes]),
@@ -294,7 +278,7 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
         "position": position,
         "internode": internode,
         "angle": angle,
-        "length": length,
+        "length": np.array([arc_length(skeleton.vertices[axis.nodes])[-1] for axis in axes]),
         "chord": np.array([np.linalg.norm(np.diff(skeleton.vertices[axis.nodes[[0, -1]]], axis=0)) for axis in axes]),
         "mean_radius": size[:, 0],
         "least_radius": size[:, 1],
@@ -325,8 +309,7 @@ def cylinder_columns(skeleton: "Skeleton") -> Columns:
     mean of the skeleton's radii at both ends.
     """
     (axes, *_), disc = axes_of(skeleton), _disc_radii(skeleton)
-    sizes, ends, spans = list[np.ndarray](), [np.empty((0, 2), dtype=np.int64)], [np.empty((0, 2, 3))]
-    radius, parent, branch = [np.empty(0)], list[int](), list[int]()
+    sizes, rows, parent, branch = list[np.ndarray](), [np.empty((0, 8))], list[int](), list[int]()
     into: dict[tuple[int, int], int] = {}  # the cylinder of an axis that ends in a node
     for number, axis in enumerate(axes):
         nodes, known, last = axis.nodes, np.isfinite(disc[axis.nodes]), 0
@@ -347,23 +330,22 @@ def cylinder_columns(skeleton: "Skeleton") -> Columns:
             if k >= last:
                 parent.append(into[number, int(nodes[k])] if k > last else into.get((axis.parent, int(nodes[0])), 0))
                 branch.append(number)
-        ends.append(np.stack([nodes[last:-1], nodes[last + 1 :]], axis=1))
-        spans.append(np.stack([points[:-1], points[1:]], axis=1))
-        radius.append((own[:-1] + own[1:]) / 2)
+        radii = np.stack([own, skeleton.radii[nodes[last:]]], axis=1)
+        rows.append(np.hstack([points[:-1], points[1:], (radii[:-1] + radii[1:]) / 2]))
     axis_of, above = _whole(branch), _whole(parent)
     first = np.searchsorted(axis_of, axis_of)
     is_first = first == np.arange(len(axis_of))
     extension = np.append(np.where(is_first[1:], 0, np.arange(2, len(axis_of) + 1)), 0)[: len(axis_of)]
-    tail, head = np.moveaxis(np.concatenate(spans), 1, 0)
+    tail, head, radii = np.split(np.concatenate(rows), [3, 6], axis=1)
     return {
-        "radius": np.concatenate(radius),
+        "radius": radii[:, 0],
         "length": np.linalg.norm(head - tail, axis=1),
         **dict(zip(("start.x", "start.y", "start.z"), tail.T, strict=True)),
         **dict(zip(("axis.x", "axis.y", "axis.z"), unit(head - tail).T, strict=True)),
         "parent": above,
         "extension": extension,
         "added": np.zeros(len(axis_of), dtype=np.int64),
-        "UnmodRadius": skeleton.radii[np.concatenate(ends)].mean(axis=1),
+        "UnmodRadius": radii[:, 1],
         "branch": axis_of + 1,
         "BranchOrder": _whole([axis.order for axis in axes])[axis_of],
         "PositionInBranch": np.arange(len(axis_of)) - first + 1,
