@@ -39,22 +39,23 @@ def reeb_curve(shape: Enclosure, only_thin: bool = True) -> ReebCurve | None:
     """The curve of a connected solid of diagonal 1; None if the solid is not coarse, a plate, or, with ``only_thin``,
     not thin."""
     x, faces = shape.vertices, shape.faces
-    normals = unit(vertex_normals(x, faces))
-    asked = x, normals, spatial.KDTree(x), balls.FIRST
-    # Whether the solid is thin is decided by balls of limited size, which are found fast.
-    every, most = np.arange(len(x)), balls.THIN
-    is_thin = np.median(balls.shrinking_balls(*asked, 2 * most, every).radius) < most
-    if only_thin and not is_thin:
-        return None
-    radius = balls.shrinking_balls(*asked, 1.0, every).radius
-    step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)
-    is_long = length > (1.0 if is_thin else FRAME) * np.minimum(radius[tail], radius[head])
-    if 2 * length[is_long].sum() <= length.sum():
+    longest = np.zeros(len(x))
+    np.maximum.at(longest, np.r_[tail, head], np.r_[length, length])
+    asked, every = (x, unit(vertex_normals(x, faces)), spatial.KDTree(x)), np.arange(len(x))
+    # Balls as large as their vertex's longest edge: on a fine surface nearly all are empty, and found at once.
+    reach = balls.shrinking_balls(*asked, longest, longest, every).radius
+    reach = np.minimum(reach[tail], reach[head])
+    if 2 * length[length > reach].sum() <= length.sum():
+        return None
+    radius = balls.shrinking_balls(*asked, balls.FIRST, 1.0, every).radius
+    step = float(np.median(radius))
+    is_thin = step < balls.THIN
+    if not is_thin and (only_thin or 2 * length[length > FRAME * reach].sum() <= length.sum()):
         return None
     # A ball between few vertices can be too large, so the clearances of all middles are asked for.
-    middles = x - radius[:, None] * normals
+    middles = x - radius[:, None] * asked[1]
     seed = int(shape.approximate_clearance(middles)[0].argmax())
     # Wavefronts begin all around the largest ball: from one vertex of a rim, they would run obliquely along the limb.
     beyond = np.maximum(np.linalg.norm(x - middles[seed], axis=1) - radius[seed], 0.0)
