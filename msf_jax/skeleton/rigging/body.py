@@ -4,17 +4,15 @@ Left is the side with the larger coordinate across the plane: the left of a figu
 glTF, or along -y with z up, as in Blender.
 
 Girdles are where pairs of limbs meet the body: pelvis, shoulders, and often a head with ears or horns. The trunk lies
-between the two girdles whose connection is thickest at its narrowest place, since a neck is narrower than a trunk. Of
-these two the shoulders are those with the head beyond: with more pairs (ears, horns), or, if as many, with the larger
-volume, which a head has and a tail has not. The other one is the pelvis. No direction in space decides, so turned and
-mirrored shapes have the same.
-
-The legs of a biped go on in the direction of its trunk: in the mean of the spine's and of that from its hands to its
-feet, whose places are sure where a fat body hides those of girdles. On four legs they are across it.
+between the two neighbours whose connection is thickest at its narrowest place, since a neck is narrower than a trunk.
+A trunk ends in a pair of legs, which go on from it, and in a head; how `find_girdles` tells these is in the order of
+what it asks. No direction in space decides, so turned and mirrored shapes have the same, and which way is down is not
+known. Limbs that are across a trunk at both ends are the legs and the wings of a bird, which go different ways, or
+legs of a body that is no biped.
 """
 
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
 import networkx as nx
@@ -29,7 +27,7 @@ ALIKE = 0.1  # diagonals of the curve: distance between a part's ends and those 
 MATCHED = 0.04  # diagonals: distance of a mirrored node from the curve, at most, if it counts as matched
 ENOUGH = 0.6  # share of the curve's length that has a mirror image in a symmetric shape, at least
 MOST_FITS = 30  # steps in which a plane is fitted
-MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as fingers of a hand, make no girdle
+LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 STANDARDS = ("mixamo", "vrm", "unreal")
 # What a bone is: its name in each of the standards, with {} for the side.
 NAMES = {
@@ -174,11 +172,18 @@ def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mi
 
 
 class Girdles(NamedTuple):
-    """nodes: where pairs of long limbs begin. pelvis and shoulders: two of them, or -1."""
+    """nodes: where pairs of limbs begin. pelvis and shoulders: the ends of the trunk, or -1. legs and arms: (2, 3) the
+    directions of the longest limbs at these, on both sides of the plane. angle: between the legs and the way on from
+    the trunk, in radians. is_sure: whether it is known which end is the pelvis.
+    """
 
     nodes: list[int]
     pelvis: int = -1
     shoulders: int = -1
+    legs: np.ndarray = np.zeros((2, 3))
+    arms: np.ndarray = np.zeros((2, 3))
+    angle: float = 0.0
+    is_sure: bool = True
 
 
 def find_girdles(
@@ -188,70 +193,100 @@ def find_girdles(
     if plane is None:
         return Girdles([])
     tree, degree = nx.Graph(edges.tolist()), graphs.degrees(len(vertices), edges)
-    pairs: list[tuple[int, list[int], float]] = []  # the girdle, the nodes from tip to tip, the length outside its ball
+    pairs: list[tuple[float, int, list[int]]] = []  # the length, the girdle, the nodes from tip to tip
     image = plane.images(vertices[tips])
     for k in np.flatnonzero(image > np.arange(len(tips))):
         one, other = int(tips[k]), int(tips[image[k]])
-        nodes = nx.shortest_path(tree, one, other) if nx.has_path(tree, one, other) else []
-        is_middle = (degree[nodes] > 2) & (np.abs(plane.height(vertices[nodes])) < radii[nodes])
-        if is_middle.any():
-            girdle = nodes[int(np.where(is_middle, radii[nodes], -1.0).argmax())]
-            pairs.append((girdle, nodes, float(arc_length(vertices[nodes])[-1]) - 2 * float(radii[girdle])))
-    longest = max((length for *_, length in pairs), default=0.0)
-    main = [(girdle, nodes) for girdle, nodes, length in pairs if length >= MAIN_LIMB * longest]
-    trunks = [
-        nx.shortest_path(tree, one, other)
-        for one, other in combinations(sorted({girdle for girdle, _ in main}), 2)
-        if nx.has_path(tree, one, other)
-    ]
+        nodes = nx.shortest_path(tree, one, other) if nx.has_path(tree, one, other) else [one]
+        off = np.where(degree[nodes] > 2, np.abs(plane.height(vertices[nodes])) - radii[nodes], np.inf)
+        is_middle = off <= np.clip(off.min(), 0.0, MATCHED * plane.size)
+        girdle = nodes[int(np.where(is_middle, radii[nodes], -1.0).argmax())]
+        length = float(arc_length(vertices[nodes])[-1])
+        if is_middle.any() and length > 2 * (1 + LEAST_LIMB) * radii[girdle]:
+            pairs.append((length, girdle, nodes))
+    nodes = sorted({girdle for _, girdle, _ in pairs})
+    trunks: list[tuple[float, list[int]]] = []  # the least radius in the middle half, as a crotch is thin; the nodes
+    for one, other in combinations(nodes, 2):
+        trunk = nx.shortest_path(tree, one, other) if nx.has_path(tree, one, other) else []
+        along = arc_length(vertices[trunk]) if trunk else np.zeros(1)
+        if along[-1] > max(radii[one], radii[other]) and not set(nodes) & set(trunk[1:-1]):
+            thick = np.interp(along[-1] * np.linspace(0.25, 0.75, len(STOPS)), along, radii[trunk])
+            trunks.append((float(thick.min()), trunk))
     if not trunks:
-        return Girdles([girdle for girdle, _ in main])
-    trunk = max(trunks, key=lambda nodes: (float(radii[nodes].min()), -len(nodes), nodes))
+        return Girdles(nodes)
+    trunk = max(trunks)[1]
+    own = {node for _, girdle, nodes in pairs if girdle in (trunk[0], trunk[-1]) for node in nodes} - set(trunk)
+    rest = tree.copy()
+    rest.remove_nodes_from(own)
+    rest.remove_edges_from(pairwise(trunk))
 
-    def weigh_beyond(end: int) -> tuple[int, float]:
-        """What is beyond an end of the trunk, without its own long limbs: the number of pairs, and the integral of
-        radius^2 along the curve outside the end's ball."""
-        own = {node for girdle, nodes in main if girdle == end for node in nodes} - {end}
-        rest = nx.restricted_view(tree, [trunk[1] if end == trunk[0] else trunk[-2], *own], [])
-        nodes = nx.node_connected_component(rest, end)
-        a, b = np.array(list(rest.subgraph(nodes).edges), dtype=np.int64).reshape(-1, 2).T
-        step = np.linalg.norm(vertices[a] - vertices[b], axis=1)
-        is_out = np.linalg.norm((vertices[a] + vertices[b]) / 2 - vertices[end], axis=1) > radii[end]
-        count = sum(girdle in nodes and girdle != end for girdle, *_ in pairs)
-        return count, float((step * radii[a] * radii[b])[is_out].sum())
+    def describe_end(half: list[int], other: int) -> tuple[tuple, float, int, np.ndarray, float]:
+        """What tells the end of a trunk, the first of its ``half``, larger at shoulders: whether its limbs do not go on
+        where the trunk ends, the number of pairs beyond, whether a limb in the middle is, and whether limbs that do not
+        go on are apart, as wings; the mean radius of the outer half of the limb in the middle, as a head is blunter
+        than a tail; the end, and the directions and the angle of its longest limbs."""
+        longest = max(pair for pair in pairs if pair[1] == half[0])[2]
+        pair = np.array([longest[0], longest[-1]])
+        limbs = unit(vertices[pair[np.argsort(plane.height(vertices[pair]))]] - vertices[half[0]])
+        angle = between(limbs, unit(vertices[half[0]] - vertices[other]))
+        beyond = {end: nodes for start in half for end, nodes in nx.single_source_shortest_path(rest, start).items()}
+        count = sum(girdle in beyond and girdle != half[0] for _, girdle, _ in pairs)
+        middle = max(beyond.values(), key=lambda nodes: float(arc_length(vertices[nodes])[-1]))
+        along = arc_length(vertices[middle])
+        is_out, is_wing = bool(along[-1] > (1 + LEAST_LIMB) * radii[middle[0]]), min(angle, between(*limbs)) > ASTRIDE
+        return (
+            (angle > ASTRIDE, count, is_out, is_wing),
+            radii[middle][along >= along[-1] / 2].mean(),
+            half[0],
+            limbs,
+            angle,
+        )
 
-    return Girdles([girdle for girdle, _ in main], *sorted((trunk[0], trunk[-1]), key=weigh_beyond))
+    inner = len(trunk) // 2
+    ends = describe_end(trunk[:inner], trunk[-1]), describe_end(trunk[: -inner - 1 : -1], trunk[0])
+    (one, _, pelvis, legs, angle), (other, _, shoulders, arms, _) = sorted(ends, key=lambda end: end[:3])
+    return Girdles(nodes, pelvis, shoulders, legs, arms, angle, one != other)
 
 
-def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, num_pieces: int) -> None:
+def between(one: np.ndarray, other: np.ndarray) -> float:
+    """The mean angle between unit vectors (n, 3) and others, in radians."""
+    return float(np.arccos(np.clip((one * other).sum(axis=-1), -1, 1)).mean())
+
+
+def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, num_pieces: int) -> list[str]:
     """Give the cuts and roles of a biped to the ``paths`` of a curve in ``num_pieces``, and its left to its left side.
+
+    Returns what is not known of it.
 
     Raises:
         ConfigError: the shape is none; the message says why.
     """
 
     def refused(reason: str) -> ConfigError:
-        return ConfigError(f"names are for bipeds, and this is none: {reason}: expected names=None")
-
-    if plane is None or girdles.pelvis < 0:
         apart = f'; the curve is in {num_pieces} pieces, and repair="join" makes one solid of parts'
-        raise refused("no two pairs of limbs are mirror images" + (apart if num_pieces > 1 else ""))
-    spine = next((path for path in paths if path.is_spine and path.nodes[-1] == girdles.shoulders), None)
-    if spine is None:
-        raise refused("the pelvis and the shoulders are not the two ends of one branch")
+        return ConfigError(
+            f"names are for bipeds, and this is none: {reason}{apart if num_pieces > 1 else ''}: expected names=None"
+        )
+
+    if plane is None:
+        raise refused(f"no plane has mirror images of {ENOUGH:.0%} of its curve")
+    if not girdles.nodes:
+        raise refused("no pair of limbs are mirror images")
+    if girdles.pelvis < 0:
+        raise refused("all pairs of limbs begin at one place, and those of a biped at two ends of a trunk")
+    if girdles.angle > ASTRIDE:
+        angle = f"the limbs at its pelvis are at {np.degrees(girdles.angle):.0f} degrees to its trunk"
+        if between(*girdles.legs) > ASTRIDE:
+            raise refused(f"{angle}, to its two sides")
+        if between(girdles.legs, girdles.arms) < ASTRIDE:
+            raise refused(f"{angle}, and those at its shoulders go the same way, as on four legs")
     legs, arms = (_longest_pair(paths, node) for node in (girdles.pelvis, girdles.shoulders))
     upper = [path for path in paths if path.nodes[0] == girdles.shoulders and not path.side]
-    if not legs or not arms or not upper:
-        raise refused(f"there are no {'legs' if not legs else 'arms' if not arms else 'neck and head'}")
+    spine = next((path for path in paths if path.is_spine), None)
+    if spine is None or not legs or not arms or not upper:
+        part = "legs" if spine is None or not legs else "arms" if not arms else "neck and head"
+        raise refused(f"there are no {part}")
     down = unit(spine.line[0] - spine.line[-1])
-    along = unit(np.mean([leg.line[-1] - leg.line[0] for leg in legs], axis=0))  # without the spread
-    hands, feet = (np.mean([limb.line[-1] for limb in pair], axis=0) for pair in (arms, legs))
-    between = float(np.mean(np.arccos(np.clip([along @ down, along @ unit(feet - hands)], -1, 1))))
-    if between > ASTRIDE:
-        raise refused(
-            f"it stands on four legs: its hind legs are at {np.degrees(between):.0f} degrees to its trunk, and those "
-            f"of a biped at {np.degrees(ASTRIDE):.0f} at most"
-        )
     wrist, has_toes = WRIST[0 if arms[0].is_limb else 1], legs[0].is_limb
     ankle = float(np.mean([_find_ankle(leg) for leg in legs]))
     elbow, knee = (
@@ -270,15 +305,24 @@ def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, nu
     foot = np.mean([leg.line[-1] - at(leg.line, STOPS, np.array([ankle]))[0] for leg in legs], axis=0)
     front = foot - (foot @ down) * down
     left = np.cross(-down, front) @ plane.normal  # the left of a figure that looks to the front
-    if left < -FEET * arc_length(legs[0].line)[-1]:
+    least = FEET * arc_length(legs[0].line)[-1]
+    if left < -least:
         for path in paths:
             path.side *= -1
+    return [] if abs(left) > least else ["which side is the left is not known, as feet do not stand out to the front"]
 
 
 def _longest_pair(paths: list[BonePath], node: int) -> list[BonePath]:
-    """The longest pair of branches that begins at a node; empty if there is none."""
-    sided = [path for path in paths if path.nodes[0] == node and path.image >= 0]
-    first = max(sided, key=lambda path: float(arc_length(path.line)[-1]), default=None)
+    """The pair of branches that begins at a node and has the farthest tip beyond; empty if there is none, or if it ends
+    before the lower part of its limbs, which fork there."""
+    reach: dict[int, float] = {}  # from each node to the farthest tip beyond
+    first, longest = None, 0.0
+    for path in reversed(paths):
+        length = float(arc_length(path.line)[-1])
+        whole = length + reach.get(int(path.nodes[-1]), 0.0)
+        reach[int(path.nodes[0])] = max(reach.get(int(path.nodes[0]), 0.0), whole)
+        if path.nodes[0] == node and path.image >= 0 and whole > longest:
+            first, longest = (path if length > LOWER * whole else None), whole
     return [] if first is None else [first, paths[first.image]]
 
 

@@ -16,11 +16,10 @@ from scipy import spatial
 from msf_jax.curve import branches
 from msf_jax.skeleton.centrelines import direct_paths
 from msf_jax.skeleton.rigging import body
-from msf_jax.skeleton.rigging.body import LIMB, SHORTEST, STOPS, BonePath, Girdles, Mirror, find_bend
+from msf_jax.skeleton.rigging.body import LIMB, SHORTEST, STOPS, BonePath, Mirror, find_bend
 from msf_jax.solid.geometry import arc_length, at
 from msf_jax.topology import graphs
 
-LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 LONGEST_BONE = 6.0  # radii: a longer bone is cut
 LEAVES = 0.6  # share of a branch's length that the ball at its start may cover, at most
 EXACT = 0.006  # diagonals: mean distance of a tip from its image, at most, if joints are moved to be symmetric
@@ -32,7 +31,7 @@ class Bones(NamedTuple):
     """B bones, parents before children.
 
     joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end. parents: (B,) -1 for a root. names:
-    of each. of_node: (N,) the bone of every node of the curve.
+    of each. of_node: (N,) the bone of every node of the curve. notes: what is not known of a body.
     """
 
     joints: np.ndarray
@@ -40,6 +39,7 @@ class Bones(NamedTuple):
     parents: np.ndarray
     names: tuple[str, ...]
     of_node: np.ndarray
+    notes: tuple[str, ...] = ()
 
 
 def bones_of(
@@ -56,15 +56,16 @@ def bones_of(
     edges = edges[branches.cut_loops(num, edges, size)]
     plane = body.find_mirror(vertices, edges, tips)
     girdles = body.find_girdles(vertices, edges, radii, tips, plane)
-    vertices, edges, size, target = _contract_short(vertices, edges, radii, size, plane, girdles)
-    nodes = target[girdles.nodes].tolist()
-    pelvis, shoulders = (int(target[node]) if node >= 0 else -1 for node in (girdles.pelvis, girdles.shoulders))
+    vertices, edges, size, target = _contract_short(vertices, edges, radii, size, {girdles.pelvis, girdles.shoulders})
+    pelvis, notes = girdles.pelvis, []
+    if not girdles.is_sure:
+        notes = ["limbs do not tell which end of the trunk is the pelvis: the other one is where a blunter limb begins"]
     rank = np.where(graphs.degrees(num, edges) > 2, 1, 0)  # of a root: the pelvis, then girdles, then junctions
-    rank[nodes] = 2
+    rank[target[girdles.nodes]] = 2
     rank[[pelvis] if pelvis >= 0 else []] = 3
     roots = branches.roots_of(num, edges, rank + size / (1 + size.max()), None)
     roots = [root for root in roots if target[root] == root]
-    paths = _direct_paths(vertices, edges, size, roots)
+    paths = _direct_paths(vertices, edges, size, roots, girdles.shoulders)
     if plane is not None:
         _pair_paths(vertices, paths, plane)
     starts = [_place_root(vertices, size, paths, root, plane if root == pelvis else None) for root in roots]
@@ -74,66 +75,58 @@ def bones_of(
             for each in [path, *([paths[path.image]] if path.image >= 0 else [])]:
                 each.cuts = (0.0, *stops, 1.0)
     if standard:
-        body.plan_biped(paths, Girdles(nodes, pelvis, shoulders), plane, len(roots))
-    return _lay_bones(roots, starts, paths, target, standard)
+        notes += body.plan_biped(paths, girdles, plane, len(roots))
+    return _lay_bones(roots, starts, paths, target, standard)._replace(notes=tuple(notes))
 
 
 def _contract_short(
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    radii: np.ndarray,
-    size: np.ndarray,
-    plane: Mirror | None,
-    girdles: Girdles,
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, size: np.ndarray, stays: set[int]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Contract limbs that are too short for a bone to their junctions, and then trunks without length for one, because
-    how many junctions a hand or a head has is chance; the shortest first, and mirror images together.
+    how many junctions a hand or a head has is chance; the shortest first.
 
-    The pelvis and the shoulders stay where they are. Other junctions of a trunk become one in their middle, of their
-    largest size. Returns vertices (N, 3), edges, sizes (N,), and the node that stands for each (N,).
+    The pelvis and the shoulders, the nodes of ``stays``, stay where they are. Other junctions of a trunk become one in
+    their middle, of their largest size. Returns vertices (N, 3), edges, sizes (N,), and the node
+    that stands for each (N,).
     """
     vertices, size, target = vertices.copy(), size.copy(), np.arange(len(vertices))
-    stays, count = {girdles.pelvis, girdles.shoulders}, np.ones(len(vertices))  # of junctions that became one
+    count = np.ones(len(vertices))  # of junctions that became one
     while True:
         degree = graphs.degrees(len(vertices), edges)
-        limbs, trunks = [], []  # the length and the least one of each, its nodes, and the place that has a mirror image
+        limbs, trunks = [], []  # the length over the least one of each, and its nodes
         for nodes in graphs.trace(len(vertices), edges):
             nodes = nodes if degree[nodes[-1]] > 1 else nodes[::-1]
             one, other, length = nodes[0], nodes[-1], float(arc_length(vertices[nodes])[-1])
             if degree[one] == 1 and degree[other] > 2:
-                limbs.append((length - radii[other], LEAST_LIMB * radii[other], nodes, vertices[one]))
+                limbs.append(((length - radii[other]) / (body.LEAST_LIMB * radii[other]), nodes))
             elif min(degree[one], degree[other]) > 2 and not stays.issuperset((one, other)):
                 out = length - min(max(size[one], size[other]), LEAVES * length)
-                least = SHORTEST * float(np.median(radii[nodes]))
-                trunks.append((out, least, nodes, (vertices[one] + vertices[other]) / 2))
+                trunks.append((out / (SHORTEST * float(np.median(radii[nodes]))), nodes))
         for pieces in (limbs, trunks):
-            length = np.array([piece[:2] for piece in pieces]).reshape(-1, 2)
-            image = np.full(len(pieces), -1) if plane is None else plane.images(np.array([at for *_, at in pieces]))
-            image = np.where(image < 0, np.arange(len(pieces)), image)
-            out, least = (length + length[image]).T
-            if (out < least).any():
+            share, nodes = min(pieces, default=(1.0, []))
+            if share < 1:
                 break
         else:
             return vertices, edges, size, target
-        first = int(np.where(out < least, out, np.inf).argmin())
-        for nodes in (pieces[number][2] for number in {first, int(image[first])}):
-            one, other = target[[nodes[0], nodes[-1]]].tolist()
-            is_first = one in stays or (other not in stays and size[one] >= size[other])
-            own, gone = (one, other) if pieces is trunks and is_first else (other, one)
-            if pieces is trunks and own != gone:
-                size[own] = max(size[own], size[gone])
-                if own not in stays:
-                    vertices[own] = np.average(vertices[[own, gone]], axis=0, weights=count[[own, gone]])
-                count[own] += count[gone]
-            target[np.isin(target, [*nodes, gone])] = own
+        one, other = target[[nodes[0], nodes[-1]]].tolist()
+        is_first = one in stays or (other not in stays and size[one] >= size[other])
+        own, gone = (one, other) if pieces is trunks and is_first else (other, one)
+        if pieces is trunks:
+            size[own] = max(size[own], size[gone])
+            if own not in stays:
+                vertices[own] = np.average(vertices[[own, gone]], axis=0, weights=count[[own, gone]])
+            count[own] += count[gone]
+        target[np.isin(target, [*nodes, gone])] = own
         edges = target[edges]
         edges = edges[edges[:, 0] != edges[:, 1]]
 
 
-def _direct_paths(vertices: np.ndarray, edges: np.ndarray, size: np.ndarray, roots: list[int]) -> list[BonePath]:
+def _direct_paths(
+    vertices: np.ndarray, edges: np.ndarray, size: np.ndarray, roots: list[int], shoulders: int
+) -> list[BonePath]:
     """The branches directed away from the ``roots``, each after the one that it begins at; else those first beyond
     which is the tip that is farthest from all tips: an order that does not change with the numbers of nodes, nor much
-    with the places of junctions."""
+    with the places of junctions. The spine, from the pelvis to the ``shoulders`` (-1 for none), is one branch."""
     degree, traced = graphs.degrees(len(vertices), edges), graphs.trace(len(vertices), edges)
     nodes, above, _ = direct_paths((np.array(path) for path in traced if len(path) > 1), roots)
     tips = np.flatnonzero(degree == 1)
@@ -141,26 +134,46 @@ def _direct_paths(vertices: np.ndarray, edges: np.ndarray, size: np.ndarray, roo
     for number in reversed(above):
         start, end = int(nodes[number][0]), int(nodes[number][-1])
         value[start] = max(value.get(start, 0.0), value[end])
-    return [
-        _path_of(vertices, size, nodes[number], bool(degree[nodes[number][-1]] == 1))
-        for number in sorted(above, key=lambda number: -value[int(nodes[number][-1])])
-    ]
-
-
-def _path_of(vertices: np.ndarray, size: np.ndarray, nodes: np.ndarray, is_limb: bool) -> BonePath:
-    along = arc_length(vertices[nodes])
-    start = min(float(size[nodes[0]]), LEAVES * float(along[-1]))
-    part = (along - start) / max(float(along[-1]) - start, 1e-300)
-    return BonePath(nodes, part, at(vertices[nodes], part, STOPS), np.interp(STOPS, part, size[nodes]), is_limb)
+    order = sorted(above, key=lambda number: -value[int(nodes[number][-1])])
+    spine, number = [], next((number for number in above if shoulders in nodes[number][1:]), -1)
+    while number >= 0:
+        spine, number = [number, *spine], above[number]
+    if spine:
+        nodes[spine[0]] = np.concatenate([nodes[number][min(k, 1) :] for k, number in enumerate(spine)])
+    paths = []
+    for number in (number for number in order if number not in spine[1:]):
+        along = arc_length(vertices[nodes[number]])
+        start = min(float(size[nodes[number][0]]), LEAVES * float(along[-1]))
+        part = (along - start) / max(float(along[-1]) - start, 1e-300)
+        line, thick = at(vertices[nodes[number]], part, STOPS), np.interp(STOPS, part, size[nodes[number]])
+        is_limb = bool(degree[nodes[number][-1]] == 1)
+        paths.append(BonePath(nodes[number], part, line, thick, is_limb, is_spine=number in spine))
+    return paths
 
 
 def _pair_paths(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> None:
-    """Give the ``paths`` their images. Both have the mean of their lines, if the shape is as symmetric."""
+    """Give the ``paths`` their images: of tips that are images of each other, those on their ways from the root, which
+    is itself as far as it is the same, and then in their order. Both have the mean of their lines, if the shape is as
+    symmetric."""
+    leads = {node: number for number, path in enumerate(paths) for node in path.nodes[1:].tolist()}
+    ways: list[list[int]] = []
+    for number, path in enumerate(paths):
+        above = leads.get(int(path.nodes[0]), -1)
+        ways.append([*(ways[above] if above >= 0 else []), number])
+    tips = np.array([number for number, path in enumerate(paths) if path.is_limb], dtype=np.int64)
     ends = vertices[np.array([path.nodes[-1] for path in paths], dtype=np.int64)]
-    image = plane.images(ends)
-    tips = [k for k, path in enumerate(paths) if image[k] >= 0 and path.is_limb]
-    away = np.linalg.norm(ends[tips] - plane.flipped(ends[image[tips]]), axis=1)
-    is_exact = len(tips) > 0 and bool(np.mean(away) < EXACT * plane.size)
+    match, image = plane.images(ends[tips]), np.full(len(paths), -1)
+    for one, other in zip(tips[match >= 0].tolist(), tips[match[match >= 0]].tolist(), strict=True):
+        way, twin_way = ways[one], ways[other]
+        pairs = list(zip(way, twin_way, strict=False))
+        if len(way) != len(twin_way):  # a palm that one side has not is nobody's image
+            pairs = [*pairs[: max(len(pairs) - 1, 1)], (one, other)]
+        for number, twin in pairs:
+            if image[number] == image[twin] == -1:
+                image[number], image[twin] = twin, number
+    paired = tips[image[tips] >= 0]
+    away = np.linalg.norm(ends[paired] - plane.flipped(ends[image[paired]]), axis=1)
+    is_exact = len(paired) > 0 and bool(np.mean(away) < EXACT * plane.size)
     for number, other in enumerate(image.tolist()):
         if other < number:  # no image, or the pair is done
             continue
@@ -181,16 +194,15 @@ def _place_root(
     vertices: np.ndarray, size: np.ndarray, paths: list[BonePath], root: int, plane: Mirror | None
 ) -> np.ndarray:
     """(2, 3) the joint and the tail of the bone of a root, along the spine or the longest branch. The ``plane`` is
-    given for the pelvis; of ``paths`` the spine then becomes one, from between the hips."""
+    given for the pelvis; the spine then begins between the hips."""
     first = [path for path in paths if path.nodes[0] == root]
-    trunks = [path for path in first if not (path.is_limb or path.side)]
-    hips = [path.line[0] for path in first if path.side]
-    if plane is not None and len(trunks) == 1 and len(hips) >= 2:
-        (spine,) = trunks
+    if plane is not None:
+        spine = next(path for path in first if path.is_spine)
+        hips = [path.line[0] for path in first if path.side] or [vertices[root]]
         line = plane.flipped(np.vstack([np.mean(hips, axis=0), vertices[spine.nodes]]), times=1.0)
         part = arc_length(line) / arc_length(line)[-1]
         spine.part, spine.line = part[1:], at(line, part, STOPS)
-        spine.size, spine.cuts, spine.is_spine = np.interp(STOPS, part, size[[root, *spine.nodes]]), SPINE[1:], True
+        spine.size, spine.cuts = np.interp(STOPS, part, size[[root, *spine.nodes]]), SPINE[1:]
         return at(line, part, np.array(SPINE[:2]))
     lines = [vertices[[root, root]], *(path.line for path in first)]
     return np.stack([vertices[root], max(lines, key=lambda line: float(arc_length(line)[-1]))[0]])
@@ -218,11 +230,10 @@ def _lay_bones(
     names = ["root" if len(roots) == 1 else f"root{number}" for number in range(1, len(roots) + 1)]
     if standard:
         names[0] = body.NAMES["hips"][which]
-    last = {root: number for number, root in enumerate(roots)}  # the last bone of the branch that ends in a node
     of_node, count, numbers = np.full(len(target), -1), {"limb": 0, "trunk": 0}, dict[int, int]()
     of_node[roots] = np.arange(len(roots))
     for number, path in enumerate(paths):
-        kind, above, first = "limb" if path.is_limb else "trunk", last[int(path.nodes[0])], len(parents)
+        kind, above, first = "limb" if path.is_limb else "trunk", int(of_node[path.nodes[0]]), len(parents)
         if number not in numbers:
             count[kind] += 1
             numbers |= {number: count[kind], path.image: count[kind]}
@@ -235,6 +246,5 @@ def _lay_bones(
             names.append(role.format(body.SIDE_NAMES[path.side][which]) or own)
         piece = np.minimum(np.searchsorted(path.cuts, path.part, side="right"), len(path.cuts) - 1) - 1
         of_node[path.nodes[1:]] = np.where(piece < 0, above, first + piece)[1:]
-        last[int(path.nodes[-1])] = int(of_node[path.nodes[-1]])
     joints, tails = np.stack(ends, axis=1)
     return Bones(joints, tails, np.array(parents), tuple(names), of_node[target])

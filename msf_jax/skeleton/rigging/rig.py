@@ -51,7 +51,7 @@ class Rig:
         parents: (B,) int, the parent of each bone; -1 for a root.
         names: of the bones: root, trunk1_1, limb2_3.L (the third bone of the second limb on the left side).
         weights: sparse (V, B), of at most four bones for each vertex; each row sums to 1.
-        notes: where loops were cut.
+        notes: where loops were cut, and what is not known of a body.
     """
 
     joints: np.ndarray
@@ -126,8 +126,11 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
     weights = heat_weights(vertices, faces, HEAT_REACH * away, bones.of_node[node], len(bones.joints))
     cuts = edges[np.logical_not(branches.cut_loops(len(nodes), edges, size))]
     weights = subtract_rest(weights) if len(cuts) else reduce_along_tree(weights, bones.parents)
-    where = ["({:.4g}, {:.4g}, {:.4g})".format(*place) for place in nodes[cuts].mean(axis=1)]
-    notes = [f"a loop was cut at {place}, where it is thinnest or parts merely touch" for place in where]
+    notes = list(bones.notes)
+    if len(cuts):
+        place = "({:.4g}, {:.4g}, {:.4g})".format(*nodes[cuts[0]].mean(axis=0))
+        more = f" and {len(cuts) - 1} more at other places" if len(cuts) > 1 else ""
+        notes.append(f"a loop was cut at {place}{more}, where it is thinnest or parts merely touch")
     return Rig(bones.joints, bones.tails, bones.parents, bones.names, sparse.csr_matrix(weights), tuple(notes))
 
 
