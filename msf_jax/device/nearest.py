@@ -63,8 +63,10 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         return away.min(axis=1), start[run] + away.argmin(axis=1)
 
     # All pairs of a point and a run that may contain its nearest face, numbered, and tested ``together`` at a time.
-    some, _ = smallest(jnp.arange(num), bound.argmin(axis=1))
-    pair = jnp.cumsum((bound * bound <= some[:, None]).ravel().astype(jnp.int32))
+    # One of two meshes has a large ball around both, whose far side is not near.
+    some, _ = smallest(jnp.arange(num), jnp.where(bound < jnp.inf, away + radius, jnp.inf).argmin(axis=1))
+    is_near = (bound * bound <= some[:, None]) & (bound < jnp.inf)  # rows of padding have no pair
+    pair = jnp.cumsum(is_near.ravel().astype(jnp.int32))
     together = AT_ONCE // size
 
     def test_pairs(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
