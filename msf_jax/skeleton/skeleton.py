@@ -182,7 +182,7 @@ class Skeleton:
         from 0 to 1, says which limbs that only stand out count, as in `Config`. If it is given, limbs without a branch
         get one: a coarser detail removes branches, a finer one adds some. Without it, limbs count that stand out at
         the detail 0.5, and nothing is added. A run with these two numbers in its `Config` chooses limbs in the same
-        way. Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its
+        way. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a pruned branch go to its
         junction. Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least
         slender first.
 
@@ -194,20 +194,20 @@ class Skeleton:
             raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
         if not (detail is None or (isinstance(detail, numbers.Real) and 0 <= float(detail) <= 1)):
             raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
-        x, edges, least, is_pinned = self.vertices, self.edges, float(slenderness), _pinned(self)
+        x, edges, least, is_held = self.vertices, self.edges, float(slenderness), _held(self)
         report, num, grown = self.report, len(self.vertices), 0
         if self.source is not None and not report.wavefronts and least:
             solid, finest = self.source.solid, 0.5 if detail is None else float(detail)
-            choice = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_pinned, least, finest)
+            choice = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_held, least, finest)
             if detail is not None and (grown := choice.leaf.count(-1)):
                 new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
-                new, edges = containment.contain(solid.shape, new, edges, np.pad(is_pinned, (0, len(new) - num)))
+                new, edges = containment.contain(solid.shape, new, edges, np.pad(is_held, (0, len(new) - num)))
                 x = np.concatenate([x, solid.leave(new[num:])])
             added = 0, len(x) - num
             worth = np.pad(choice.worth, added, constant_values=np.inf)
-            stays, target = one_branch.kept(x, edges, worth, np.pad(is_pinned, added))
+            stays, target = one_branch.kept(x, edges, worth, np.pad(is_held, added))
         elif detail is None:
-            stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, self.radii), least, is_pinned)
+            stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, self.radii), least, is_held)
         else:
             raise ConfigError(
                 f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "
@@ -219,7 +219,8 @@ class Skeleton:
         return replace(result, report=replace(result.report, pruned=pruned, grown=report.grown + grown))
 
     def resample(self, spacing: float) -> "Skeleton":
-        """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends and pins stay.
+        """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends, pins and
+        openings stay.
 
         An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
 
@@ -233,7 +234,7 @@ class Skeleton:
                 f"{MOST_NODES} nodes; is it in the mesh's units?"
             )
         solid = None if self.source is None else self.source.solid
-        return changed(self, *resampling.resample(self.vertices, self.edges, spacing, _pinned(self), solid))
+        return changed(self, *resampling.resample(self.vertices, self.edges, spacing, _held(self), solid))
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton, smoothed: in each round nodes move half of the way to the midpoint of their two neighbours.
@@ -246,7 +247,7 @@ class Skeleton:
         if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
             raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
         solid = None if self.source is None else self.source.solid
-        x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), _pinned(self), solid)
+        x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), _held(self), solid)
         return changed(self, x, edges, np.arange(len(x)))
 
     def simplify(self, tolerance: float) -> "Skeleton":
@@ -260,8 +261,8 @@ class Skeleton:
         """
         _check_length("tolerance", tolerance)
         num = len(self.vertices)
-        stays = _pinned(self) | (np.bincount(self.edges.ravel(), minlength=num) != 2)
-        stays[list(self.roots) + list(self.openings)] = True
+        stays = _held(self) | (np.bincount(self.edges.ravel(), minlength=num) != 2)
+        stays[list(self.roots)] = True
         chains, node_of_old = [np.empty((0, 2), dtype=np.int64)], np.arange(num)
         for path in graphs.trace(num, self.edges):
             nodes = np.array(path)
@@ -607,12 +608,14 @@ def _relinked(skeleton: Skeleton, edges: np.ndarray, note: str, **counts: Any) -
     return replace(skeleton, edges=edges, report=report)
 
 
-def _pinned(skeleton: Skeleton) -> np.ndarray:
-    """(N,) True for the node of a pinned vertex of the mesh."""
-    is_pinned = np.zeros(len(skeleton.vertices), dtype=bool)
+def _held(skeleton: Skeleton) -> np.ndarray:
+    """(N,) True for nodes that stay in every curve made from this one: of pinned vertices of the mesh, and of
+    openings."""
+    is_held = np.zeros(len(skeleton.vertices), dtype=bool)
+    is_held[list(skeleton.openings)] = True
     if skeleton.source is not None:
-        is_pinned[skeleton.mesh_map[skeleton.source.pins]] = True
-    return is_pinned
+        is_held[skeleton.mesh_map[skeleton.source.pins]] = True
+    return is_held
 
 
 def _check_length(name: str, value: Any) -> None:
