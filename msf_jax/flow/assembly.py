@@ -165,7 +165,8 @@ def _skeleton(
     found: dict[str, Any] = {"doubts": (UNCHECKED,)}
     if not clock.reason:
         curve = solid.shape, solid.enter(vertices), edges, node_of_vertex
-        found = assessed(*curve, lambda: skeleton.branches) if is_finished else loops_of(*curve)
+        is_joined = report.joined_handles is not None
+        found = assessed(*curve, lambda: skeleton.branches, is_joined) if is_finished else loops_of(*curve)
     # The frozen skeleton has no other reader yet, and keeps what it knows of its leaves.
     vars(skeleton)["report"] = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return skeleton

@@ -62,7 +62,7 @@ class Surface:
     given: vertices and faces of the caller's mesh.
     rims: the caller's vertices around each filled hole.
     num_left_out: pieces beyond ``Repair.most_parts``.
-    joined_handles: handles that the solid has and the parts that were joined had not.
+    joined_handles: handles that the solid has and the parts that were joined had not; None if none were to be joined.
     """
 
     vertices: np.ndarray
@@ -78,7 +78,7 @@ class Surface:
     given: tuple[np.ndarray, np.ndarray]
     rims: tuple[np.ndarray, ...] = ()
     num_left_out: int = 0
-    joined_handles: int = 0
+    joined_handles: int | None = None
 
     @property
     def genus(self) -> int:
@@ -147,7 +147,7 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     """The checked surface after joining closed parts; see `joining`."""
     parts = _checked(vertices, faces, is_joined=False)
     done = joining.joined([_with_cavities(part) for part in parts.components], reach)
-    faces, left_out = with_volume(done.vertices, done.faces, 0.0)
+    faces, crumbs, _ = with_volume(done.vertices, done.faces)
     if len(faces) == 0:
         raise MeshError(f"no part has the {FEWEST_VERTICES} vertices and the volume that a solid needs")
     used, corners = np.unique(faces, return_inverse=True)
@@ -161,8 +161,6 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     number[used] = checked.vertex_of_input
     target = np.full(len(parts.vertices) + 1, -1)
     target[member] = number[done.vertex_of_part]
-    num_crumbs = sum(left_out.values())
-    crumbs = [f"left out {num_crumbs} crumbs"] if num_crumbs else []
     return replace(
         checked,
         vertex_of_input=target[parts.vertex_of_input],

@@ -19,8 +19,11 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Options, number
+from msf_jax.base.writing import counted
 from msf_jax.meshes.holes import extruded, filled
-from msf_jax.solid.geometry import signed_volume
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import signed_volume, triangle_areas
+from msf_jax.solid.solid import nested
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import by_label, edge_codes
 
@@ -30,6 +33,9 @@ WELD = 1e-6  # diagonals: vertices at rims within this distance are welded
 LARGEST_WELD = 0.01  # median edges: the largest radius of a weld; more would collapse triangles
 MOST_NEIGHBOURS = 50  # vertices at rims within the radius of a weld, on average, at most
 LONGEST_GAP = 0.005  # diagonals: the longest gap that "join" bridges
+SMALLEST_PART = 0.001  # of the largest part's volume: below it, a part may be a speck
+MOST_NAMED = 4  # specks whose places are told
+BELOW = 1e-6  # diagonals of a speck: depth below the surface beside it at which the way through the solid begins
 NO_VOLUME = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
@@ -39,7 +45,8 @@ class Repair(Options):
 
     Attributes:
         largest_hole: holes whose rim fits into a box of this diagonal are filled; 0 fills none, 1 all.
-        smallest_part: pieces whose box has a smaller diagonal are dropped; 0 keeps all that enclose a volume.
+        smallest_part: closed pieces of a smaller share of the largest one's volume are dropped if they are also
+            smaller than the radius of the solid where they lie: specks. 0 keeps all that enclose a volume.
         join: closed parts become one solid if they overlap, or if their gap is at most this length, or at most the
             radius of the smaller solid (of the ball with its ratio of volume to area). 0 joins parts that overlap or
             touch, None joins none. ``repair="join"`` means 0.005.
@@ -51,7 +58,7 @@ class Repair(Options):
     """
 
     largest_hole: float = number(1.0, 0, 1)
-    smallest_part: float = number(0.0, 0, 1)
+    smallest_part: float = number(SMALLEST_PART, 0, 1)
     join: float | None = number(None, 0, 1)
     most_parts: int = number(128, 1, np.inf)
 
@@ -148,9 +155,8 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     source = np.concatenate([source, source[closed.source]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
     most = options.most_parts if options.join is None else len(faces)
-    faces, left_out = with_volume(vertices, faces, options.smallest_part * diagonal, fewest, most)
-    for reason, num in left_out.items():
-        note(f"left out {{}}{reason}", num, "piece")
+    faces, left_out, num_beyond = with_volume(vertices, faces, options.smallest_part, fewest, most)
+    repairs += left_out
     if len(faces) == 0:
         raise MeshError(
             f"after repair no piece is left that encloses a volume and has {fewest} vertices: expected a "
@@ -168,7 +174,7 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
         vertex_of_given=first[welded],
         repairs=tuple(repairs),
         rims=rims,
-        num_left_out=list(left_out.values())[-1],
+        num_left_out=num_beyond,
     )
 
 
@@ -199,42 +205,94 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 
 
 def with_volume(
-    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES, most: int | None = None
-) -> tuple[np.ndarray, dict[str, int]]:
-    """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, those smaller than ``size``, and the
-    smallest of more than ``most`` pieces.
+    vertices: np.ndarray,
+    faces: np.ndarray,
+    smallest: float = 0.0,
+    fewest: int = FEWEST_VERTICES,
+    most: int | None = None,
+) -> tuple[np.ndarray, list[str], int]:
+    """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, `specks` below the share
+    ``smallest`` of the largest volume, and the smallest of more than ``most`` pieces.
 
-    Returns the faces that are left, and how many pieces were removed for each reason, the last of which is ``most``.
+    Returns the faces that are left, a sentence for each reason, and how many pieces were beyond ``most``.
     """
-    few, flat, small, beyond = (
-        f" of fewer than {fewest} vertices",
-        " without volume",
-        " smaller than smallest_part",
-        f", the smallest, beyond most_parts = {most}",
-    )
-    left_out = dict.fromkeys((few, flat, small, beyond), 0)
     if len(faces) == 0:
-        return faces, left_out
+        return faces, [], 0
     edge, _, count = edge_codes(faces)
     label = graphs.pieces(faces, len(vertices))
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
-    diagonals, keep = np.zeros(len(is_open)), np.ones(len(is_open), dtype=bool)
+    low, high = (end(vertices[faces.ravel()], axis=0) for end in (np.min, np.max))
+    parts, is_few, is_flat = [], np.zeros(len(is_open), dtype=bool), np.zeros(len(is_open), dtype=bool)
     for piece, rows in enumerate(by_label(label)):
         used, local = np.unique(faces[rows], return_inverse=True)
-        low, high = vertices[used].min(axis=0), vertices[used].max(axis=0)
-        extent = float((high - low).max())
-        diagonals[piece] = np.linalg.norm(high - low)
-        centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
-        is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= NO_VOLUME
-        reasons = (few, len(used) < fewest), (flat, extent == 0 or is_hollow), (small, diagonals[piece] < size)
-        for reason in [reason for reason, applies in reasons if applies][:1]:
-            left_out[reason] += 1
-            keep[piece] = False
-    kept = np.flatnonzero(keep)
-    if most is not None and len(kept) > most:
-        left_out[beyond] = len(kept) - most
-        keep[kept[np.argsort(-diagonals[kept], kind="stable")][most:]] = False
-    return faces[keep[label]], left_out
+        parts.append(Enclosure((vertices[used] - (low + high) / 2) / ((high - low).max() or 1.0), local.reshape(-1, 3)))
+        is_few[piece] = len(used) < fewest
+        extent = float(np.ptp(parts[-1].vertices, axis=0).max())
+        is_flat[piece] = extent == 0 or (not is_open[piece] and abs(volume_of(parts[-1])) <= NO_VOLUME * extent**3)
+    keep = ~(is_few | is_flat)
+    closed = np.flatnonzero(keep & ~is_open)
+    speck = closed[specks([parts[k] for k in closed], smallest)]
+    places = [(high + low) / 2 + (high - low).max() * middle_of(parts[k]) for k in speck[:MOST_NAMED]]
+    keep[speck] = False
+    kept, diagonals = np.flatnonzero(keep), np.array([np.linalg.norm(np.ptp(part.vertices, axis=0)) for part in parts])
+    num_beyond = 0 if most is None else max(len(kept) - most, 0)
+    keep[kept[np.argsort(-diagonals[kept], kind="stable")][len(kept) - num_beyond :]] = False
+    at = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places)
+    reasons = (
+        (int(is_few.sum()), f" of fewer than {fewest} vertices"),
+        (int((is_flat & ~is_few).sum()), " without volume"),
+        (len(speck), f" smaller than smallest_part, at {at}" + ", ..." * (len(speck) > MOST_NAMED)),
+        (num_beyond, f", the smallest, beyond most_parts = {most}"),
+    )
+    return (
+        faces[keep[label]],
+        [f"left out {counted(num, 'piece')}{reason}" for num, reason in reasons if num],
+        num_beyond,
+    )
+
+
+def volume_of(part: Enclosure) -> float:
+    """The signed volume of a closed part, which may be far from the origin."""
+    return signed_volume(part.vertices - middle_of(part), part.faces)
+
+
+def middle_of(part: Enclosure) -> np.ndarray:
+    """(3,) the middle of the box of a part."""
+    return (part.vertices.min(axis=0) + part.vertices.max(axis=0)) / 2
+
+
+def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarray:
+    """(k,) which of closed ``parts`` are specks: solids of less than ``smallest`` of the largest part's volume, and of
+    a smaller size than the radius at which they lie.
+
+    The size is the box's diagonal: a hair is thin, but long. The radius is that of the nearest other solid that is
+    larger and no speck, as a part of a twig lies at the twig: half of the way through it there, or that of the ball
+    with its ratio of volume to area if this is less.
+    """
+    volume = np.array([volume_of(part) for part in parts])
+    size = np.abs(volume)
+    is_speck = size < smallest * size.max(initial=0.0)
+    if not is_speck.any():
+        return is_speck
+    is_solid = nested(parts, volume)[0] == np.arange(len(parts))
+    is_speck &= is_solid
+    low, high = (np.array([end(part.vertices, axis=0) for part in parts]) for end in (np.min, np.max))
+    for each in np.flatnonzero(is_speck)[np.argsort(-size[is_speck], kind="stable")].tolist():
+        middle, diagonal = middle_of(parts[each])[None], float(np.linalg.norm(high[each] - low[each]))
+        others = np.flatnonzero(is_solid & ~is_speck & (size > size[each]))
+        least = np.linalg.norm(np.maximum(np.maximum(low[others] - middle, middle - high[others]), 0), axis=1)
+        away, nearest, face = np.inf, parts[each], 0
+        for k in np.argsort(least, kind="stable").tolist():
+            if least[k] >= away:
+                break
+            distance, at = parts[others[k]].nearest(middle)
+            if distance[0] < away:
+                away, nearest, face = float(distance[0]), parts[others[k]], int(at[0])
+        inward = -np.sign(volume_of(nearest)) * nearest.normals[[face]]
+        foot = nearest.feet(middle) + BELOW * diagonal * inward
+        radius = 3 * abs(volume_of(nearest)) / triangle_areas(nearest.triangles).sum()
+        is_speck[each] = nearest.ray_lengths(foot, inward, np.array([2 * radius]))[0] > 2 * diagonal
+    return is_speck
 
 
 def _pairs(edge: np.ndarray, is_meant: np.ndarray) -> np.ndarray:

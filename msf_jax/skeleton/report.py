@@ -19,6 +19,7 @@ from scipy import spatial
 
 from msf_jax.curve import branches, handle_loops
 from msf_jax.limbs.one_branch import Branch, leaves_of
+from msf_jax.meshes.repair import specks
 from msf_jax.skeleton.measures import volumes_of
 from msf_jax.solid import crossings, sections
 from msf_jax.solid.enclosure import Enclosure
@@ -67,7 +68,8 @@ class Report:
             strands in one limb.
         elongation: the largest length of a branch in its median diameters.
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
-        joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
+        joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places; None
+            without it.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
@@ -110,7 +112,7 @@ class Report:
     unexplained: float | None = None
     elongation: float | None = None
     left_out: int = 0
-    joined_handles: int = 0
+    joined_handles: int | None = None
     doubts: tuple[str, ...] = ()
     repairs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
@@ -139,13 +141,13 @@ class Report:
         in_sheets, unexplained, elongation = (np.nan if each is None else each for each in measured)
         if None in measured:
             return (UNMEASURED,)
-        parts, handles = (count_of(self.left_out, "part"), count_of(self.joined_handles, "handle"))
+        parts, handles = (count_of(self.left_out, "part"), count_of(self.joined_handles or 0, "handle"))
         found = (
             (elongation < 1, "no part is longer than it is wide"),
             (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
             (unexplained > MOST_UNEXPLAINED, f"{unexplained:.0%} of the curve's length {EXCESS}"),
             (self.left_out > 0, f"repair left out {parts}, which {'has' if self.left_out == 1 else 'have'} no curve"),
-            (self.joined_handles > 0, f"joining made {handles}, where parts touch in several places"),
+            ((self.joined_handles or 0) > 0, f"joining made {handles}, where parts touch in several places"),
         )
         return tuple(reason for is_so, reason in found if is_so)
 
@@ -239,10 +241,12 @@ def assessed(
     edges: np.ndarray,
     node_of_vertex: np.ndarray | None = None,
     branches_of: Callable[[], list[Branch]] = list,
+    is_joined: bool = False,
 ) -> dict[str, Any]:
     """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`.
 
-    ``branches_of`` returns its branches; they are only asked for where many of them end.
+    ``branches_of`` returns its branches; they are only asked for where many of them end. ``is_joined`` says whether the
+    solid's parts were joined, which is not advised then.
     """
     about = loops_of(shape, vertices, edges, node_of_vertex)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
@@ -255,7 +259,7 @@ def assessed(
     if shares["in_sheets"] > 1 / 2:  # the curve could as well be elsewhere
         doubts.append(IN_SHEETS.format(shares["in_sheets"]))
     doubts += _folds(shape, vertices, edges)
-    doubts += _overlaps(shape, vertices, edges, node_of_vertex)
+    doubts += _overlaps(shape, vertices, edges, node_of_vertex, is_joined)
     return about | shares | {"doubts": (*about["doubts"], *doubts)}
 
 
@@ -279,9 +283,10 @@ def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[st
 
 
 def _overlaps(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None, is_joined: bool
 ) -> list[str]:
-    """The doubts about a surface whose solid it does not bound everywhere: parts of it are inside."""
+    """The doubts about a surface whose solid it does not bound everywhere, as parts of it are inside, and about specks
+    beside or inside the solid, whose limbs are none."""
     node = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1]) if node_of_vertex is None else node_of_vertex
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     doubts = []
@@ -289,9 +294,16 @@ def _overlaps(
         least = "at least " if shape.crossed.is_cut else ""
         doubts.append(
             f"the surface crosses itself, in {least}{count_of(num, 'pair')} of triangles: radii count "
-            'walls inside the solid, and loops may be missing; repair="join" makes one solid'
+            "walls inside the solid, and loops may be missing" + '; repair="join" makes one solid' * (not is_joined)
         )
-    if num := sum(body.is_within for body in bodies(shape)):
+    solids = bodies(shape)
+    if len(solids) > 1:
+        outside = (np.unique(shape.faces[body.outside], return_inverse=True) for body in solids)
+        parts = [Enclosure(shape.vertices[used], corners.reshape(-1, 3)) for used, corners in outside]
+        if num := int(specks(parts).sum()):
+            what = "part is a speck, which has" if num == 1 else "parts are specks, which have"
+            doubts.append(f"{num} {what} no limbs: repair=True leaves specks out")
+    if num := sum(body.is_within for body in solids):
         which = "a solid is inside another" if num == 1 else f"{num} solids are inside others"
         doubts.append(f"{which} and wound outwards, too: it is taken as full; a cavity is wound inwards")
     return doubts

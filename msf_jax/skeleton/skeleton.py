@@ -182,9 +182,9 @@ class Skeleton:
         from 0 to 1, says which limbs that only stand out count, as in `Config`. If it is given, limbs without a branch
         get one: a coarser detail removes branches, a finer one adds some. Without it, limbs count that stand out at
         the detail 0.5, and nothing is added. A run with these two numbers in its `Config` chooses limbs in the same
-        way. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a pruned branch go to its
-        junction. Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least
-        slender first.
+        way. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a pruned branch
+        go to its junction. Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the
+        least slender first.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
@@ -578,7 +578,9 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
         return result
     solid, vertex = source.solid, source.input_of_vertex
     followed = None if vertex is None else mesh_map[vertex]
-    found = assessed(solid.shape, solid.enter(vertices), edges, followed, lambda: result.branches)
+    found = assessed(
+        solid.shape, solid.enter(vertices), edges, followed, lambda: result.branches, report.joined_handles is not None
+    )
     found["inside"] = _share_inside(result, edges)
     result = replace(result, report=replace(report, **found))
     return result if skeleton.radius_of == "ball" else _with_sections(result)

@@ -76,14 +76,19 @@ def test_many_vertices_in_one_place_are_welded_in_little_memory():
     assert len(found.vertices) == len(vertices)
 
 
-def test_small_parts_are_kept_unless_asked():
-    crumb = faults.box()
-    mesh = faults.joined((VERTICES, FACES), (crumb[0] * 0.01 + 3, crumb[1]))
-    assert len(checking.prepare(mesh, True).components) == 2
-    found = checking.prepare(mesh, Repair(smallest_part=0.05))
-    assert len(found.components) == 1
-    assert found.repairs == ("left out 1 piece smaller than smallest_part",)
-    assert (found.vertex_of_input[: len(VERTICES)] >= 0).all() and len(found.strays) == len(crumb[0])
+def test_specks_are_left_out_and_named_unless_all_parts_are_wanted():
+    """A flake beside, inside and away from a rod, and none of a hair that is as thin."""
+    rod, hair = trimesh.creation.cylinder(radius=3.0, height=20.0), trimesh.creation.box((0.05, 0.05, 9.0))
+    hair.apply_translation((0, 0, 14.0))
+    for x in (3.1, 2.0, 30.0):
+        flake = trimesh.creation.box((0.05, 0.5, 1.2)).apply_translation((x, 0, 1.0))
+        mesh = trimesh.util.concatenate([rod, flake, hair])
+        found = checking.prepare(mesh, True)
+        assert found.repairs == (f"left out 1 piece smaller than smallest_part, at ({x:g}, 0, 1)",)
+        assert len(found.components) == 2 and len(found.strays) == 8
+        assert (found.vertex_of_input >= 0).sum() == len(found.vertices) == len(mesh.vertices) - 8
+        everything = checking.prepare(mesh, Repair(smallest_part=0.0))
+        assert len(everything.components) == 3 and not everything.repairs
 
 
 def test_the_callers_arrays_stay_as_they_are():

@@ -22,6 +22,15 @@ def ring_with_a_tail() -> msf_jax.Skeleton:
     return curve_of(vertices, np.unique(np.sort(edges, axis=1), axis=0), radii)
 
 
+def test_a_branch_to_an_opening_stays():
+    """However short it is: the same rule as for pins, in every curve made from another."""
+    curve = ring_with_a_tail()
+    assert curve.prune(100).num_leaves == 2  # of the edge of its own
+    kept = replace(curve, openings=(11, 12)).prune(100).resample(3.0).simplify(0.5)
+    assert kept.num_leaves == 3
+    np.testing.assert_array_equal(kept.vertices[list(kept.openings)], curve.vertices[[11, 12]])
+
+
 def test_a_loop_is_cut_where_it_is_thinnest():
     tree = ring_with_a_tail().to_tree()
     lost = {(0, 1), (3, 4)} - set(map(tuple, tree.edges.tolist()))
