@@ -2,6 +2,8 @@
 
 from typing import Any, NamedTuple
 
+from msf_jax.base.layout import Layout
+
 
 class Mixing(NamedTuple):
     """A sparse matrix by its entries (e,): ``share`` for positions, ``blend`` for weights."""
@@ -31,10 +33,10 @@ class Basis(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
+    """T iterations in one layout of n rows, each followed by R rounds of M splits. The first ones may be idle.
 
     enter: (T, n) the row of the workspace before, from which each row starts. rings: (T, S) each. degree, free, pull:
-    (T, n). site: (T, n) the row of the first stretch whose pole each row has. left: (T, 2, n, 3) residuals r of the
+    (T, n). site: (T, n) the first row whose pole each row has. left: (T, 2, n, 3) residuals r of the
     solves. factor: (T,) the factor on w_L. group: (T, n) the row that each row is merged into. share, blend: (T, n) its
     share of that row's position and weights. cut: (T, R, M, 3) the ends of the split edge, and the apex.
     """
@@ -54,7 +56,8 @@ class Stretch(NamedTuple):
 
 
 class Part(NamedTuple):
-    """The tape of one component. Its first rows are those of the surface at the start of the flow.
+    """The tape of one component. Its first rows are those of the surface at the start of the flow. All arrays are
+    padded: indices and shares by 0.
 
     vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
     mesh_filter: the filter of the mesh itself, or None. gather: the matrix (n, V) from vertices to first rows.
@@ -73,7 +76,7 @@ class Part(NamedTuple):
     tetrahedron: Any
     is_firm: Any
     offset: Any
-    stretches: tuple[Stretch, ...]
+    stretch: Stretch | None
     meso_row: Any
     nodes: Mixing
     pin_node: Any
@@ -83,3 +86,11 @@ class Part(NamedTuple):
     centre: Any
     diagonal: Any
     axes: Any
+
+
+class Size(NamedTuple):
+    """The layout of a component's rows, and how many vertices of its meso-skeleton and nodes are no padding."""
+
+    layout: Layout
+    num_meso: int
+    num_nodes: int
