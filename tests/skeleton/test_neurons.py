@@ -1,9 +1,12 @@
 """What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces joined, what radii are."""
 
 from dataclasses import replace
+from itertools import pairwise
 
+import manifold3d
 import numpy as np
 import pytest
+import trimesh
 from scipy.sparse.csgraph import minimum_spanning_tree
 from scipy.spatial.distance import cdist
 
@@ -173,6 +176,45 @@ def test_a_root_in_no_soma_is_told_first_and_cut_loops_are_counted():
     assert "NOT SURE" not in neuron(2.0).to_tree("soma").report.lines()[0]
 
 
+def winding(random, start, direction, length) -> list[np.ndarray]:
+    """Twelve straight pieces, each at nine degrees to the one before."""
+    places = [start]
+    for _ in range(12):
+        places.append(places[-1] + direction * length / 12)
+        side = np.cross(direction, random.normal(size=3))
+        direction = direction + np.tan(np.radians(9)) * side / np.linalg.norm(side)
+        direction /= np.linalg.norm(direction)
+    return places
+
+
+def made_neuron(seed: int) -> tuple[trimesh.Trimesh, float, int]:
+    """A surface, the radius of its soma, a ball at the origin, and the number of its neurites, which taper."""
+    random, ball = np.random.default_rng(seed), manifold3d.Manifold.sphere
+    size, count = random.uniform(5, 9), 1 + seed
+    solid = ball(size, 32)
+    for direction in np.array([[0, 0, 1], [0.94, 0, -0.33], [-0.47, 0.82, -0.33], [-0.47, -0.82, -0.33]])[:count]:
+        direction = direction / np.linalg.norm(direction)
+        places = winding(random, 0.8 * size * direction, direction, random.uniform(40, 70))
+        widths = np.linspace(random.uniform(1.0, 1.6), 0.6, 13)
+        balls = [ball(width, 16).translate(place.tolist()) for width, place in zip(widths, places, strict=True)]
+        for pair in pairwise(balls):
+            solid += (pair[0] + pair[1]).hull()
+    mesh = solid.to_mesh64()
+    return trimesh.Trimesh(mesh.vert_properties[:, :3], mesh.tri_verts, process=False), size, count
+
+
+@pytest.mark.slow  # areas of curves without a mesh are above
+@pytest.mark.parametrize("seed", range(4))
+def test_the_swc_of_a_neuron_has_the_area_of_its_mesh(seed, tmp_path):
+    mesh, size, count = made_neuron(seed)
+    tree = msf_jax.skeletonize(mesh).to_tree("soma").with_radii("section")
+    tree.save(tmp_path / "a.swc", label=3)
+    rows = rows_of(tmp_path / "a.swc")
+    assert area_of(rows) == pytest.approx(mesh.area, rel=0.03)
+    assert np.linalg.norm(rows[0, 2:5]) < 0.1 * size and rows[0, 5] == pytest.approx(size, rel=0.04)
+    assert (rows[:, 6] == 1).sum() == count and set(rows[1:, 1]) == {3.0}
+
+
 @pytest.mark.slow  # units and labels of a file are below
 def test_navis_knows_the_units_and_the_labels(tmp_path):
     navis = pytest.importorskip("navis")
@@ -181,6 +223,7 @@ def test_navis_knows_the_units_and_the_labels(tmp_path):
     read = navis.read_swc(str(tmp_path / "a.swc"), read_meta=True)
     assert str(read.units) in ("1 micrometer", "micrometer") and read.n_nodes == 48  # the soma had five
     assert read.cable_length == pytest.approx(curve.length, rel=1e-5)
+    assert read.soma == 1
     soma = read.nodes[read.nodes["label"] == 1]
     assert len(soma) == 1 and soma[["x", "y", "z"]].to_numpy().tolist() == [[3.0, 0.0, 0.0]]
     assert msf_jax.read_curve(tmp_path / "a.swc").length == pytest.approx(curve.length)

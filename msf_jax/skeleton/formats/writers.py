@@ -51,7 +51,7 @@ def swc(skeleton: "Skeleton", label: int | None = None) -> str:
     header.append(f"# labels: 1 soma, {'5 fork, 6 end, 0' if label is None else label} other")  # as CNIC counts them
     has_soma = bool(roots) and (soma := skeleton.soma()).is_sure and soma.node == roots[0]
     if has_soma:
-        vertices, edges, radii, roots = gather_soma(vertices, edges, radii, roots)
+        vertices, edges, radii, roots = gather_soma(skeleton)
         header.append("# soma: one node, in place of those within its radius, where neurites begin")
     header.append(f"# radius: {RADII[skeleton.radius_of]}")
     if units := " ".join(skeleton.units.split()):
@@ -71,18 +71,27 @@ def swc(skeleton: "Skeleton", label: int | None = None) -> str:
     return "\n".join([*header, *cut, *rows]) + "\n"
 
 
-def gather_soma(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, roots: tuple[int, ...]) -> tuple[Any, ...]:
-    """The curve with one node, 0, for the first root and all nodes in the ball of its radius, and the roots in it.
+def gather_soma(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[int, ...]]:
+    """Vertices, edges, radii and roots of the curve with one node, 0, for the first root and all nodes in its ball,
+    moved to where that is largest if the surface is known.
 
     Each edge out of the ball begins with a new node on the ball, as wide as the edge's other end. So the area of the
     surface is the ball's and that of the cones along all edges but those in the ball.
     """
+    from msf_jax.curve.junctions import middle_of_ball
     from msf_jax.solid.geometry import unit
 
+    vertices, edges, radii, roots = skeleton.vertices, skeleton.edges, skeleton.radii, skeleton.roots
     centre, radius = vertices[roots[0]], radii[roots[0]]
+    if skeleton.source is not None:
+        solid = skeleton.source.solid
+        centre = solid.leave(middle_of_ball(solid.shape, solid.enter(centre)))
+        radius = max(radius, float(solid.radii(centre[None])[0]))
     is_out = np.linalg.norm(vertices - centre, axis=1) > radius
+    is_out[roots[0]] = False
     rank, kept = np.where(is_out, np.cumsum(is_out), 0), np.append(roots[0], np.flatnonzero(is_out))
     vertices, radii, links = vertices[kept], radii[kept], np.sort(rank[edges], axis=1)
+    vertices[0], radii[0] = centre, radius
     first = np.unique(links[(links[:, 0] == 0) & (links[:, 1] > 0), 1])
     begin = len(kept) + np.arange(len(first))
     edges = np.concatenate([links[links[:, 0] > 0], np.stack([0 * begin, begin], 1), np.stack([first, begin], 1)])
