@@ -270,7 +270,9 @@ def laid(
             axis = axis_of.pop(int(path[0]))
             away = np.linalg.norm(x[path] - axis.places[0], axis=1)
             last = int(np.append(is_held[path[1:-1]], True).argmax()) + 1
-            near = int(away[:last].argmin())
+            # Not where another end of the branch is beside this one, as in a tube whose ends overlap.
+            is_near = arc_length(x[path[:last]]) <= away[0] + LAST * axis.width
+            near = int(away[:last][is_near].argmin())
             number = min(max(1, near + int(np.append(away[near:] > LAST * axis.width, True).argmax())), last)
             stop = int(path[number])
             near = max(1, int(np.linalg.norm(axis.places - x[stop], axis=1).argmin()))
