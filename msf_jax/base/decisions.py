@@ -2,8 +2,6 @@
 
 from typing import Any, NamedTuple
 
-from msf_jax.base.layout import Layout
-
 
 class Mixing(NamedTuple):
     """A sparse matrix by its entries (e,): ``share`` for positions, ``blend`` for weights."""
@@ -33,10 +31,10 @@ class Basis(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """T iterations in one layout of n rows, each followed by R rounds of M splits. The first ones may be idle.
+    """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
 
     enter: (T, n) the row of the workspace before, from which each row starts. rings: (T, S) each. degree, free, pull:
-    (T, n). site: (T, n) the first row whose pole each row has. left: (T, 2, n, 3) residuals r of the
+    (T, n). site: (T, n) the row of the first stretch whose pole each row has. left: (T, 2, n, 3) residuals r of the
     solves. factor: (T,) the factor on w_L. group: (T, n) the row that each row is merged into. share, blend: (T, n) its
     share of that row's position and weights. cut: (T, R, M, 3) the ends of the split edge, and the apex.
     """
@@ -56,8 +54,7 @@ class Stretch(NamedTuple):
 
 
 class Part(NamedTuple):
-    """The tape of one component. Its first rows are those of the surface at the start of the flow. All arrays are
-    padded: indices and shares by 0.
+    """The tape of one component. Its first rows are those of the surface at the start of the flow.
 
     vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
     mesh_filter: the filter of the mesh itself, or None. gather: the matrix (n, V) from vertices to first rows.
@@ -76,7 +73,7 @@ class Part(NamedTuple):
     tetrahedron: Any
     is_firm: Any
     offset: Any
-    stretch: Stretch | None
+    stretches: tuple[Stretch, ...]
     meso_row: Any
     nodes: Mixing
     pin_node: Any
@@ -86,11 +83,3 @@ class Part(NamedTuple):
     centre: Any
     diagonal: Any
     axes: Any
-
-
-class Size(NamedTuple):
-    """The layout of a component's rows, and how many vertices of its meso-skeleton and nodes are no padding."""
-
-    layout: Layout
-    num_meso: int
-    num_nodes: int

@@ -27,16 +27,6 @@ LONG_REDUCTION = 4096  # entries: XLA on the CPU has a library for longer reduct
 MOST_HALVINGS = 6  # so that the compiled code does not grow with the mesh
 
 
-class Ending(NamedTuple):
-    """When the solves of a replay end; ``tolerance`` may be traced, so that one program serves all tolerances. For
-    ``on_cpu`` see `solve`."""
-
-    tolerance: Any
-    max_steps: int
-    step_tolerance: float = 0.0
-    on_cpu: Callable[..., Any] | None = None
-
-
 class SolveReport(NamedTuple):
     """steps: of CG. left: (n, c) the right-hand side minus A x, over |b|, for the final x. residual: the norm of that.
     has_ended: whether the solve ended by its tolerance or by a short step, and not by the number of steps, an A without
@@ -60,9 +50,7 @@ class Descent(NamedTuple):
     gamma: jax.Array
 
 
-def _descended(
-    A: Map, M: Map, b: jax.Array, smallest: Any, solver: SolverOptions | Ending, in_python: bool = False
-) -> Descent:
+def _descended(A: Map, M: Map, b: jax.Array, smallest: Any, solver: SolverOptions, in_python: bool = False) -> Descent:
     """CG for A x = b from x = 0, preconditioned by M, a symmetric positive definite operator near A's inverse.
 
     It also ends after a step that changes every entry by less than ``smallest``. The first step is always made, and
@@ -116,7 +104,7 @@ def norm(x: jax.Array) -> jax.Array:
 
 
 def solve(
-    operator: Any, b: jax.Array, solver: SolverOptions | Ending, smallest: Any = 0.0, left: jax.Array | None = None
+    operator: Any, b: jax.Array, solver: SolverOptions, smallest: Any = 0.0, left: jax.Array | None = None
 ) -> tuple[jax.Array, SolveReport]:
     """Solve A x = b - |b| left for b (n, c), from x = 0; without ``left``, A x = b.
 
@@ -124,8 +112,6 @@ def solve(
     CG ends when the norm of the residual is at most the solver's tolerance times |b|, or when a step changes every
     entry of x by less than ``smallest``. If the tolerance is loose, CG runs in float32, where a step takes two thirds
     of the time. The entries of A must then be in float32's range. Under differentiation CG runs in the type of b.
-    On a CPU, an `Ending` may have the host solve by ``on_cpu(operator, b, tolerance)``, which returns x and
-    the number of steps, negative if they did not suffice.
     Differentiable in: operator, b; implicitly, to any order. A derivative whose solve does not end by the tolerance is
     NaN.
     """
@@ -139,7 +125,7 @@ def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
 
 
 def _solved(
-    solver: SolverOptions | Ending, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
+    solver: SolverOptions, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
 ) -> tuple[jax.Array, SolveReport]:
     """`solve` in the type of b, or in float32 if ``is_short``.
 
@@ -148,10 +134,9 @@ def _solved(
     theirs; in the unknown it is the number of steps, negative if the solve has not ended. (Steps as auxiliary data
     would become a batch under `jax.jacfwd`, which JAX refuses.)
     """
-    operator, b, smallest, left, tolerance = _together((operator, b, smallest, left, solver.tolerance))
+    operator, b, smallest, left = _together((operator, b, smallest, left))
     size = norm(b)
     right = b if left is None else b - size * left
-    host: Any = solver.on_cpu if isinstance(solver, Ending) else None
     own_size, own_smallest = lax.stop_gradient((size, smallest))
 
     def short(values: jax.Array) -> jax.Array:
@@ -164,24 +149,13 @@ def _solved(
         rhs, is_own = given[:-1], given[-1, 0] == 1
         scale = _scale(jnp.where(is_own, own_size, norm(rhs)))
         least = jnp.where(is_own, own_smallest, 0.0) / scale
-
-        def descended(unit: jax.Array) -> tuple[jax.Array, jax.Array]:
-            A, short_unit, short_least = jax.tree_util.tree_map(short, (operator, unit, least))
-            inverse = 1.0 / A.diagonal()[:, None]  # Jacobi's preconditioner
-            end = _descended(A, lambda r: inverse * r, short_unit, short_least, solver)
-            x = end.x.astype(b.dtype)
-            return x, jnp.where(_has_ended(end, unit - operator(x), solver), end.steps, -end.steps).astype(b.dtype)
-
-        def by_host(unit: jax.Array) -> tuple[jax.Array, jax.Array]:
-            shapes = jax.ShapeDtypeStruct(unit.shape, b.dtype), jax.ShapeDtypeStruct((), b.dtype)
-            found = jax.pure_callback(host, shapes, operator, unit, tolerance, vmap_method="sequential")
-            return _together((*found, unit))[:2]
-
-        if host is not None:
-            x, steps = lax.platform_dependent(rhs / scale, cpu=by_host, default=descended)
-        else:
-            x, steps = descended(rhs / scale)
-        x = jnp.where(is_own | (steps > 0), scale * x, jnp.nan)
+        A, unit, least = jax.tree_util.tree_map(short, (operator, rhs / scale, least))
+        inverse = 1.0 / A.diagonal()[:, None]  # Jacobi's preconditioner
+        end = _descended(A, lambda r: inverse * r, unit, least, solver)
+        x = end.x.astype(b.dtype)
+        has_ended = _has_ended(end, rhs / scale - operator(x), solver)
+        steps = jnp.where(has_ended, end.steps, -end.steps).astype(b.dtype)
+        x = jnp.where(is_own | has_ended, scale * x, jnp.nan)
         return jnp.concatenate([x, jnp.broadcast_to(steps, given[-1:].shape)])
 
     marked = jnp.concatenate([right, jnp.ones_like(right[:1])])
@@ -231,7 +205,7 @@ def _scale(size: jax.Array) -> jax.Array:
     return jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)
 
 
-def _has_ended(end: Descent, left: jax.Array, solver: SolverOptions | Ending) -> jax.Array:
+def _has_ended(end: Descent, left: jax.Array, solver: SolverOptions) -> jax.Array:
     """Whether CG ended by a short step or by its tolerance. Rounding leaves more than CG's own residual says: then
     ``left``, b - A x for the final x in the type of b, may be twice the tolerance, or cost half of the type's digits.
     """

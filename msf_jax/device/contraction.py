@@ -25,7 +25,7 @@ from msf_jax.base.layout import Layout
 from msf_jax.base.options import SolverOptions
 from msf_jax.device import cg
 from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
-from msf_jax.device.cg import Ending, SolveReport
+from msf_jax.device.cg import SolveReport
 from msf_jax.device.laplacian import LaplacianRows
 
 
@@ -92,7 +92,7 @@ def relaxed(
     rows: LaplacianRows,
     energy: Energy,
     layout: Layout,
-    solver: SolverOptions | Ending,
+    solver: SolverOptions,
     smallest: Any = 0.0,
     left: jax.Array | None = None,
 ) -> tuple[jax.Array, SolveReport]:

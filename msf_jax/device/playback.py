@@ -7,6 +7,7 @@ loose: each left a residual r |b| of A x = b, and the tape has r. The replay sol
 the same x, with the derivatives of an exact solve.
 """
 
+from functools import partial
 from typing import Any
 
 import jax
@@ -24,27 +25,33 @@ from msf_jax.device.iteration import move
 CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
 
 
+@partial(jax.jit, static_argnames=("layouts", "settings"))
 def replay_part(
     part: Part,
     weights: Weights,
     vertices: jax.Array,
     moved: jax.Array,
-    layout: Layout,
+    layouts: tuple[Layout, ...],
     settings: StepSettings,
 ) -> tuple[jax.Array, jax.Array]:
     """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
 
     ``weights``: scalars, or one value for each of the caller's vertices. ``vertices`` (V, 3): of the caller's mesh.
-    ``moved`` (V, 3): their displacement from the recorded vertices. The solver of
-    ``settings`` is a `cg.Ending`.
+    ``moved`` (V, 3): their displacement from the recorded vertices. ``layouts``: of the stretches.
     Differentiable in: weights, vertices together with moved.
     """
     start = jnp.asarray(part.vertices) + (moved[part.vertex_of_input] / part.diagonal) @ part.axes.T
     place, site_of_pole = _first_rows(part, weights, start)
     poles = _poles(part, site_of_pole)
-    workspace = place
-    if part.stretch is not None:
-        workspace = _replay_stretch(part.stretch, poles, place, layout, settings)
+    workspace, area = place, jnp.ones(len(place), place.dtype)
+    for number, (stretch, layout) in enumerate(zip(part.stretches, layouts, strict=True)):
+        if settings.w_H_follows_area:  # then no edge is edited, and rows are the same in all stretches
+            rings = Rings(*(table[-1] for table in stretch.rings))
+            first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
+            area = first[stretch.enter[0]]
+        else:
+            area = jnp.ones(layout.capacity, place.dtype)
+        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.enter[0]], layout, settings)
     meso = workspace[part.meso_row, :3]
     nodes = _mixed(part.nodes, meso, len(part.is_held), part.nodes.share)
     meso, nodes = (part.centre[None] + part.diagonal * (points @ part.axes) for points in (meso, nodes))
@@ -111,13 +118,9 @@ def _poles(part: Part, sites: jax.Array) -> jax.Array:
 
 
 def _replay_stretch(
-    stretch: Stretch, poles: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
+    stretch: Stretch, poles: jax.Array, area: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
 ) -> jax.Array:
     """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows and of new rows."""
-    area = jnp.ones(layout.capacity, rows.dtype)
-    if settings.w_H_follows_area:  # then no edge is edited, and rows are the same in all iterations
-        rings = Rings(*(table[-1] for table in stretch.rings))
-        area = laplacian.one_ring_areas(rows[:, :3], rings, stretch.degree[-1], layout)
     num_new = stretch.cut.shape[1] * stretch.cut.shape[2]
     fresh = jnp.zeros((num_new, rows.shape[1]), rows.dtype)
 
@@ -141,8 +144,10 @@ def _replay_stretch(
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 
+    own = jnp.arange(layout.capacity, dtype=stretch.enter.dtype)  # the first iteration has its rows already
+    lines = stretch._replace(enter=jnp.asarray(stretch.enter).at[0].set(own))
     # Reverse mode stores the workspace and the two solutions of every iteration, and recomputes the rest.
-    return lax.scan(jax.checkpoint(iteration, policy=keeps_solutions), jnp.concatenate([rows, fresh]), stretch)[0]
+    return lax.scan(jax.checkpoint(iteration, policy=keeps_solutions), jnp.concatenate([rows, fresh]), lines)[0]
 
 
 def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:

@@ -4,39 +4,30 @@ Its gradient is that of the run's geometry with all recorded decisions held fixe
 may collapse, split or fix other vertices, or take more iterations.
 """
 
-from functools import lru_cache, partial
+from dataclasses import replace as changed
+from functools import partial
 from typing import Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.custom_derivatives import SymbolicZero
 
-from msf_jax.base.decisions import Part
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout
-from msf_jax.base.options import FACTORED, SOLVED_BY, StepSettings, Weights, is_traced
+from msf_jax.base.options import StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
-from msf_jax.device.cg import Ending
 from msf_jax.device.nearest import clearance
 from msf_jax.device.playback import replay_part
 from msf_jax.gradients.follow import check_finite, numbers_of
 from msf_jax.gradients.tape import Tape
-from msf_jax.numerics.factors import solved
-from msf_jax.recording.records import room
 
-TOLERANCE = {"float64": 1e-14, "float32": 1e-6}  # relative residuals of the linear solves, by type
-MOST_PROGRAMS = 8  # shapes of tapes whose programs are kept: 65,530 parts of memory hold some forty programs
+# Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.
+TOLERANCE = {"float64": (1e-14, 1e-8), "float32": (1e-6, 1e-6)}
 MOST_STEPS = 20_000  # steps of conjugate gradients in one solve
 
 
-def replay(
-    tape: Tape,
-    weights: Weights,
-    vertices: Any = None,
-    *,
-    tolerance: float | None = None,
-    preconditioner: str = FACTORED,
-) -> jax.Array:
+def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
     """The nodes that the recorded run would have found at other ``weights``, or for other ``vertices``.
 
     Positions, Laplacians, poles and split points are computed anew. Collapses, splits and fixed vertices are those of
@@ -48,11 +39,9 @@ def replay(
         weights: each a number, or (V,), one value for each vertex of the mesh. A merged vertex gets the mean of its
             vertices' weights; a vertex that splits an edge gets an interpolated weight.
         vertices: (V, 3) of the mesh in the caller's units. The default is the recorded vertices.
-        tolerance: relative residual of the linear solves, for the value and for derivatives. The default is 1e-14, or
-            1e-6 in float32. On an accelerator, gradients at 1e-8 are right to some thousandths and take a third.
-        preconditioner: of conjugate gradients on a CPU: "factored" is a sparse factorisation by the host, in float64,
-            with which they take 5 to 16 steps; "jacobi" takes hundreds, as always on an accelerator, but is pure JAX:
-            only such a program can be stored by `jax.export` or by JAX's cache of compiled programs.
+        tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed, and
+            1e-8 where a derivative is, too, which is three to five times as fast and gives gradients to some
+            thousandths; in float32 it is 1e-6. ``tolerance=1e-14`` makes gradients exact, to rounding.
 
     Returns:
         (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: then the weights are
@@ -61,34 +50,24 @@ def replay(
     Differentiable in: weights, vertices. The derivative includes a pole's dependence on its four sites, and the filter
     of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and
     the direction of the residual that each loose solve of the run left; its length scales with the right-hand side.
-    Of several welded vertices the first has the whole derivative. With "jacobi", a system whose w_L grows
-    (``Config.au2008()``) takes minutes on more than some thousand vertices, or is NaN; so are many gradients in
-    float32, whose rounding is more than those systems bear.
-
-    A program serves all tapes, weights and tolerances of about the same size: sizes are padded to powers of two. Those
-    of the last 8 sizes are kept.
+    Of several welded vertices the first has the whole derivative. A system whose w_L grows (``Config.au2008()``) is
+    ill-conditioned, and the replay has no factorisation for it: on more than some thousand vertices it takes minutes,
+    or is NaN.
 
     Raises:
         ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.
         MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or repair made vertices of
             the surface, so that it cannot follow the mesh.
     """
-    return _replayed(tape, weights, vertices, tolerance, preconditioner)[1]
+    return _replayed(tape, weights, vertices, tolerance)[1]
 
 
-def replay_meso(
-    tape: Tape,
-    weights: Weights,
-    vertices: Any = None,
-    *,
-    tolerance: float | None = None,
-    preconditioner: str = FACTORED,
-) -> jax.Array:
+def replay_meso(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
     """The vertices (n, 3) of the contracted surface, computed as in `replay`.
 
     At the recorded weights and vertices they are ``flow.meso_skeleton[0]``.
     """
-    return _replayed(tape, weights, vertices, tolerance, preconditioner)[0]
+    return _replayed(tape, weights, vertices, tolerance)[0]
 
 
 def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
@@ -110,55 +89,54 @@ def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Arra
     return unit * clearance(jnp.asarray(nodes) / unit, triangles, jnp.asarray(tape.is_inside))
 
 
-def _replayed(
-    tape: Tape, weights: Weights, vertices: Any, tolerance: float | None, preconditioner: str
-) -> tuple[jax.Array, jax.Array]:
+def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | None) -> tuple[jax.Array, jax.Array]:
     _check_tape(tape)
     if not isinstance(weights, Weights):
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")
     weights.check(len(tape.vertices))
     dtype = real_dtype()
-    given = _padded(tape.vertices, dtype)
-    moved = jnp.zeros_like(given) if vertices is None else _padded(_checked_vertices(tape, vertices), dtype) - given
+    given = jnp.asarray(tape.vertices, dtype)
+    moved = jnp.zeros_like(given) if vertices is None else _checked_vertices(tape, vertices) - given
     if tolerance is None:
-        tolerance = TOLERANCE[str(dtype)]
+        tight, loose = TOLERANCE[str(dtype)]
     elif isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
         raise ConfigError(f"tolerance is {tolerance!r}: expected a number above 0 and below 1")
-    if preconditioner not in SOLVED_BY:
-        raise ConfigError(f"preconditioner is {preconditioner!r}: expected one of {', '.join(map(repr, SOLVED_BY))}")
-    weights = jax.tree.map(lambda weight: _padded(weight, dtype), weights)
-    settings = tape.config.on_device._replace(solver=None)
-    results = []
-    for part, size in zip(tape.parts, tape.sizes, strict=True):
-        arguments = part, weights, given + moved, moved, jnp.asarray(tolerance, dtype)
-        leaves, structure = jax.tree_util.tree_flatten(arguments)
-        run = _program(size.layout, settings, preconditioner, structure, tuple(map(jnp.shape, leaves)))
-        found = run(*arguments)
-        results.append((found[0][: size.num_meso], found[1][: size.num_nodes]))
+    else:
+        tight = loose = tolerance
+    run = tape.config.on_device
+    solvers = [changed(run.solver, tolerance=t, max_steps=MOST_STEPS, preconditioner="jacobi") for t in (tight, loose)]
+    settings = tuple(run._replace(solver=solver) for solver in solvers)
+    results = [
+        _replayed_part(layouts, settings, (part, weights, given + moved, moved))
+        for part, layouts in zip(tape.parts, tape.layouts, strict=True)
+    ]
     meso, nodes = map(jnp.concatenate, zip(*results, strict=True))
     return meso, nodes
 
 
-def _padded(values: Any, dtype: Any) -> jax.Array:
-    """``values`` of vertices with rows of zeros up to a power of two, or a scalar, as they are."""
-    if np.ndim(values) == 0:
-        return jnp.asarray(values, dtype)
-    rows = [(0, room(len(values)) - len(values)), *[(0, 0)] * (np.ndim(values) - 1)]
-    # NumPy pads what is no tracer, because JAX would compile this for every size.
-    return jnp.asarray((jnp if is_traced(values) else np).pad(values, rows), dtype)
+@partial(jax.custom_jvp, nondiff_argnums=(0, 1))
+def _replayed_part(
+    layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...], arguments: Any
+) -> tuple[jax.Array, jax.Array]:
+    """`replay_part` with the first of ``settings``. Under differentiation, value and derivative use the second."""
+    return replay_part(*arguments, layouts, settings[0])
 
 
-@lru_cache(MOST_PROGRAMS)
-def _program(layout: Layout, settings: StepSettings, preconditioner: str, *_: Any) -> Any:
-    """`replay_part`, compiled for arguments of one structure and shape."""
+def _derivative(layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...], primals: Any, tangents: Any) -> Any:
+    leaves, structure = jax.tree_util.tree_flatten(primals[0])
+    slopes = structure.flatten_up_to(tangents[0])
+    places = [number for number, slope in enumerate(slopes) if not isinstance(slope, SymbolicZero)]
 
-    by_factors = partial(solved, max_steps=MOST_STEPS) if preconditioner == FACTORED else None
+    def of_live(*live: jax.Array) -> tuple[jax.Array, jax.Array]:
+        every = list(leaves)
+        for place, value in zip(places, live, strict=True):
+            every[place] = value
+        return replay_part(*jax.tree_util.tree_unflatten(structure, every), layouts, settings[1])
 
-    def replayed(part: Part, weights: Weights, vertices: jax.Array, moved: jax.Array, tolerance: jax.Array) -> Any:
-        ending = Ending(tolerance, MOST_STEPS, on_cpu=by_factors)
-        return replay_part(part, weights, vertices, moved, layout, settings._replace(solver=ending))
+    return jax.jvp(of_live, [leaves[place] for place in places], [slopes[place] for place in places])
 
-    return jax.jit(replayed)
+
+_replayed_part.defjvp(_derivative, symbolic_zeros=True)
 
 
 def _check_tape(tape: Any) -> None:

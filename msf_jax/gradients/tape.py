@@ -10,7 +10,8 @@ from typing import Any
 import jax
 import numpy as np
 
-from msf_jax.base.decisions import Part, Size
+from msf_jax.base.decisions import Part
+from msf_jax.base.layout import Layout
 from msf_jax.base.options import Config, Weights
 from msf_jax.recording.records import Recording, record_component
 from msf_jax.skeleton.skeleton import Skeleton, Source
@@ -23,7 +24,7 @@ class Tape:
     `jax.jit` and pickle.
 
     Attributes:
-        parts, sizes: one for each component of the mesh.
+        parts, layouts: one for each component of the mesh, and the layouts of its buffers.
         vertices: (V, 3) of the mesh, in the caller's units.
         areas, node_of_vertex: (V,) the area and the node of each vertex.
         edges: (E, 2) of the recorded curve.
@@ -43,7 +44,7 @@ class Tape:
     offsets: Any
     is_inside: Any
     weights: Weights
-    sizes: tuple[Size, ...] = field(metadata={"static": True})
+    layouts: tuple[tuple[Layout, ...], ...] = field(metadata={"static": True})
     config: Config = field(metadata={"static": True})
     is_joined: bool = field(metadata={"static": True})
 
@@ -64,7 +65,7 @@ class Tape:
 
 def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source) -> Tape:
     """The tape of a run with the flow's curve ``curve`` and its ``source``."""
-    parts, sizes = zip(*map(record_component, run.components), strict=True)
+    parts, layouts = zip(*map(record_component, run.components), strict=True)
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
     near = shape.faces[shape.nearest(nodes)[1]]
     triangles = run.input_of_vertex[near]
@@ -79,7 +80,7 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         offsets=np.where(run.is_made[near][:, :, None], offsets, 0.0),
         is_inside=shape.contains(nodes),
         weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
-        sizes=sizes,
+        layouts=layouts,
         config=config,
         is_joined=bool(run.is_made.any()),
     )

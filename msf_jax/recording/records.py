@@ -7,13 +7,13 @@ row, however many rounds there were. A split is not linear: its place, the proje
 three rows are recorded.
 """
 
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Size, Stretch
+from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import Layout, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
@@ -100,87 +100,79 @@ class Recording(NamedTuple):
     is_made: np.ndarray
 
 
-def room(count: int, least: int = 64) -> int:
-    """The power of two that holds ``count`` entries: tapes of about the same size have the same shapes."""
-    return max(least, 1 << max(count - 1, 0).bit_length())
-
-
-def record_component(record: ComponentRecord) -> tuple[Part, Size]:
-    """The tape of a component, and its size. Every array is padded, so that its program serves other tapes."""
+def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]:
+    """The tape of a component, and the layouts of its stretches."""
     start, steps, num = record.start, record.steps, len(record.vertices)
     place, blend = edit_matrices(start.edits, num)
-    beyond = zip_longest(*(packing.rows_beyond(step.degree) for step in steps), fillvalue=0)
-    layout = layout_for(max((len(step.order) for step in steps), default=place.shape[0]), list(map(max, beyond)))
-    order, stretch = steps[0].order if steps else np.arange(place.shape[0]), None
-    row = np.argsort(order)  # of each vertex
-    if steps:
-        stretch, row = record_stretch(steps, layout, row)
+    plan = layouts_of(steps)
+    order, capacity = (steps[0].order, plan[0][2].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
+    row = site = np.argsort(order)  # of each vertex: its row, and the row of the first stretch whose pole it has
+    stretches = []
+    for first, last, layout in plan:
+        stretch, row, site = record_stretch(steps[first:last], layout, row, site)
+        stretches.append(stretch)
     mesh_filter = site_filter = None
     if start.mesh_filter:
         meso = Meso.from_mesh(record.vertices, record.faces)
-        mesh_filter = record_filter(start.mesh_filter, np.arange(num), meso.rings, meso.degree, room(num))
+        mesh_filter = record_filter(start.mesh_filter, np.arange(num), meso.rings, meso.degree)
     if start.found and start.found.kept and steps:
-        site_filter = record_filter(start.found.kept, order, steps[0].rings, steps[0].degree, layout.capacity)
+        site_filter = record_filter(start.found.kept, order, steps[0].rings, steps[0].degree)
     is_node = record.node_of_meso >= 0
     node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
     share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
     means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
-    to_nodes = means @ edit_matrices(record.thinning, record.num_meso)[0]
     num_pins = np.bincount(record.node_of_pin, minlength=record.num_nodes)
     part = Part(
-        vertices=_padded(record.vertices),
-        vertex_of_input=_padded(record.vertex_of_input.astype(np.int32)),
-        is_pin=_padded(np.isin(np.arange(num), record.pins)),
+        vertices=record.vertices,
+        vertex_of_input=record.vertex_of_input.astype(np.int32),
+        is_pin=np.isin(np.arange(num), record.pins),
         mesh_filter=mesh_filter,
-        gather=entries(place[order], blend[order], 2 * layout.capacity),
+        gather=entries(place[order], blend[order]),
         site_filter=site_filter,
-        **record_poles(start.found, order, layout.capacity),
-        stretch=stretch,
-        meso_row=_padded(row.astype(np.int32), layout.capacity),
-        nodes=entries(to_nodes, to_nodes, 2 * layout.capacity),
-        pin_node=_padded(record.node_of_pin.astype(np.int32)),
-        pin_input=_padded(record.vertex_of_input[record.pins].astype(np.int32)),
-        pin_share=_padded(1.0 / num_pins[record.node_of_pin]),
-        is_held=_padded(num_pins > 0, layout.capacity // 8),
+        **record_poles(start.found, order, capacity),
+        stretches=tuple(stretches),
+        meso_row=row.astype(np.int32),
+        nodes=entries(*2 * [means @ edit_matrices(record.thinning, record.num_meso)[0]]),
+        pin_node=record.node_of_pin.astype(np.int32),
+        pin_input=record.vertex_of_input[record.pins].astype(np.int32),
+        pin_share=1.0 / num_pins[record.node_of_pin],
+        is_held=num_pins > 0,
         centre=record.frame.centre,
         diagonal=np.asarray(record.frame.diagonal),
         axes=record.frame.axes,
     )
-    return part, Size(layout, len(row), record.num_nodes)
+    return part, tuple(layout for *_, layout in plan)
 
 
-def _padded(array: np.ndarray, least: int = 64) -> np.ndarray:
-    return packing.pad(array, room(len(array), least), 0, array.dtype)
+def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
+    """One or two layouts for the iterations, whichever have fewer slots, each after its first one and the first beyond
+    it. Each takes seconds to compile, but with one for all, the late iterations would consist mostly of padding."""
+
+    def planned(*bounds: int) -> list[tuple[int, int, Layout]]:
+        plan = []
+        for first, last in pairwise(bounds):
+            beyond = zip_longest(*(packing.rows_beyond(step.degree) for step in steps[first:last]), fillvalue=0)
+            most = max(len(step.order) for step in steps[first:last])
+            plan.append((first, last, layout_for(most, list(map(max, beyond)))))
+        return plan
+
+    plans = [planned(0, *cut, len(steps)) for cut in [(), *((k,) for k in range(1, len(steps)))]] if steps else [[]]
+    return min(plans, key=lambda plan: sum((last - first) * layout.num_slots for first, last, layout in plan))
 
 
-def record_stretch(steps: list[Step], layout: Layout, row: np.ndarray) -> tuple[Stretch, np.ndarray]:
-    """The `Stretch` of ``steps``. ``row`` (m,): the row of every vertex, before and, as returned, afterwards."""
-    capacity, site = layout.capacity, row  # site (m,): the first row whose pole each vertex has
+def record_stretch(
+    steps: list[Step], layout: Layout, row: np.ndarray, site: np.ndarray
+) -> tuple[Stretch, np.ndarray, np.ndarray]:
+    """The `Stretch` of ``steps`` in one layout. ``row`` (m,): of the workspace before, for every vertex. ``site`` (m,):
+    the row of the first stretch whose pole each vertex has. Returns what these are afterwards, too."""
+    capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds = room(max(map(len, cuts)), 16)
-    num_cuts = room(max((len(done.a) for rounds in cuts for done in rounds), default=1), capacity // 16)
-    own = np.arange(capacity, dtype=np.int32)
+    num_rounds, num_cuts = max(map(len, cuts)), max((len(done.a) for rounds in cuts for done in rounds), default=1)
+    own, lines = np.arange(capacity), []
 
     def in_rows(values: np.ndarray, fill: float = 0.0, dtype: type = np.float64) -> np.ndarray:
         return packing.pad(values, capacity, fill, np.dtype(dtype))
 
-    # An idle iteration has no edges and only fixed vertices: it moves and edits nothing.
-    nothing = np.zeros(0, dtype=np.int64)
-    idle = Stretch(
-        enter=own,
-        rings=packing.slots(nothing[:, None], nothing, layout),
-        degree=np.zeros(capacity),
-        free=np.zeros(capacity),
-        pull=np.zeros(capacity),
-        site=np.zeros(capacity, dtype=np.int32),
-        left=np.zeros((2, capacity, 3)),
-        factor=np.ones(()),
-        group=own,
-        share=np.ones(capacity),
-        blend=np.ones(capacity),
-        cut=np.zeros((num_rounds, num_cuts, 3), dtype=np.int32),
-    )
-    lines = [idle] * (room(len(steps), 8) - len(steps))
     for step, rounds in zip(steps, cuts, strict=True):
         rank, num_rows = np.argsort(step.order), len(step.order)
         row_before, pole = row, in_rows(site[step.order], dtype=np.int32)
@@ -217,7 +209,7 @@ def record_stretch(steps: list[Step], layout: Layout, row: np.ndarray) -> tuple[
                 row, site = row[edit.live], site[edit.live]
     rings = tuple(np.stack(table) for table in zip(*(line.rings for line in lines), strict=True))
     stacked = {name: np.stack([getattr(line, name) for line in lines]) for name in Stretch._fields if name != "rings"}
-    return Stretch(rings=rings, **stacked), row
+    return Stretch(rings=rings, **stacked), row, site
 
 
 def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -256,24 +248,19 @@ def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
     return both[0], both[1]
 
 
-def entries(place: Any, blend: Any, least: int) -> Mixing:
-    """The entries of two matrices that one or the other has, padded to ``least`` at least."""
+def entries(place: Any, blend: Any) -> Mixing:
+    """The entries of two matrices that one or the other has."""
     row, column = (abs(place) + abs(blend)).nonzero()
     shares = [np.asarray(matrix[row, column]).ravel() for matrix in (place, blend)]
-    return Mixing(*(_padded(values, least) for values in (row.astype(np.int32), column.astype(np.int32), *shares)))
+    return Mixing(row.astype(np.int32), column.astype(np.int32), *shares)
 
 
-def record_filter(
-    kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray, size: int
-) -> Basis | Polynomial:
-    """The filter on vertices ``order`` (n,), with neighbours ``rings`` (n, K), of which ``degree`` (n,) count, padded
-    to ``size`` rows."""
+def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> Basis | Polynomial:
+    """The filter on vertices ``order`` (n,), with neighbours ``rings`` (n, K), of which ``degree`` (n,) count."""
     if kept.basis is not None:
-        return Basis(packing.pad(kept.basis[order], size, 0, kept.basis.dtype))
-    rings, degree = (packing.pad(table, size, 0, table.dtype) for table in (rings, degree))
+        return Basis(kept.basis[order])
     rings = np.where(np.arange(rings.shape[1]) < degree[:, None], rings, 0)
-    rings = np.pad(rings, ((0, 0), (0, room(rings.shape[1], 16) - rings.shape[1])))
-    return Polynomial(rings.astype(np.int32), degree.astype(np.float64), _padded(kept.share), np.asarray(kept.top))
+    return Polynomial(rings.astype(np.int32), degree.astype(np.float64), kept.share, np.asarray(kept.top))
 
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:

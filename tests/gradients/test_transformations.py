@@ -64,16 +64,15 @@ def case(name: str) -> Case:
     """Of a replay by its weights or vertices, or of nodes, radii and a batch of nodes by vertices."""
     random = np.random.default_rng(0)
     batch, limbs = msf_jax.stack(curves()), curves()[1]
-    if not name.startswith(("nodes", "radii", "batch")):  # the run that is replayed
+    if name in ("weights", "vertices"):  # the run that is replayed
         tape = recorded().tape
         towards = random.normal(size=(tape.num_nodes, 3))
 
-    def replayed(weights, vertices=None, by="factored"):
-        return (towards * msf_jax.replay(tape, weights, vertices, tolerance=1e-14, preconditioner=by)).sum()
+    def replayed(weights, vertices=None):
+        return (towards * msf_jax.replay(tape, weights, vertices, tolerance=1e-14)).sum()
 
     values = {
         "weights": lambda x: replayed(Weights(*jnp.exp(x))),
-        "weights, in pure JAX": lambda x: replayed(Weights(*jnp.exp(x)), by="jacobi"),
         "vertices": lambda x: replayed(tape.weights, x),
         "nodes": lambda x: weighed(msf_jax.follow(limbs, x)),
         "radii": lambda x: (msf_jax.follow(limbs, x).radii ** 2).sum(),
@@ -81,15 +80,13 @@ def case(name: str) -> Case:
     }
     moved = np.asarray(batch.vertices) + 0.05 * np.sin(2 * np.asarray(batch.vertices)[:, [1, 2, 0]] + 0.3)
     start = moved if name == "batch" else batch.split(moved, "vertices")[1]
-    if name == "vertices":
-        start = np.asarray(tape.vertices)
-    elif name.startswith("weights"):
-        start = np.log(jax.tree.leaves(tape.weights))
+    if name in ("weights", "vertices"):
+        start = np.log(jax.tree.leaves(tape.weights)) if name == "weights" else np.asarray(tape.vertices)
     direction = random.normal(size=start.shape)
     if name == "radii":  # they have kinks where another triangle becomes the nearest
         direction /= np.linalg.norm(direction)
     far = 1e-7 if name == "vertices" else 1e-2  # the slope of a replay holds for tiny motions of vertices only
-    off = {"weights": 1e-4, "weights, in pure JAX": 1e-4, "vertices": 1e-4, "radii": 1e-3}.get(name, 1e-6)
+    off = {"weights": 1e-4, "vertices": 1e-4, "radii": 1e-3}.get(name, 1e-6)
     return Case(values[name], start + far * np.multiply.outer([0, 1, -2], direction), direction, off)
 
 
@@ -162,8 +159,7 @@ TABLE = {  # transformations of each function; the slow ones come last, as those
     "nodes": ["grad", "forward", "second", "strict", "export"],
     "radii": ["grad", "forward"],
     "batch": ["grad", "grad_of_vmap", "scan", "second", "strict"],
-    "weights": ["grad"],
-    "weights, in pure JAX": ["grad", "export"],
+    "weights": ["grad", "export"],
     "vertices": ["grad", "grad_of_vmap"],
 }
 PAIRS = [(name, each) for name, some in TABLE.items() for each in some]
