@@ -1,18 +1,18 @@
 """The layout of a surface in fixed-capacity buffers, which both the host and `device` know.
 
-Each capacity is a compiled program, so there are few: 2048 and 4096 vertices, then 1.5, 2, 3, 4, 6, ... times 4096. A
-shrinking surface passes through them downwards. Rows are sorted by degree, the largest first, so that the rows that use
-slot k of the one-rings are a prefix of all rows. The slots form a staircase of four levels: 6 slots, a regular vertex's
-degree, for all rows, two more for half of the rows, four more for an eighth, and a tail for one row in 64. That is 7.8
-numbers a vertex. A rectangle for the largest degree seen in a flow (20) would need 24, and a CG step spends nearly all
-its time gathering them.
+Each capacity is a compiled program, so there are few: three for meshes of up to 50,000 vertices, where the flow starts
+from some 20,000. A shrinking surface passes through them downwards. Rows are sorted by degree, the largest first, so
+that the rows that use slot k of the one-rings are a prefix of all rows. The slots form a staircase of four levels: 6
+slots, a regular vertex's degree, for all rows, two more for half of the rows, four more for an eighth, and a tail for
+one row in 64. That is 7.9 numbers a vertex. A rectangle for the largest degree seen in a flow (20) would need 24, and
+a CG step spends nearly all its time gathering them.
 """
 
 from typing import NamedTuple
 
 SMALLEST_CAPACITY = 2048  # vertices: the smallest capacity; smaller ones would not be faster
-FINE_FROM = 2 * SMALLEST_CAPACITY  # vertices: from here on there is also a capacity half-way to the next power of two
-RAGGED_TAIL = 20  # slots of the last level, unless a vertex needs more
+LARGER = (3.5, 10.5)  # times the smallest capacity: the next ones, 7168 and 21504 vertices; then each is twice the last
+RAGGED_TAIL = 28  # slots of the last level, unless a vertex needs more
 
 
 class Level(NamedTuple):
@@ -49,7 +49,7 @@ def _layout(capacity: int, shape: list[tuple[int, int]]) -> Layout:
 
 
 def staircase(capacity: int, largest_degree: int) -> Layout:
-    """The usual layout: 6, 2, 4 and 20 slots for all, 1/2, 1/8 and 1/64 of the rows."""
+    """The usual layout: 6, 2, 4 and 28 slots for all, 1/2, 1/8 and 1/64 of the rows."""
     tail = RAGGED_TAIL if largest_degree <= 12 + RAGGED_TAIL else -(-(largest_degree - 12) // 32) * 32
     return _layout(capacity, [(6, capacity), (2, capacity // 2), (4, capacity // 8), (tail, capacity // 64)])
 
@@ -60,11 +60,11 @@ def rectangle(capacity: int, largest_degree: int) -> Layout:
 
 
 def capacity_for(count: int) -> int:
-    """The smallest capacity for ``count`` vertices: 2048, 4096, 6144, 8192, 12288, ..."""
-    size = SMALLEST_CAPACITY
+    """The smallest capacity for ``count`` vertices: 2048, 7168, 21504, 43008, ..."""
+    size, *larger = (int(SMALLEST_CAPACITY * times) for times in (1, *LARGER))
+    while size < count and larger:
+        size = larger.pop(0)
     while size < count:
-        if size >= FINE_FROM and size * 3 // 2 >= count:
-            return size * 3 // 2
         size *= 2
     return size
 
@@ -92,16 +92,3 @@ def layout_for(count: int, rows_beyond: list[int]) -> Layout:
         if fits(layout, count, rows_beyond):
             return layout
     return rectangle(capacity_for(count), largest_degree)
-
-
-def layout_after(capacity: int, count: int, rows_beyond: list[int]) -> Layout:
-    """The layout for a surface that was last in a layout of ``capacity`` rows, or 0 if in none; else as `layout_for`.
-
-    The capacity falls only by half or more. A capacity in between would save about 20 ms a run, which is less than the
-    time to compile or to load its program.
-    """
-    layout = layout_for(count, rows_beyond)
-    if layout.capacity < capacity < 2 * layout.capacity:
-        same = staircase(capacity, len(rows_beyond))
-        return same if fits(same, count, rows_beyond) else layout
-    return layout

@@ -67,7 +67,6 @@ class State:
     t_c: float
     w_L_factor: float
     limbs: Future | None  # of ``coarse``, found by the worker; None if limbs are not asked for, or known
-    capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape
     failure: str = ""  # why the flow cannot continue; empty if it can

@@ -11,7 +11,7 @@ import jax
 import numpy as np
 
 from msf_jax.base.clock import Clock
-from msf_jax.base.layout import Layout, layout_after
+from msf_jax.base.layout import Layout, layout_for
 from msf_jax.base.options import FACTORED, Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.flow.programs import compiled_move
@@ -39,7 +39,6 @@ def step(state: State, weights: Weights, config: Config, clock: Clock) -> None:
         with clock.stage("solve"):
             layout, order, rings, buffers, weights = packed(state, weights)
         moved = _moved(state, buffers, weights, layout, order, config, clock)
-    state.capacity = layout.capacity
     if moved is None:
         state.failure = (
             f"non-finite: a step gave coordinates that are not finite or diverge, also when it was repeated "
@@ -86,7 +85,7 @@ def packed(state: State, weights: Weights) -> tuple[Layout, np.ndarray, np.ndarr
     """The padded surface for a device step, still on the host: its layout, the vertex in each row, the rows of its
     neighbours, see `packing.pack`, the buffers, and the weights, one value a row if they are by vertex."""
     meso = state.meso
-    layout = layout_after(state.capacity, meso.num_rows, packing.rows_beyond(meso.degree))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     # Solves end when vertices move by a small part of the least t_c of any limb.
     least = state.t_c if meso.scale is None else state.t_c * float(meso.scale[meso.degree > 0].min())
     order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), least)
