@@ -276,22 +276,23 @@ def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarra
         return is_speck
     is_solid = nested(parts, volume)[0] == np.arange(len(parts))
     is_speck &= is_solid
+    radius = 3 * size / [triangle_areas(part.triangles).sum() for part in parts]
     low, high = (np.array([end(part.vertices, axis=0) for part in parts]) for end in (np.min, np.max))
     for each in np.flatnonzero(is_speck)[np.argsort(-size[is_speck], kind="stable")].tolist():
         middle, diagonal = middle_of(parts[each])[None], float(np.linalg.norm(high[each] - low[each]))
         others = np.flatnonzero(is_solid & ~is_speck & (size > size[each]))
         least = np.linalg.norm(np.maximum(np.maximum(low[others] - middle, middle - high[others]), 0), axis=1)
-        away, nearest, face = np.inf, parts[each], 0
+        away, number, face = np.inf, each, 0
         for k in np.argsort(least, kind="stable").tolist():
             if least[k] >= away:
                 break
             distance, at = parts[others[k]].nearest(middle)
             if distance[0] < away:
-                away, nearest, face = float(distance[0]), parts[others[k]], int(at[0])
-        inward = -np.sign(volume_of(nearest)) * nearest.normals[[face]]
+                away, number, face = float(distance[0]), int(others[k]), int(at[0])
+        nearest = parts[number]
+        inward = -np.sign(volume[number]) * nearest.normals[[face]]
         foot = nearest.feet(middle) + BELOW * diagonal * inward
-        radius = 3 * abs(volume_of(nearest)) / triangle_areas(nearest.triangles).sum()
-        is_speck[each] = nearest.ray_lengths(foot, inward, np.array([2 * radius]))[0] > 2 * diagonal
+        is_speck[each] = nearest.ray_lengths(foot, inward, 2 * radius[[number]])[0] > 2 * diagonal
     return is_speck
 
 
