@@ -106,7 +106,7 @@ def whole_parser() -> argparse.ArgumentParser:
     for each in (one, page, demo, many, series):
         each.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
         each.add_argument("-q", "--quiet", action="store_true", help="no progress bar and no report")
-    added["report"].add_argument("curve", metavar="CURVE", help=f"a saved curve: {writers.HOLD_REPORT}")
+    added["report"].add_argument("curve", metavar="CURVE", help="a saved curve, .npz or .swc")
     return parser
 
 
@@ -158,7 +158,7 @@ def _add_shaping(parser: argparse.ArgumentParser) -> None:
         "heal": "join pieces of the curve over gaps up to this length",
     }.items():
         group.add_argument(f"--{name}", type=positive_number, metavar="X", help=what)
-    group.add_argument("--units", metavar="NAME", help="name of the unit of length, for .swc, .npz and .json files")
+    group.add_argument("--units", metavar="NAME", help="name of the unit of length, for .swc and .npz files")
     tree = "make a tree, by cutting loops where they are thinnest; its root is the node nearest to x,y,z, soma, or "
     group.add_argument("--root", type=root, metavar="R", help=f"{tree}thickest, as --root=-1,2,3")
     radius = "ball: of the largest ball inside (default); section: of a disc with the cross-section's area"

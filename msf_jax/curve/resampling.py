@@ -1,4 +1,4 @@
-"""Nodes evenly along the branches of a curve, and smoother branches, inside its solid."""
+"""Nodes evenly along the branches of a curve, inside its solid."""
 
 import itertools
 
@@ -83,29 +83,3 @@ def _bisected(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | No
             break
         stops = np.sort(np.concatenate([stops, along[(first[rows] + last[rows]) // 2]]))
     return stops
-
-
-def smooth(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, rounds: int, is_held: np.ndarray, solid: Solid | None
-) -> tuple[np.ndarray, np.ndarray]:
-    """The curve after ``rounds`` in which each node moves half of the distance to the middle of its two neighbours.
-
-    Ends of branches and nodes of ``is_held`` (N,) stay, and so does a node that would leave ``solid`` or lose half of
-    its radius. Returns the nodes and the edges; an edge that would leave the solid gets new nodes, which come last.
-    """
-    x = vertices.copy()
-    degree = np.bincount(edges.ravel(), minlength=len(x))
-    paths = graphs.trace(len(x), edges)
-    for _ in range(rounds):
-        goal = x.copy()
-        for path in paths:
-            nodes = path[:-1] + path[:2] if degree[path[0]] == 2 else path  # a loop has no fixed ends
-            goal[nodes[1:-1]] = x[nodes[1:-1]] / 2 + (x[nodes[:-2]] + x[nodes[2:]]) / 4
-        is_safe = ~is_held
-        if solid is not None:
-            is_safe &= solid.radii(goal) >= radii / 2
-        x[is_safe] = goal[is_safe]
-    if solid is None:
-        return x, edges
-    entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
-    return np.concatenate([x, solid.leave(entered[len(x) :])]), edges

@@ -45,7 +45,7 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     for all skeletons of its capacity. `msf_jax.stack` makes a binding of many meshes.
 
     Args:
-        skeleton: of a run, also after `Skeleton.prune`, `resample` and `smooth`, or read from an ``.npz`` file. Or its
+        skeleton: of a run, also after `Skeleton.prune` and `resample`, or read from an ``.npz`` file. Or its
             padded ``binding``, or that of a batch: then nodes and radii are padded by rows of zeros; see
             ``binding.node_mask``.
         vertices: (V, 3), in the order and the units of the mesh of the run. For a binding they have its rows of

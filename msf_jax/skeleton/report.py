@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
+from msf_jax.base.writing import counted
 from msf_jax.curve import branches, handle_loops
 from msf_jax.limbs.one_branch import Branch, leaves_of
 from msf_jax.meshes.repair import specks
@@ -141,7 +142,7 @@ class Report:
         in_sheets, unexplained, elongation = (np.nan if each is None else each for each in measured)
         if None in measured:
             return (UNMEASURED,)
-        parts, handles = (count_of(self.left_out, "part"), count_of(self.joined_handles or 0, "handle"))
+        parts, handles = (counted(self.left_out, "part"), counted(self.joined_handles or 0, "handle"))
         found = (
             (elongation < 1, "no part is longer than it is wide"),
             (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
@@ -173,7 +174,7 @@ class Report:
     def lines(self) -> list[str]:
         """The printed lines without the seconds, which differ from run to run."""
         unsure = [note for note in self.notes if NOT_SURE in note]
-        around = "as many handles" if self.loops == self.cycles else f"ONLY {count_of(self.loops or 0, 'handle')}"
+        around = "as many handles" if self.loops == self.cycles else f"ONLY {counted(self.loops or 0, 'handle')}"
         lines = [
             *unsure,
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
@@ -201,12 +202,8 @@ class Report:
 
 
 def _compare(found: int, what: str, expected: int, why: str) -> str:
-    count = count_of(found, what)
+    count = counted(found, what)
     return f"{count} {why}" if found == expected else f"{count}, EXPECTED {expected} {why}"
-
-
-def count_of(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"
 
 
 def loops_of(
@@ -293,7 +290,7 @@ def _overlaps(
     if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
         least = "at least " if shape.crossed.is_cut else ""
         doubts.append(
-            f"the surface crosses itself, in {least}{count_of(num, 'pair')} of triangles: radii count "
+            f"the surface crosses itself, in {least}{counted(num, 'pair')} of triangles: radii count "
             "walls inside the solid, and loops may be missing" + '; repair="join" makes one solid' * (not is_joined)
         )
     solids = bodies(shape)
@@ -319,10 +316,9 @@ def shares_of(
     """
     radius, near = shape.approximate_clearance(vertices)
     paths = branches.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
-    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    length, degree = graphs.lengths(vertices, edges), graphs.degrees(len(vertices), edges)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
-    # A junction has no cross-section, and the ball of an end is small.
-    own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = 0.0
+    own[degree != 2] = 0.0  # a junction has no cross-section, and the ball of an end is small
     asked = np.flatnonzero(own * radius > 0)
     normal = unit(branches.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
     places = vertices[asked], normal
@@ -335,30 +331,21 @@ def shares_of(
     is_wide = (found.radius > SHEET * radius[asked]) & is_flat | ~found.is_found
     known = own[asked] * np.isin(np.arange(len(asked)), corners.loop)
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
-    area = np.full(len(vertices), np.nan)
+    area, traced = np.full(len(vertices), np.nan), graphs.trace(len(vertices), edges)
     area[asked] = np.where(found.is_found, found.area, np.nan)
-    volume = volumes_of(shape, vertices, graphs.trace(len(vertices), edges), radius, node_of_vertex)
-    unexplained, elongation = _of_branches(vertices, edges, radius, area, volume)
-    total = max(float(length.sum()), 1e-300)
-    return {"in_sheets": in_sheets, "unexplained": unexplained / total, "elongation": elongation}
-
-
-def _of_branches(
-    vertices: np.ndarray, edges: np.ndarray, radius: np.ndarray, area: np.ndarray, volume: np.ndarray
-) -> tuple[float, float]:
-    """The unexplained length, outside the junctions' balls, and the elongation."""
-    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    volume = volumes_of(shape, vertices, traced, radius, node_of_vertex)
     unexplained = elongation = 0.0
-    for number, branch in enumerate(graphs.trace(len(vertices), edges)):
-        nodes = np.array(branch)
-        along, size, areas = arc_length(vertices[nodes]), radius[nodes], area[nodes]
-        begin, end = (float(size[k]) if degree[nodes[k]] > 2 else 0.0 for k in (0, -1))
-        is_known = (along >= begin) & (along <= along[-1] - end) & (areas > 0)
+    for nodes, within in zip(map(np.array, traced), volume.tolist(), strict=True):
+        along = arc_length(vertices[nodes])
+        begin, end = np.where(degree[nodes[[0, -1]]] > 2, radius[nodes[[0, -1]]], 0.0)  # the balls of junctions
+        is_known = (along >= begin) & (along <= along[-1] - end) & (area[nodes] > 0)
         if is_known.any():
-            mean = np.average(areas[is_known], weights=np.gradient(along)[is_known])
-            usual = min(float(np.median(areas[is_known])), float(mean))
+            areas = area[nodes[is_known]]
+            mean = np.average(areas, weights=np.gradient(along)[is_known])
             # Where parts overlap, the volume beside a branch may be negative: nothing of it is explained.
-            unexplained += max(float(along[-1] - begin - end - max(volume[number], 0.0) / usual), 0.0)
-        thickness = 2 * float(np.median(size))
+            explained = max(within, 0.0) / min(np.median(areas), mean)
+            unexplained += max(float(along[-1] - begin - end - explained), 0.0)
+        thickness = 2 * float(np.median(radius[nodes]))
         elongation = max(elongation, float(along[-1]) / thickness if thickness > ROUNDING else 0.0)
-    return unexplained, elongation
+    unexplained /= max(float(length.sum()), 1e-300)
+    return {"in_sheets": in_sheets, "unexplained": unexplained, "elongation": elongation}

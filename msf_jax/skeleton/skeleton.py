@@ -11,14 +11,13 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import jax
 import numpy as np
 from scipy import spatial
 
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import counted, write_whole
 from msf_jax.curve import branches, finishing, resampling
-from msf_jax.inside import containment
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.one_branch import Branch
 from msf_jax.limbs.tree import LimbTree
@@ -26,7 +25,7 @@ from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording.following import BoundSurface
 from msf_jax.skeleton import centrelines
 from msf_jax.skeleton.measures import add_corners
-from msf_jax.skeleton.report import Report, assessed, count_of
+from msf_jax.skeleton.report import Report, assessed
 from msf_jax.solid.geometry import arc_length
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
@@ -46,7 +45,6 @@ SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may b
 STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
 TIP_REACH = 2.0  # radii of the node nearest to a point: a tip within this length of the branch is meant
 THICK = 4.0  # least ratio of a soma's radius to the median radius
-ARRAYS = ("vertices", "edges", "radii", "mesh_map")  # attributes of a skeleton that are leaves of a pytree
 
 
 class Stage(NamedTuple):
@@ -121,7 +119,7 @@ class Skeleton:
     units: str = ""
 
     def __repr__(self) -> str:
-        cycles = count_of(self.report.cycles, "cycle")
+        cycles = counted(self.report.cycles, "cycle")
         inside = "" if np.isnan(self.report.inside) else f", {100 * self.report.inside:.2f} % inside"
         return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {cycles}{inside})"
 
@@ -175,48 +173,30 @@ class Skeleton:
             return None
         return one_branch.slenderness(self.source.limbs, self.source.solid.enter(self.vertices), self.edges)
 
-    def prune(self, slenderness: float = 0.5, detail: float | None = None) -> "Skeleton":
-        """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
+    def prune(self, slenderness: float = 0.5) -> "Skeleton":
+        """A new skeleton without the branches of limbs that are less slender, see `Branch`; other limbs keep one each.
 
-        Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
-        from 0 to 1, says which limbs that only stand out count, as in `Config`. If it is given, limbs without a branch
-        get one: a coarser detail removes branches, a finer one adds some. Without it, limbs count that stand out at
-        the detail 0.5, and nothing is added. A run with these two numbers in its `Config` chooses limbs in the same
-        way. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a pruned branch
-        go to its junction. Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the
-        least slender first.
+        Nothing less slender than half a ball, 0.5, is a limb, unless it stands out at the detail 0.5, as in `Config`; 0
+        keeps all branches. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a
+        pruned branch go to its junction. Without its mesh, or if wavefronts made the curve, branches are pruned by
+        their balls, the least slender first.
 
         Raises:
-            ConfigError: ``slenderness`` is negative or not a number, ``detail`` is not from 0 to 1, or is given where
-                limbs are not known.
+            ConfigError: ``slenderness`` is negative or not a number.
         """
         if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
             raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
-        if not (detail is None or (isinstance(detail, numbers.Real) and 0 <= float(detail) <= 1)):
-            raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
         x, edges, least, is_held = self.vertices, self.edges, float(slenderness), _held(self)
-        report, num, grown = self.report, len(self.vertices), 0
-        if self.source is not None and not report.wavefronts and least:
-            solid, finest = self.source.solid, 0.5 if detail is None else float(detail)
-            choice = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_held, least, finest)
-            if detail is not None and (grown := choice.leaf.count(-1)):
-                new, edges = one_branch.grown(solid.shape, solid.enter(x), edges, choice)
-                new, edges = containment.contain(solid.shape, new, edges, np.pad(is_held, (0, len(new) - num)))
-                x = np.concatenate([x, solid.leave(new[num:])])
-            added = 0, len(x) - num
-            worth = np.pad(choice.worth, added, constant_values=np.inf)
-            stays, target = one_branch.kept(x, edges, worth, np.pad(is_held, added))
-        elif detail is None:
-            stays, target = one_branch.prune(num, edges, one_branch.by_balls(x, self.radii), least, is_held)
+        if self.source is not None and not self.report.wavefronts and least:
+            solid = self.source.solid
+            limbs = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_held, least, detail=0.5)
+            stays, target = one_branch.kept(x, edges, limbs.worth, is_held)
         else:
-            raise ConfigError(
-                f"detail is {detail!r}, and limbs are not known: expected a skeleton with its mesh, not made by "
-                "wavefronts, and a slenderness above 0; leave detail out"
-            )
+            stays, target = one_branch.prune(len(x), edges, one_branch.by_balls(x, self.radii), least, is_held)
         rank = np.cumsum(stays) - 1
-        result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target][:num])
-        pruned = report.pruned + self.num_leaves + grown - result.num_leaves
-        return replace(result, report=replace(result.report, pruned=pruned, grown=report.grown + grown))
+        result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target])
+        pruned = self.report.pruned + self.num_leaves - result.num_leaves
+        return replace(result, report=replace(result.report, pruned=pruned))
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends, pins and
@@ -235,20 +215,6 @@ class Skeleton:
             )
         solid = None if self.source is None else self.source.solid
         return changed(self, *resampling.resample(self.vertices, self.edges, spacing, _held(self), solid))
-
-    def smooth(self, rounds: int = 10) -> "Skeleton":
-        """A new skeleton, smoothed: in each round nodes move half of the way to the midpoint of their two neighbours.
-
-        Ends of branches and pins stay, and so does a node that would leave the solid or lose half of its clearance.
-
-        Raises:
-            ConfigError: ``rounds`` is negative.
-        """
-        if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
-            raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
-        solid = None if self.source is None else self.source.solid
-        x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), _held(self), solid)
-        return changed(self, x, edges, np.arange(len(x)))
 
     def simplify(self, tolerance: float) -> "Skeleton":
         """A new skeleton with few nodes, within ``tolerance`` of this one, a length. Ends and pins stay.
@@ -281,8 +247,8 @@ class Skeleton:
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
 
         Args:
-            root: id of the node that is the root of its component; a point (x, y, z) for the node nearest to it, or for
-                the tip if that node is within two radii of one; or "soma" (see `soma`). The default is the thickest
+            root: id of the node that is the root of its component, or a point (x, y, z) for the node nearest to it; for
+                the tip if that node is within two radii of one. Or "soma" (see `soma`). The default is the thickest
                 node, as in the other components. See ``roots``.
 
         Returns:
@@ -299,7 +265,7 @@ class Skeleton:
             stands = f"{soma.contrast:.3g} times as thick as the thickest elsewhere"
             why = f" (the soma: {stands})" if soma.is_sure else f" (the thickest; NOT SURE to be the soma: {stands})"
         if np.shape(root) == (3,) and np.asarray(root).dtype.kind in "fiu" and np.isfinite(root).all():
-            root = self._tip_near(int(np.linalg.norm(self.vertices - np.asarray(root), axis=1).argmin()))
+            root = int(np.linalg.norm(self.vertices - np.asarray(root), axis=1).argmin())
         is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
         if root is not None and not is_node:
             raise ConfigError(
@@ -308,10 +274,11 @@ class Skeleton:
             )
         stays = branches.cut_loops(num, self.edges, self.radii)
         edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
-        roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
+        first = None if root is None else int(root) if why else self._tip_near(int(root))
+        roots = branches.roots_of(num, edges, self.radii, first)
         where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
         place = f"root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}{why}"
-        note = f"a tree: {count_of(len(gone), 'loop')} cut where thinnest{where}; {place}"
+        note = f"a tree: {counted(len(gone), 'loop')} cut where thinnest{where}; {place}"
         loops = None if self.report.loops is None else 0
         return replace(_relinked(self, edges, note, cut=self.report.cut + len(gone), loops=loops), roots=roots)
 
@@ -458,18 +425,17 @@ class Skeleton:
         - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges).
         - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
-        - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
+        - ``.npz``: everything, with the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
           where it has none), on the bones of ``rig()``. For another rig use ``rig(...).save(path, mesh)``.
 
-        `msf_jax.read_curve` reads ``.npz``, ``.json``, ``.swc`` and ``.polylines.txt``.
+        `msf_jax.read_curve` reads ``.npz``, ``.swc`` and ``.polylines.txt``.
 
         Raises:
             ConfigError: the suffix is none of these, there is no mesh for a ``.glb``, or a label for another format.
             MeshError: ``mesh`` is not the one that the curve was made from.
             OSError: the file cannot be written; what was there before is untouched.
         """
-        from msf_jax.base.writing import write_whole
         from msf_jax.skeleton.formats import writers
 
         write_whole(path, writers.writer_for(path, label)(self, mesh))
@@ -638,25 +604,3 @@ def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
             links.append(np.sort([[own[nearest[next_one]], other[next_one]]]))
         is_in |= piece == piece[other[next_one]]
     return np.concatenate(links)
-
-
-def _flatten(skeleton: Skeleton) -> tuple[tuple[Any, ...], Skeleton]:
-    """The leaves of a skeleton as a pytree, its arrays and those of its binding if it has one; and its static part: the
-    skeleton whose leaves these were at first, compared by identity. So a jitted function of a skeleton is compiled for
-    each skeleton, and one of its ``binding`` for each capacity."""
-    has_binding = "binding" in vars(skeleton) or (skeleton.source and skeleton.source.input_of_vertex is not None)
-    leaves = [getattr(skeleton, name) for name in ARRAYS]
-    return (*leaves, skeleton.binding if has_binding else None), vars(skeleton).get("origin", skeleton)
-
-
-def _unflatten(origin: Skeleton, leaves: Any) -> Skeleton:
-    """The inverse of `_flatten`. JAX also passes axes, masks and gradients as leaves."""
-    *arrays, binding = leaves
-    skeleton = replace(origin, **dict(zip(ARRAYS, arrays, strict=True)))
-    vars(skeleton)["origin"] = origin
-    if binding is not None:
-        vars(skeleton)["binding"] = binding
-    return skeleton
-
-
-jax.tree_util.register_pytree_node(Skeleton, _flatten, _unflatten)

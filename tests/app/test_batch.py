@@ -137,7 +137,7 @@ def test_errors_stay_alone_and_a_second_run_does_nothing(folder, in_processes, t
     shutil.copytree(out, tmp_path / "copied")
     (tmp_path / "copied" / "0.off.swc").unlink()
     assert batch.run(paths_in(folder), tmp_path / "copied", jobs=1, retry=True).num_done == 1 + BROKEN
-    repaired = batch.run([folder / "more" / "open.ply"], tmp_path / "other", jobs=1, repair=True, suffix=".json")
+    repaired = batch.run([folder / "more" / "open.ply"], tmp_path / "other", jobs=1, repair=True, suffix=".npz")
     assert repaired.num_failed == 0 and "filled 1 hole" in table(repaired.manifest)[0]["repairs"]
 
 

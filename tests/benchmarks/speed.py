@@ -158,7 +158,7 @@ def start_to_end(source: Source, wanted: argparse.Namespace) -> dict[str, list[f
         if isinstance(source, int):
             with ProcessPoolExecutor(1, mp_context=SPAWN) as maker:
                 maker.submit(write_mesh, source, mesh).result()
-        command = ["-m", "msf_jax", "skeletonize", str(mesh), "-o", str(Path(folder, "curve.json")), "-q"]
+        command = ["-m", "msf_jax", "skeletonize", str(mesh), "-o", str(Path(folder, "curve.npz")), "-q"]
         command += ["--float32"] * wanted.float32
         for number in range(wanted.repeats):
             environment["XDG_CACHE_HOME"] = str(Path(folder, f"cache_{number}"))  # where compiled steps go

@@ -174,7 +174,7 @@ def test_the_jacobian_is_that_of_jax(limbs):
 
 def test_a_changed_curve_is_followed_and_one_from_a_file(limbs, tmp_path):
     vertices, _, skeleton = limbs
-    changed = skeleton.prune(50.0).resample(0.1).smooth(5)
+    changed = skeleton.prune(50.0).resample(0.1)
     assert len(changed.vertices) < len(skeleton.vertices)
     turn = turn_by(1.4)
     np.testing.assert_allclose(msf_jax.follow(changed, vertices).nodes, changed.vertices, atol=1e-10)
@@ -343,27 +343,22 @@ def test_numbers_stay_what_they_are(tube, dtype):
     np.testing.assert_allclose(nodes, 100 * skeleton.vertices, rtol=0, atol=close)
 
 
-def test_through_jax_and_files(tube, batch, compilations, tmp_path):
-    """A binding, a batch and a skeleton through jit, tree.map, pickle, and a file of leaves, and back."""
+def test_through_jax_and_files(tube, batch, tmp_path):
+    """A binding and a batch through jit, tree.map, pickle, and a file of leaves, and back."""
     vertices, _, skeleton = tube
-    for tree in (skeleton.binding, batch, skeleton):
+    for tree in (skeleton.binding, batch):
         leaves, structure = jax.tree.flatten(tree)
         np.savez(tmp_path / "leaves.npz", *leaves)  # as Equinox and Orbax write trees
         with np.load(tmp_path / "leaves.npz") as file:
             read = jax.tree.unflatten(structure, list(file.values()))
         copies = jax.jit(lambda tree: tree)(tree), jax.tree.map(jnp.asarray, tree), pickle.loads(pickle.dumps(tree))
         for back in (*copies, read):
-            assert tree is skeleton or jax.tree.structure(back) == structure
+            assert jax.tree.structure(back) == structure
             for one, other in zip(jax.tree.leaves(back), leaves, strict=True):
                 np.testing.assert_array_equal(one, other)
                 assert one.dtype == other.dtype
-    nodes = jax.jit(lambda skeleton, vertices: msf_jax.follow(skeleton, vertices).nodes)
-    np.testing.assert_allclose(nodes(skeleton, vertices), skeleton.vertices, rtol=0, atol=1e-12)
-    back = jax.tree.map(np.copy, skeleton)
-    assert back.report == skeleton.report and back.prune(90.0).length <= skeleton.length
-    compilations.clear()
-    nodes(back, vertices)
-    assert not compilations
+    back = pickle.loads(pickle.dumps(skeleton))
+    np.testing.assert_allclose(msf_jax.follow(back, vertices).nodes, skeleton.vertices, rtol=0, atol=1e-12)
 
 
 # Bad input

@@ -17,7 +17,6 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError
 from msf_jax.app.cli import main
 from msf_jax.meshes import checking, reading, scenes
-from msf_jax.skeleton.skeleton import curve_of
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +37,14 @@ def written(tmp_path_factory):
         ("areas", lambda a: a * np.nan),
         ("surface_faces", lambda a: a[:0]),
         ("surface_vertices", lambda a: np.ones_like(a)),
+        ("edges", lambda a: a + 10**6),
+        ("mesh_map", lambda a: a[:, None]),
+        ("openings", lambda a: np.array([10**6])),
+        ("vertices", lambda a: a + 1e300),
+        ("vertices", lambda a: a.astype(str)),
+        ("report", lambda a: np.array(json.dumps(json.loads(str(a)) | {"notes": [[1]]}))),
+        ("report", lambda a: np.array(json.dumps(json.loads(str(a)) | {"inside": "all"}))),
+        ("report", lambda a: np.array(json.dumps(json.loads(str(a)) | {"genus": None}))),
     ],
 )
 def test_altered_arrays_are_refused(written, tmp_path, name, change):
@@ -52,37 +59,6 @@ def test_altered_arrays_are_refused(written, tmp_path, name, change):
         # The tests turn NumPy's warnings into errors; users see only warnings.
         with np.errstate(all="ignore"), pytest.raises(ConfigError, match="is no skeleton, or a damaged one"):
             msf_jax.read_curve(path)
-
-
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {"radii": [1.0, -5.0]},
-        {"edges": [[0.7, 1.9]]},
-        {"edges": [[0, 2]]},
-        {"edges": []},
-        {"edges": [[0, 2**70]]},
-        {"mesh_map": [[0]]},
-        {"openings": [2]},
-        {"vertices": [[0.0, 0, 0], [1e308, 0, 0]]},
-        {"vertices": [["0", 0, 0], [1, 0, 0]]},
-        {"units": 3},
-        {"report": {"notes": [[1]]}},
-        {"report": {"inside": "all"}},
-        {"report": {"genus": None}},
-    ],
-)
-def test_an_altered_json_is_no_curve(tmp_path, capsys, changes):
-    path = tmp_path / "a.json"
-    curve_of(np.array([[0.0, 0, 0], [1, 0, 0]]), np.array([[0, 1]]), np.ones(2)).save(path)
-    assert main(["report", str(path)]) == 0 and capsys.readouterr().out
-    content = json.loads(path.read_text())
-    forged = json.dumps(content | changes | {"report": content["report"] | changes.get("report", {})})
-    for text in (forged, "[" * 100_000, "[]"):
-        path.write_text(text)
-        assert main(["report", str(path)]) == 2
-        said = capsys.readouterr()
-        assert "a.json' has no curve" in said.err and not said.out
 
 
 def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_path, monkeypatch):
@@ -147,14 +123,14 @@ def test_a_lack_of_memory_while_a_file_is_read_is_an_error_of_the_mesh(tmp_path,
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
 def test_a_pipe_is_no_file(tmp_path):
     """Nobody writes to it, so that reading it would never end."""
-    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc", "x.json")]
+    paths = [tmp_path / name for name in ("mesh.off", "x.npz", "x.swc")]
     for path in paths:
         os.mkfifo(path)
     script = "import sys; from msf_jax.app.cli import main; a, *b = sys.argv[1:]\n"
-    script += "sys.exit([main(['skeletonize', a]), *(main(['report', each]) for each in b)] != [2] * 4)"
+    script += "sys.exit([main(['skeletonize', a]), *(main(['report', each]) for each in b)] != [2] * 3)"
     done = subprocess.run([sys.executable, "-c", script, *paths], capture_output=True, text=True, timeout=120)
     says = "is a pipe or a device|is no file"
-    assert done.returncode == 0 and len(re.findall(says, done.stderr)) == 4, done.stderr
+    assert done.returncode == 0 and len(re.findall(says, done.stderr)) == 3, done.stderr
 
 
 def test_escapes_are_not_sent_to_the_terminal(tmp_path, capsys):

@@ -155,11 +155,13 @@ def stored_anew(curve: Skeleton, seed: int) -> Skeleton:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_directions_come_from_the_root(seed):
-    """A point near a tip roots at that tip, one within a branch splits it, however the nodes are numbered."""
+    """A point or a node near a tip roots at that tip, one within a branch splits it, however the nodes are numbered."""
     plant = virtual(seed)
     curve = stored_anew(plant.curve, seed)
     foot, middle = plant.points[2], plant.points[11]  # 0.3 from the tip, of radius 0.2; and between two forks
-    check(plant, curve.to_tree(tuple(foot)), degrees=3.0, share=1e-3, away=0.02, ends=0.0)
+    near = int(np.linalg.norm(curve.vertices - foot, axis=1).argmin())
+    for root in (tuple(foot), near):
+        check(plant, curve.to_tree(root), degrees=3.0, share=1e-3, away=0.02, ends=0.0)
     tree = curve.to_tree(tuple(middle))
     np.testing.assert_array_equal(tree.vertices[tree.roots[0]], middle)
     table, rows = (pandas.DataFrame(tree.columns(of)) for of in ("axes", "branches"))

@@ -474,7 +474,7 @@ def test_what_is_no_biped_is_refused_with_the_reason():
         skeleton.rig(mesh=mesh, names="unreal")
     points, edges, radii = figure(0.0, 1.0)
     two = np.concatenate([points, points * [1, 0.7, 1] + [9, 0, 0]]), np.concatenate([edges, edges + len(points)])
-    with pytest.raises(ConfigError, match=r'the curve is in 2 pieces, and repair="join" makes one solid of parts'):
+    with pytest.raises(ConfigError, match="the curve is in 2 pieces, and that of a biped in one"):
         bones_from(*two, np.tile(radii, 2), "vrm")
     with pytest.raises(ConfigError, match="names is 'maya': expected None or one of mixamo, vrm, unreal"):
         skeleton.rig(mesh=mesh, names="maya")

@@ -1,4 +1,4 @@
-"""What can be done with a skeleton once it is there: branches, prune, resample, smooth."""
+"""What can be done with a skeleton once it is there: branches, prune, resample."""
 
 import numpy as np
 import pytest
@@ -97,21 +97,10 @@ def test_a_larger_spacing_never_gives_more_nodes():
         check(shape.mesh, one, skeleton)
 
 
-def test_smoothing_shortens_and_keeps_ends(whole):
-    mesh, skeleton = whole
-    smooth = skeleton.smooth(20)
-    check(mesh, smooth, skeleton)
-    assert smooth.length < skeleton.length
-    ends = np.flatnonzero(np.bincount(skeleton.edges.ravel()) != 2)
-    np.testing.assert_array_equal(smooth.vertices[ends], skeleton.vertices[ends])
-    np.testing.assert_array_equal(smooth.mesh_map, skeleton.mesh_map)
-    np.testing.assert_array_equal(skeleton.smooth(0).vertices, skeleton.vertices)
-
-
 def test_the_original_is_not_changed(whole):
     _, skeleton = whole
     before = [skeleton.vertices.copy(), skeleton.edges.copy(), skeleton.radii.copy(), skeleton.mesh_map.copy()]
-    skeleton.prune(3), skeleton.resample(0.1), skeleton.smooth(3)
+    skeleton.prune(3), skeleton.resample(0.1)
     for array, copy in zip((skeleton.vertices, skeleton.edges, skeleton.radii, skeleton.mesh_map), before, strict=True):
         np.testing.assert_array_equal(array, copy)
 
@@ -147,7 +136,6 @@ def test_a_twig_within_a_limb_goes_with_the_surface_and_without_it(whole):
         (lambda s: s.resample(0), "spacing is 0: expected a length above 0"),
         (lambda s: s.resample(1e-320), "at most 10000000 nodes; is it in the mesh's units"),
         (lambda s: s.resample(1e-12), "at most 10000000 nodes"),
-        (lambda s: s.smooth(-2), "rounds is -2"),
     ],
 )
 def test_arguments_out_of_range_are_refused(whole, call, message):

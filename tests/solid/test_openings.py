@@ -96,8 +96,8 @@ def test_a_short_outlet_ends_in_its_opening(radius, height):
     nodes = [at(skeleton, place) for place in ([0, 0, -4], [0, 0, 4], [R + height, 0, 0])]
     degree = np.bincount(skeleton.edges.ravel())
     assert len(skeleton.openings) == 3 == (degree == 1).sum() and (degree > 2).sum() == 1
-    for least, detail in ((1.0, None), (9.0, None), (1.0, 0.0)):
-        pruned = skeleton.prune(least, detail)
+    for least in (1.0, 9.0):
+        pruned = skeleton.prune(least)
         assert pruned.num_leaves == 3 == len(set(pruned.openings))
     assert length_of(skeleton) == pytest.approx(8 + R + height, rel=0.03)
     rows = pandas.DataFrame(skeleton.columns("nodes")).iloc[nodes]

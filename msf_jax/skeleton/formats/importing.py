@@ -19,7 +19,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import plain
 from msf_jax.curve import finishing
 from msf_jax.meshes import formats
-from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, HOLD_REPORT, KIND, REPORT, UNITS
+from msf_jax.skeleton.formats.writers import CUT, FORMAT_VERSION, KIND, REPORT, UNITS
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
 from msf_jax.solid.solid import Solid
@@ -29,14 +29,12 @@ Curve = dict[str, Any]  # attributes of a skeleton by name
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
-    """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.json``, ``.swc`` or
-    ``.polylines.txt``.
+    """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.swc`` or ``.polylines.txt``.
 
     Returns:
         A skeleton. That of an ``.npz`` has all but the stages of the flow, so that it can be pruned, resampled and
-        followed. That of a ``.json`` has all but the surface. Others have an empty map, and a report with counts only.
-        SWC has radii, and of files of this program the units; edges that it cut are joined again. In polylines radii
-        are 0, and coincident ends become one node.
+        followed. Others have an empty map, and a report with counts only. SWC has radii, and of files of this program
+        the units; edges that it cut are joined again. In polylines radii are 0, and coincident ends become one node.
 
     Raises:
         ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was
@@ -52,10 +50,7 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
         raise ConfigError(f"cannot read {name!r}: expected one of {', '.join(['.npz', *READERS])}")
     lines, (read, expected) = _lines_of(path), READERS[suffix]
     try:
-        curve = read(lines)
-        if suffix == ".json":
-            return Skeleton(**curve)
-        curve = checked_curve(curve)
+        curve = checked_curve(read(lines))
     except Exception as error:  # for a damaged file, parsers raise exceptions of many types
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         raise ConfigError(f"{name!r} has no curve ({kind}{str(error)[:300]}): expected {expected}") from error
@@ -63,16 +58,16 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
 
 
 def report_lines(path: str | os.PathLike[str]) -> list[str]:
-    """The lines of the report of the curve in a file that `Skeleton.save` wrote, safe to print: all of it from NPZ and
-    JSON, from SWC what stands in the comments.
+    """The lines of the report of the curve in a file that `Skeleton.save` wrote, safe to print: all of it from NPZ,
+    from SWC what stands in the comments.
 
     Raises:
         ConfigError: files of this format have no report, this file has none, or its curve is damaged.
         OSError: the file cannot be read.
     """
     name, suffix = Path(path).name, Path(path).suffix.lower()
-    if suffix not in (".npz", ".json", ".swc"):
-        raise ConfigError(f"{name!r} has no report: expected an {HOLD_REPORT} file that msf_jax has written")
+    if suffix not in (".npz", ".swc"):
+        raise ConfigError(f"{name!r} has no report: expected an .npz or .swc file that msf_jax has written")
     lines = str(read_curve(path).report).splitlines()  # also of SWC: a report of a curve that is damaged says nothing
     if suffix == ".swc":
         lines = [line.removeprefix(REPORT).strip() for line in _lines_of(path) if line.startswith(REPORT)]
@@ -133,17 +128,7 @@ def _read_polylines(lines: list[str]) -> Curve:
     return {"vertices": np.array(list(number)).reshape(-1, 3), "edges": edges, "radii": np.zeros(len(number))}
 
 
-def _read_json(lines: list[str]) -> Curve:
-    content = json.loads("\n".join(lines))
-    if content["format"] != f"msf_jax {KIND}" or content["version"] != FORMAT_VERSION:
-        raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
-    # Whole numbers are coordinates, too. Asked for numbers, NumPy would take a text for one.
-    curve = checked_curve(content | {key: np.array(content[key]) + 0.0 for key in ("vertices", "radii")})
-    return curve | {"report": checked_report(content["report"], curve)}
-
-
 READERS: dict[str, tuple[Callable[[list[str]], Curve], str]] = {  # and what they expect
-    ".json": (_read_json, "a file of msf_jax"),
     ".swc": (_read_swc, "id, type, x, y, z, radius, parent in each line, each id once, and -1 for no parent"),
     ".polylines.txt": (_read_polylines, "a count, and as many points of three numbers in each line"),
 }

@@ -20,9 +20,8 @@ from msf_jax.base.errors import ConfigError
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-KIND = "skeleton"  # of an .npz or a .json file, see `archive`
-FORMAT_VERSION = 2  # of these two formats
-HOLD_REPORT = ".npz, .json or .swc"  # formats that contain the report
+KIND = "skeleton"  # of an .npz file, see `archive`
+FORMAT_VERSION = 2  # of such a file
 WRITTEN = "curve skeleton written by msf_jax"
 CUT = "# cut edge"  # begins the comment of an SWC file that lists a cut edge by its two ids
 REPORT = "# report: "  # begins the comment with a line of the report
@@ -186,14 +185,6 @@ def npz(skeleton: "Skeleton") -> bytes:
     return archive.packed(KIND, FORMAT_VERSION, arrays)
 
 
-def plain_json(skeleton: "Skeleton") -> str:
-    """All of a skeleton but its surface, by name, as JSON."""
-    arrays = {name: getattr(skeleton, name).tolist() for name in ("vertices", "edges", "radii", "mesh_map")}
-    others = {name: getattr(skeleton, name) for name in ("roots", "openings", "radius_of", "units")}
-    kind = {"format": f"msf_jax {KIND}", "version": FORMAT_VERSION}
-    return json.dumps({**kind, **arrays, **others, "report": skeleton.report.to_dict()}) + "\n"
-
-
 def glb(skeleton: "Skeleton", mesh: Any) -> bytes:
     """The mesh on the bones of the skeleton, see `gltf`."""
     from msf_jax.skeleton.formats import gltf
@@ -215,7 +206,6 @@ WRITERS: "dict[str, Callable[..., str | bytes]]" = {
     ".cylinders.csv": partial(table, of="cylinders"),
     ".csv": partial(table, of="branches"),
     ".npz": npz,
-    ".json": plain_json,
     ".glb": glb,
 }
 

@@ -263,13 +263,11 @@ def plan_biped(paths: list[BonePath], girdles: Girdles, plane: Mirror | None, nu
     """
 
     def refused(reason: str) -> ConfigError:
-        apart = f'; the curve is in {num_pieces} pieces, and repair="join" makes one solid of parts'
-        return ConfigError(
-            f"names are for bipeds, and this is none: {reason}{apart if num_pieces > 1 else ''}: expected names=None"
-        )
+        apart = f"; the curve is in {num_pieces} pieces, and that of a biped in one" * (num_pieces > 1)
+        return ConfigError(f"names are for bipeds, and this is none: {reason}{apart}: expected names=None")
 
     if plane is None:
-        raise refused(f"no plane has mirror images of {ENOUGH:.0%} of its curve")
+        raise refused(f"no plane across its axes has mirror images of two ends and {ENOUGH:.0%} of its curve")
     if not girdles.nodes:
         raise refused("no pair of limbs are mirror images")
     if girdles.pelvis < 0:
