@@ -167,11 +167,6 @@ def radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarr
     return float(mean), float(own.min()), float(own.max())
 
 
-def _degrees_between(one: np.ndarray, other: np.ndarray) -> float:
-    """The angle between two unit vectors."""
-    return float(np.degrees(np.arccos(np.clip(one @ other, -1.0, 1.0))))
-
-
 def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> np.ndarray:
     """The direction (3,) of a path that leaves a junction at its first node, in the middle of the stretch that gives
     its axis (see `curve.junctions`); its chord if it is too short for one."""
@@ -182,6 +177,12 @@ def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> np.ndar
     return unit(axis.parabola[1] + 2 * middle * axis.parabola[2])
 
 
+def _turn(curve: Branches, vertices: np.ndarray, path: np.ndarray, before: np.ndarray) -> float:
+    """The angle in degrees, 0 if straight, between a path and the one before it; both leave their junction."""
+    ahead, back = (_heading(curve, vertices, each) for each in (path, before))
+    return float(np.degrees(np.arccos(np.clip(-ahead @ back, -1.0, 1.0))))
+
+
 def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
     """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
     NaN at a root."""
@@ -189,8 +190,7 @@ def _fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarr
     for number in np.flatnonzero((parent >= 0) & [len(nodes) > 1 for nodes in paths]).tolist():
         nodes, mother = paths[number], paths[parent[number]]
         mother = mother if mother[-1] != nodes[0] else mother[::-1]
-        ahead, back = (_heading(curve, skeleton.vertices, each) for each in (nodes, mother))
-        angles[number] = _degrees_between(-ahead, back)
+        angles[number] = _turn(curve, skeleton.vertices, nodes, mother)
     return angles
 
 
@@ -266,8 +266,7 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
             last[axis.parent] = axis.position
             if len(axis.nodes) > 1:
                 below = mother[int((mother == axis.nodes[0]).argmax()) :: -1]
-                ahead, back = (_heading(curve, skeleton.vertices, path) for path in (axis.nodes, below))
-                angle[number] = _degrees_between(ahead, -back)
+                angle[number] = _turn(curve, skeleton.vertices, axis.nodes, below)
     return {
         "axis": np.arange(num),
         "parent": _whole([axis.parent for axis in axes]),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-GREY = "#8c9eb8"  # colour of the surface
+GREY, GREEN = "#8c9eb8", "#5b8c5a"  # colours of the surface, and of the contraction
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
 AWAY = 1.4  # diagonals: at 1.31, a ball with the box's diagonal fills plotly's angle of view of 45 degrees
 LEAST_EXTENT = 0.01  # least ratio of the scene's extents: the box of a line or a point would be empty
@@ -31,20 +31,23 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
     if path is not None and Path(path).suffix.lower() != ".html":
         raise ConfigError(f"a page is written as .html, not as {Path(path).suffix!r}")
     middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is precise enough around it
-    traces = _surfaces(skeleton, mesh, middle)
-    box = np.concatenate([skeleton.vertices - middle, *(np.stack([one.x, one.y, one.z], axis=1) for one in traces[:1])])
+    box, traces = skeleton.vertices - middle, []
+    if mesh is not None or skeleton.source is not None:
+        vertices, faces, node = _surface(skeleton, mesh)
+        # The pointer meets the surface before the curve, so the surface shows the radius, too.
+        style = {"customdata": skeleton.radii[node].astype(np.float32), "hovertemplate": RADIUS, "showlegend": True}
+        traces.append(_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, **style))
+        box = np.concatenate([box, vertices - middle])
     stages, first = skeleton.source.stages if skeleton.source else (), len(traces)
     for stage in stages:
-        name = f"after {stage.iteration} iterations"
-        style = {"opacity": 0.9, "color": "#5b8c5a", "visible": False, "hoverinfo": "skip"}
-        traces.append(_mesh(stage.vertices - middle, stage.faces, name, **style))
+        style = {"opacity": 0.9, "color": GREEN, "visible": False, "hoverinfo": "skip"}
+        traces.append(_mesh(stage.vertices - middle, stage.faces, f"after {stage.iteration} iterations", **style))
     traces.append(_line(skeleton, middle))
     shown = list(range(first, first + len(stages)))
     steps = [
         {"method": "restyle", "label": label, "args": [{"visible": [trace == first + k for trace in shown]}, shown]}
         for k, label in enumerate(["none", *(f"{stage.iteration}" for stage in stages)], -1)
     ]
-    slider = {"currentvalue": {"prefix": "contraction: "}, "x": 0.02, "len": 0.9, "pad": {"t": 10}, "steps": steps}
     drawing = go.Figure(traces)
     drawing.update_layout(
         template="plotly_white",
@@ -52,28 +55,26 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
         title={"text": f"{skeleton!r}; {skeleton.report.reason}", "font": {"size": 14}},
         legend={"x": 0, "y": 1},
         scene=_scene(box[np.isfinite(box).all(axis=1)]),
-        sliders=[slider],
+        sliders=[
+            {"currentvalue": {"prefix": "contraction: "}, "x": 0.02, "len": 0.9, "pad": {"t": 10}, "steps": steps}
+        ],
     )
     if path is not None:
         write_whole(path, drawing.to_html(include_plotlyjs=True))
     return drawing
 
 
-def _surfaces(skeleton: "Skeleton", mesh: "MeshLike | None", middle: np.ndarray) -> list[Any]:
-    """The mesh in grey, if it is known. The legend shows and hides it."""
-    if mesh is not None:
-        vertices, faces = reading.read(mesh)
-        if len(skeleton.mesh_map):
-            reading.check_map(skeleton.mesh_map, len(vertices))
-    elif skeleton.source is not None:
-        vertices, faces = skeleton.source.solid.vertices, skeleton.source.solid.shape.faces
+def _surface(skeleton: "Skeleton", mesh: "MeshLike | None") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Vertices and faces of the ``mesh``, or of that which the curve was made from, and the node of each vertex."""
+    if mesh is None:
+        solid = skeleton.known_source.solid
+        vertices, faces = solid.vertices, solid.shape.faces
     else:
-        return []
-    has_map = mesh is not None and len(skeleton.mesh_map) > 0  # a curve of another program has none
-    node = skeleton.mesh_map if has_map else np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
-    # The pointer meets the surface before the curve, so the surface shows the radius, too.
-    style = {"customdata": skeleton.radii[node].astype(np.float32), "hovertemplate": RADIUS, "showlegend": True}
-    return [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, **style)]
+        vertices, faces = reading.read(mesh)
+        if len(skeleton.mesh_map):  # a curve of another program has none
+            reading.check_map(skeleton.mesh_map, len(vertices))
+            return vertices, faces, skeleton.mesh_map
+    return vertices, faces, np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
 
 
 def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **style: Any) -> Any:
@@ -105,13 +106,11 @@ def _line(curve: "Skeleton", middle: np.ndarray) -> Any:
     import plotly.graph_objects as go
 
     bar = {"title": "radius", "len": 0.5, "thickness": 14, "x": 1, "xanchor": "right"}
-    colour: dict[str, Any] = {"colorscale": "Plasma", "colorbar": bar}
     points, radius = (curve.vertices - middle).astype(np.float32), curve.radii.astype(np.float32)
     if len(curve.edges):
         points = np.pad(points[curve.edges], ((0, 0), (0, 1), (0, 0)), constant_values=np.nan).reshape(-1, 3)
         radius = np.repeat(radius[curve.edges], [1, 2], axis=1).ravel()  # the gap has one, too
-        style = {"mode": "lines", "line": {"color": radius, "width": 6, **colour}}
-    else:
-        style = {"mode": "markers", "marker": {"color": radius, "size": 6, **colour}}
-    style |= {"customdata": radius, "hovertemplate": RADIUS, "name": "curve", "showlegend": False}
+    kind, width = ("line", "width") if len(curve.edges) else ("marker", "size")
+    style: dict[str, Any] = {kind: {"color": radius, width: 6, "colorscale": "Plasma", "colorbar": bar}}
+    style |= {"mode": f"{kind}s", "customdata": radius, "hovertemplate": RADIUS, "name": "curve", "showlegend": False}
     return go.Scatter3d(**dict(zip("xyz", points.T, strict=True)), **style)

@@ -10,7 +10,7 @@ in one limb is longer. A is the median of the areas, or their mean along the bra
 junction cut the trunk, too, and in an ellipsoid most areas are above the mean.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -49,7 +49,6 @@ IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitr
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
 UNMEASURED = "not measured, as the mesh or the finished curve is not known"
 NOT_SURE = "NOT SURE"  # in a note that is printed first: a root that may be in no soma
-SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
 
 @dataclass(frozen=True)
@@ -153,19 +152,8 @@ class Report:
         return tuple(reason for is_so, reason in found if is_so)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values, for JSON or a table."""
-        figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
-        inside = None if np.isnan(self.inside) else self.inside  # NaN for a curve without its mesh
-        return asdict(self) | {"figures": figures, "inside": inside}
-
-    @classmethod
-    def from_dict(cls, values: Mapping[str, Any]) -> "Report":
-        """The inverse of `to_dict`; raises a KeyError or a TypeError for anything else."""
-        figures = {name: np.nan if value is None else value for name, value in values["figures"].items()}
-        inside = np.nan if values["inside"] is None else values["inside"]
-        changed: dict[str, Any] = {"figures": figures, "inside": inside}
-        changed |= {key: tuple(values.get(key, ())) for key in SENTENCES}
-        return cls(**(dict(values) | changed))
+        """Plain values, for a table; what is not known of a curve without its mesh is NaN, as in the report."""
+        return asdict(self)
 
     def __repr__(self) -> str:
         seconds = ", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items())

@@ -32,7 +32,6 @@ from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from networkx import Graph
     from plotly.graph_objects import Figure as PlotlyFigure
     from scipy.sparse import csr_matrix
 
@@ -422,7 +421,7 @@ class Skeleton:
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
           number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.
-        - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges).
+        - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's).
         - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface.
@@ -504,17 +503,6 @@ class Skeleton:
         from msf_jax import view
 
         return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)
-
-    def to_networkx(self) -> "Graph":
-        """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
-        import networkx as nx
-
-        graph = nx.Graph()
-        for node, (position, radius) in enumerate(zip(self.vertices.tolist(), self.radii.tolist(), strict=True)):
-            graph.add_node(node, position=tuple(position), radius=radius)
-        for (a, b), length in zip(self.edges.tolist(), graphs.lengths(self.vertices, self.edges), strict=True):
-            graph.add_edge(a, b, length=float(length))
-        return graph
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:

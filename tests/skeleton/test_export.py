@@ -52,13 +52,6 @@ def test_obj_and_polylines_by_hand(lollipop, tmp_path):
     assert sorted(found) == sorted(map(tuple, lollipop.edges.tolist()))
 
 
-def test_networkx_has_positions_radii_and_lengths(lollipop):
-    graph = lollipop.to_networkx()
-    assert sorted(map(sorted, graph.edges)) == sorted(lollipop.edges.tolist()) and len(graph) == 6
-    assert graph.nodes[2]["position"] == (2.0, 1.0, 0.0)
-    assert sum(data["length"] for _, _, data in graph.edges(data=True)) == pytest.approx(lollipop.length)
-
-
 def test_an_unknown_suffix_is_named(lollipop, tmp_path):
     with pytest.raises(ConfigError, match=r"no format for 'a\.inp'.*\.swc.*skeleton\.frame\(\)\.save"):
         lollipop.save(tmp_path / "a.inp")
@@ -123,14 +116,8 @@ def test_vtk_reads_polydata(hand, saved):
     assert num_nodes - data.n_lines == len(skeleton.edges)
 
 
-def test_other_libraries_read_ply_and_npz(hand, saved):
-    plyfile = pytest.importorskip("plyfile")
+def test_numpy_reads_npz(hand, saved):
     skeleton, _ = hand
-    data = plyfile.PlyData.read(saved(".ply"))
-    np.testing.assert_array_equal(data["vertex"]["radius"], skeleton.radii)
-    np.testing.assert_array_equal(data["vertex"]["x"], skeleton.vertices[:, 0])
-    edges = np.stack([data["edge"]["vertex1"], data["edge"]["vertex2"]], axis=1)
-    np.testing.assert_array_equal(edges, skeleton.edges)
     with np.load(saved(".npz")) as file:
         for name in ("vertices", "edges", "radii", "mesh_map"):
             np.testing.assert_array_equal(file[name], getattr(skeleton, name))

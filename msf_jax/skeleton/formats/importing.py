@@ -195,9 +195,10 @@ def checked_curve(values: Mapping[str, Any]) -> Curve:
 
 
 def checked_report(values: Any, curve: Curve) -> Report:
-    """The report from ``values`` of `Report.to_dict`; raises an exception for others that cannot be printed, and for
-    those of a curve with other counts."""
-    report = Report.from_dict(values)
+    """The report from ``values`` of `Report.to_dict`, as JSON has them; raises an exception for others that cannot be
+    printed, and for those of a curve with other counts."""
+    known: Any = {key: tuple(value) if isinstance(value, list) else value for key, value in values.items()}
+    report = Report(**known)
     "".join([str(report), *report.not_limbs])  # raises for values of other types
     if (counts := graphs.cycle_count(len(curve["vertices"]), curve["edges"])) != (report.components, report.cycles):
         raise ValueError(f"it has {counts[0]} components and {counts[1]} cycles, which its report does not say")

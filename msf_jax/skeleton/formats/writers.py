@@ -104,15 +104,6 @@ def obj(skeleton: "Skeleton") -> str:
     return "\n".join([f"# {WRITTEN}", *vertices, *(f"l {a + 1} {b + 1}" for a, b in skeleton.edges.tolist())]) + "\n"
 
 
-def ply(skeleton: "Skeleton") -> str:
-    """PLY: vertices with radius, edges."""
-    header = ["ply", "format ascii 1.0", f"comment {WRITTEN}", f"element vertex {len(skeleton.vertices)}"]
-    header += [f"property double {name}" for name in ("x", "y", "z", "radius")]
-    header += [f"element edge {len(skeleton.edges)}", "property int vertex1", "property int vertex2", "end_header"]
-    rows = map(_point, np.column_stack([skeleton.vertices, skeleton.radii]))
-    return "\n".join([*header, *rows, *(f"{a} {b}" for a, b in skeleton.edges.tolist())]) + "\n"
-
-
 def polylines(skeleton: "Skeleton") -> str:
     """CGAL's polylines: a line for each branch, the number of points and their coordinates."""
     from msf_jax.topology import graphs
@@ -199,7 +190,6 @@ WRITERS: "dict[str, Callable[..., str | bytes]]" = {
     ".swc": swc,
     ".obj": obj,
     ".polylines.txt": polylines,
-    ".ply": ply,
     ".vtp": vtp,
     ".nodes.csv": partial(table, of="nodes"),
     ".axes.csv": partial(table, of="axes"),
