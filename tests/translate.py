@@ -35,6 +35,7 @@ OPTIONS: dict[str, Any] = {
     "no_cpython_wrapper": True,
 }
 MODULES = (
+    "msf_jax.curve.branches",
     "msf_jax.solid.handles",
     "msf_jax.solid.kernels",
     "msf_jax.solid.sections",

@@ -3,22 +3,24 @@ branches: directions, bending, spacing, and the limb's size. Measures that are l
 for use as rows of a least-squares problem.
 """
 
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse, spatial
 
+from msf_jax.numerics.compiled import Ints, Points, Reals, kernel
 from msf_jax.solid.geometry import RESOLUTION, arc_length, at
 from msf_jax.solid.handles import Handles
+from msf_jax.solid.kernels import dot, minus, norm, point_of
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import shortest_forest
 
-NEAR = 1.0  # radii, the larger of the two: junctions are merged that are joined by a shorter path
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
 CHUNK = 100  # nodes of a branch at a time that are held against the others: a table of them stays in the cache
 UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
 STIFFEST = 1e5  # limit on the stiffness
-CLEAR, MARGIN = 1.0, 0.4  # radii of a ball: the distance of a limb beside it that is on its own; a width of that
+MARGIN = 0.4  # radii of a ball: beside a ball, width of the step from a limb that is a part of it to one on its own
 FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 
 
@@ -86,7 +88,7 @@ def merge_junctions(
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
         a, b = target[path[0]], target[path[-1]]
         length = float(arc_length(vertices[path])[-1])
-        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
+        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < radii[a]
         if a != b and is_near and not is_held[target == b].any():
             tried, added = target.copy(), moved.copy()
             steps = handles.classes(vertices[path[:-1]], vertices[path[1:]])
@@ -217,13 +219,31 @@ def sizes(
     return found
 
 
+@kernel
+def hold_apart(x: Points, tangent: Points, size: Reals, ball: Reals, branch: Ints, clear: Reals) -> None:
+    """``clear`` (N,), 1 before, of `clear_of_others`; ``branch`` (N,): the branch of each node, -1 for a junction."""
+    for i in range(len(x)):
+        here, along = point_of(x, i), point_of(tangent, i)
+        for j in range(len(x)):
+            away, radius = minus(point_of(x, j), here), max(ball[j], RESOLUTION)
+            far = size[i] + (1 + MARGIN / 2) * radius
+            if (branch[i] == branch[j] and branch[i] >= 0) or dot(away, away) > far * far:
+                continue
+            height = dot(away, along)
+            flat = away[0] - height * along[0], away[1] - height * along[1], away[2] - height * along[2]
+            aside = max(norm(flat) - size[i], 0.0)
+            gap = sqrt(height * height + aside * aside) / radius
+            t = min(max((gap - 1) / MARGIN + 0.5, 0.0), 1.0)
+            clear[i] = min(clear[i], t * t * (3 - 2 * t))
+
+
 def clear_of_others(
     x: np.ndarray, paths: list[BranchPath], tangent: np.ndarray, size: np.ndarray, ball: np.ndarray
 ) -> np.ndarray:
     """(N,) a smooth step: 0 at nodes where several limbs are one, 1 where a limb is on its own.
 
     A node's disc, of the limb's ``size`` (N,) and across its ``tangent`` (N, 3), is its own if no ball, of radius
-    ``ball`` (N,), of a junction or of another branch is near: by `CLEAR` radii of that ball, over a width of `MARGIN`.
+    ``ball`` (N,), of a junction or of another branch is near: by a radius of that ball, over a width of `MARGIN` radii.
     """
     branch = np.full(len(x), -1)  # of a junction none, and so it is beside all of its branches
     for number, (nodes, *_) in enumerate(paths):
@@ -232,23 +252,7 @@ def clear_of_others(
     is_loop = np.isin(ends, [path.nodes[0] for path in paths if path.is_loop])
     branch[ends[(count > 1) & ~is_loop]] = -1
     clear = np.ones(len(x))
-    octave = np.floor(np.log2(np.maximum(ball, RESOLUTION))).astype(np.int64)
-    for level in np.unique(octave):  # balls of about one size at a time: far from small ones, none is asked for
-        others = np.flatnonzero(octave == level)
-        reach = size + (CLEAR + MARGIN / 2) * 2.0 ** (level + 1)
-        tree = spatial.KDTree(x[others])
-        for rows in np.array_split(np.arange(len(x)), len(x) // CHUNK + 1):  # bounds the pairs that are held
-            near = tree.query_ball_point(x[rows], reach[rows])
-            i = np.repeat(rows, np.fromiter(map(len, near), np.int64, len(rows)))
-            j = others[np.concatenate([*near, np.empty(0)]).astype(np.int64)]
-            is_beside = (branch[i] != branch[j]) | (branch[i] < 0)
-            i, j = i[is_beside], j[is_beside]
-            away = x[j] - x[i]
-            height = np.einsum("pi,pi->p", away, tangent[i])
-            aside = np.linalg.norm(away - height[:, None] * tangent[i], axis=1)
-            gap = np.hypot(height, np.maximum(aside - size[i], 0.0)) / np.maximum(ball[j], RESOLUTION)
-            t = np.clip((gap - CLEAR) / MARGIN + 0.5, 0.0, 1.0)
-            np.minimum.at(clear, i, t * t * (3 - 2 * t))
+    hold_apart(x, tangent, size, ball, branch, clear)
     return clear
 
 

@@ -75,6 +75,11 @@ class Roadmap:
         return self.shape.surface_points(balls.MOST_SAMPLES)
 
     @cached_property
+    def _balls(self) -> np.ndarray:
+        """(P, 4) the centre and the radius of the ball behind each point of the surface; NaN before it is asked for."""
+        return np.full((len(self.surface[0]), 4), np.nan)
+
+    @cached_property
     def whole(self) -> Network:
         """All balls inside the solid, and the links between those that overlap."""
         return self._linked_balls(np.ones(len(self.surface[0]), dtype=bool))
@@ -91,8 +96,10 @@ class Roadmap:
 
     def _linked_balls(self, asked: np.ndarray) -> Network:
         """The balls behind those points of the surface that are ``asked`` for (P,): one for each place and size."""
-        centre, radius = balls_behind(self.shape, *(each[asked] for each in self.surface))
-        centre, radius = centre[radius > TOUCHING], radius[radius > TOUCHING]
+        new = asked & np.isnan(self._balls[:, 3])
+        self._balls[new] = np.column_stack(balls_behind(self.shape, *(each[new] for each in self.surface)))
+        centre, radius = np.split(self._balls[asked & (self._balls[:, 3] > TOUCHING)], [3], axis=1)
+        radius = radius[:, 0]
         size = np.floor(np.log2(radius))
         cell = 2.0 ** (size - 1)[:, None]
         cells = np.concatenate([cell, np.round(centre / cell)], axis=1)
@@ -212,7 +219,7 @@ def _tested(shape: Enclosure, network: Network, is_joining: bool) -> Network:
         if not len(others):
             break
         some, others = others[:AT_ONCE], others[AT_ONCE:]
-        is_open = is_inside(shape, network.centre[some[:, 0]], network.centre[some[:, 1]])
+        is_open = shape.holds(*network.centre[some.T], ROUNDING, are_inside=True)
         links = np.concatenate([links, some[is_open]])
     return network._replace(links=links, others=others)
 

@@ -1,5 +1,139 @@
 ; Made of the kernels by `python -m tests.translate`: edit those.
 @0 = internal unnamed_addr constant [3 x double] [double 1.500000e+00, double 4.500000e+00, double 1.350000e+01], align 8
+define noundef i64 @msf_jax.curve.branches.hold_apart(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 40
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 48
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 64
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 80
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 96
+  %19 = load ptr, ptr %18, align 8
+  %20 = icmp sgt i64 %4, 0
+  br i1 %20, label %21, label %123
+21:
+  %22 = getelementptr i8, ptr %2, i64 16
+  br label %23
+23:
+  %24 = phi i64 [ %121, %120 ], [ 0, %21 ]
+  %25 = mul i64 %24, %6
+  %26 = getelementptr double, ptr %2, i64 %25
+  %27 = load double, ptr %26, align 8
+  %28 = getelementptr i8, ptr %26, i64 8
+  %29 = load double, ptr %28, align 8
+  %30 = getelementptr i8, ptr %26, i64 16
+  %31 = load double, ptr %30, align 8
+  %32 = mul i64 %24, %11
+  %33 = getelementptr double, ptr %9, i64 %32
+  %34 = load double, ptr %33, align 8
+  %35 = getelementptr i8, ptr %33, i64 8
+  %36 = load double, ptr %35, align 8
+  %37 = getelementptr i8, ptr %33, i64 16
+  %38 = load double, ptr %37, align 8
+  %39 = shl i64 %24, 3
+  %40 = getelementptr i8, ptr %13, i64 %39
+  %41 = getelementptr i8, ptr %17, i64 %39
+  %42 = getelementptr i8, ptr %19, i64 %39
+  br label %43
+43:
+  %44 = phi ptr [ %118, %117 ], [ %22, %23 ]
+  %45 = phi i64 [ %46, %117 ], [ 0, %23 ]
+  %46 = add nuw nsw i64 %45, 1
+  %47 = getelementptr i8, ptr %44, i64 -16
+  %48 = load double, ptr %47, align 8
+  %49 = getelementptr i8, ptr %44, i64 -8
+  %50 = load double, ptr %49, align 8
+  %51 = load double, ptr %44, align 8
+  %52 = fsub double %48, %27
+  %53 = fsub double %50, %29
+  %54 = fsub double %51, %31
+  %55 = shl i64 %45, 3
+  %56 = getelementptr i8, ptr %15, i64 %55
+  %57 = load double, ptr %56, align 8
+  %58 = fcmp olt double %57, 0x3EB0000000000000
+  %59 = select i1 %58, double 0x3EB0000000000000, double %57
+  %60 = load double, ptr %40, align 8
+  %61 = load i64, ptr %41, align 8
+  %62 = getelementptr i8, ptr %17, i64 %55
+  %63 = load i64, ptr %62, align 8
+  %64 = icmp eq i64 %61, %63
+  %65 = icmp sgt i64 %61, -1
+  %66 = and i1 %65, %64
+  br i1 %66, label %117, label %67
+67:
+  %68 = fmul double %59, 1.200000e+00
+  %69 = fadd double %60, %68
+  %70 = fmul double %52, %52
+  %71 = fmul double %54, %54
+  %72 = fadd double %70, %71
+  %73 = fmul double %53, %53
+  %74 = fadd double %73, %72
+  %75 = fmul double %69, %69
+  %76 = fcmp ogt double %74, %75
+  br i1 %76, label %117, label %77
+77:
+  %78 = fmul double %34, %52
+  %79 = fmul double %38, %54
+  %80 = fadd double %78, %79
+  %81 = fmul double %36, %53
+  %82 = fadd double %81, %80
+  %83 = fmul double %34, %82
+  %84 = fsub double %52, %83
+  %85 = fmul double %36, %82
+  %86 = fsub double %53, %85
+  %87 = fmul double %38, %82
+  %88 = fsub double %54, %87
+  %89 = fmul double %84, %84
+  %90 = fmul double %86, %86
+  %91 = fadd double %89, %90
+  %92 = fmul double %88, %88
+  %93 = fadd double %92, %91
+  %94 = tail call double @llvm.sqrt.f64(double %93)
+  %95 = fsub double %94, %60
+  %96 = fcmp olt double %95, 0.000000e+00
+  %97 = select i1 %96, double 0.000000e+00, double %95
+  %98 = fmul double %82, %82
+  %99 = fmul double %97, %97
+  %100 = fadd double %98, %99
+  %101 = tail call double @llvm.sqrt.f64(double %100)
+  %102 = fdiv double %101, %59
+  %103 = fadd double %102, -1.000000e+00
+  %104 = fdiv double %103, 4.000000e-01
+  %105 = fadd double %104, 5.000000e-01
+  %106 = fcmp olt double %105, 0.000000e+00
+  %107 = select i1 %106, double 0.000000e+00, double %105
+  %108 = fcmp ogt double %107, 1.000000e+00
+  %109 = select i1 %108, double 1.000000e+00, double %107
+  %110 = load double, ptr %42, align 8
+  %111 = fmul double %109, %109
+  %112 = fmul double %109, 2.000000e+00
+  %113 = fsub double 3.000000e+00, %112
+  %114 = fmul double %111, %113
+  %115 = fcmp olt double %114, %110
+  %116 = select i1 %115, double %114, double %110
+  store double %116, ptr %42, align 8
+  br label %117
+117:
+  %118 = getelementptr i8, ptr %44, i64 %7
+  %119 = icmp eq i64 %4, %46
+  br i1 %119, label %120, label %43
+120:
+  %121 = add nuw nsw i64 %24, 1
+  %122 = icmp eq i64 %121, %4
+  br i1 %122, label %123, label %23
+123:
+  ret i64 0
+}
 declare i64 @llvm.smin.i64(i64, i64)
 define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8

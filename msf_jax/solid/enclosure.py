@@ -216,15 +216,15 @@ class Enclosure:
                 return ray[:count], face[:count], distance[:count], left[0] == 0
             capacity = count
 
-    def holds(self, a: np.ndarray, b: np.ndarray, sliver: float) -> np.ndarray:
+    def holds(self, a: np.ndarray, b: np.ndarray, sliver: float, are_inside: bool = False) -> np.ndarray:
         """(E,) whether the segments from a (E, 3) to b (E, 3) are inside, up to stretches shorter than ``sliver``
-        between hits of the surface.
+        between hits of the surface. ``are_inside``: their ends are known to be.
 
         At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits
         decide. A ray along a face, or from the surface, may miss its exit, so both ends are tested, too.
         """
-        is_in = self.contains(a)
-        is_in[is_in] = self.contains(b[is_in])
+        is_in = np.ones(len(a), dtype=bool) if are_inside else self.contains(a)
+        is_in[is_in] = are_inside or self.contains(b[is_in])
         rows = np.flatnonzero(is_in)
         a, along = a[rows], b[rows] - a[rows]
         length = np.linalg.norm(along, axis=1)

@@ -113,6 +113,6 @@ def test_a_limb_is_on_its_own_where_no_ball_of_another_branch_is_near():
                 height = float((x[j] - x[i]) @ tangent[i])
                 aside = float(np.linalg.norm(x[j] - x[i] - height * tangent[i]))
                 gap = float(np.hypot(height, max(aside - size[i], 0.0))) / ball[j]
-                t = min(max((gap - branches.CLEAR) / branches.MARGIN + 0.5, 0.0), 1.0)
+                t = min(max((gap - 1) / branches.MARGIN + 0.5, 0.0), 1.0)
                 least = min(least, t * t * (3 - 2 * t))
         assert found[i] == pytest.approx(0.0 if i in of[0] else least, abs=1e-12)
