@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msf_jax.app.parser import REPAIRS, configured, shaping_of, whole_parser
-from msf_jax.base.clock import held_interrupts
+from msf_jax.base.clock import begin, held_interrupts
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import made_folder, plain, write_whole
 from msf_jax.skeleton.formats import writers
@@ -79,7 +79,9 @@ def _start_jax(arguments: argparse.Namespace) -> None:
 def _curve_of(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndarray], Skeleton, str]":
     """The mesh as it was read, in the requested units, and its curve; after Ctrl-C, the curve so far and a message."""
     from msf_jax.meshes import checking, reading
+    from msf_jax.numerics import compiled
 
+    begin(compiled.load)  # LLVM needs neither Python's lock nor the mesh
     weights, config = configured(arguments)
     mesh = shaping_of(arguments).scaled(reading.read(arguments.mesh))
     accepted = checking.prepare(mesh, REPAIRS[arguments.repair])

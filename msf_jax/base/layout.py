@@ -92,3 +92,9 @@ def layout_for(count: int, rows_beyond: list[int]) -> Layout:
         if fits(layout, count, rows_beyond):
             return layout
     return rectangle(capacity_for(count), largest_degree)
+
+
+def smaller_layouts(layout: Layout) -> list[Layout]:
+    """The usual layouts that a surface in ``layout`` passes through as it shrinks, the largest first."""
+    sizes = [int(SMALLEST_CAPACITY * times) for times in (*LARGER[::-1], 1)]
+    return [staircase(size, 0) for size in sizes if size < layout.capacity]

@@ -1,13 +1,13 @@
 """Compiled iterations, one for each layout: compiled once in a process, and shared by all its runs.
 
-XLA takes seconds to compile `iteration.move`, and releases Python's lock meanwhile. A run meets two layouts at least,
-so the second one is compiled on the worker while the first one is compiled here. JAX's persistent cache keeps what was
-compiled for other processes, see `cache_compilations`.
+XLA takes seconds to compile `iteration.move`, and releases Python's lock meanwhile. A run meets several layouts, so the
+later ones are traced and compiled on the worker, while the first one is compiled and poles are found here. JAX's
+persistent cache keeps what was compiled for other processes, see `cache_compilations`.
 """
 
 import os
 import threading
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from concurrent.futures import Future
 from functools import cache
 from pathlib import Path
@@ -38,7 +38,9 @@ SAME_FOR_ALL = ("jax_enable_x64", "jax_default_matmul_precision", "jax_debug_nan
 # additions need no option, but then jaxlib 0.10.1 computes other bits with two threads than with one.
 OPTIONS: dict[str, str | bool] = {"xla_cpu_experimental_ynn_fusion_type": ""}
 
-_programs: dict[Hashable, "Future[Program]"] = {}
+Key = tuple[StepSettings, Layout, bool, str, str, tuple[str, ...]]  # what a program depends on, see `_key`
+_programs: dict[Key, Program] = {}
+_begun: dict[Key, "Future[Program | None]"] = {}  # on the worker
 _lock = threading.Lock()
 
 
@@ -51,37 +53,38 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
         return lambda buffers, weights: move_factored(buffers, weights, settings, layout, factored)
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
         return lambda buffers, weights: move(buffers, weights, settings, layout)
-    compile_moves(settings, [layout], of_vertices)
-    return _programs[_key(settings, layout, of_vertices)].result()
+    key = _key(settings, layout, of_vertices)
+    with _lock:
+        if key not in _programs:
+            begun = _begun.pop(key, None)
+            _programs[key] = (begun.result() if begun else None) or _compiled(key)
+        return _programs[key]
 
 
 def compile_moves(settings: StepSettings, layouts: list[Layout], of_vertices: bool) -> None:
     """Compile the programs that `compiled_move` returns for ``layouts``: the first one here, others on the worker."""
-    if settings.solver.preconditioner == FACTORED or jax.config.jax_disable_jit:  # pyright: ignore
-        return
-    with _lock:
-        keys = [_key(settings, layout, of_vertices) for layout in layouts]
-        # Traced on this thread, because JAX's settings can differ between threads.
-        traced = [
-            (key, jitted_move.lower(*_arguments(layout, of_vertices), settings, layout))
-            for key, layout in zip(keys, layouts, strict=True)
-            if key not in _programs
-        ]
-        for key, lowered in traced[1:]:
-            _programs[key] = begin(_compiled, lowered)
-        for key, lowered in traced[:1]:
-            _programs[key] = Future()
-            _programs[key].set_result(_compiled(lowered))
+    if settings.solver.preconditioner != FACTORED and not jax.config.jax_disable_jit:  # pyright: ignore
+        for key in (_key(settings, layout, of_vertices) for layout in layouts[1:]):
+            if key not in _programs and key not in _begun:
+                _begun[key] = begin(_compiled_alike, key)
+    compiled_move(settings, layouts[0], of_vertices)
 
 
-def _compiled(lowered: Any) -> Program:
+def _compiled_alike(key: Key) -> Program | None:
+    """The program on the worker; None if the caller's thread has other settings of JAX, with which it is traced."""
+    return _compiled(key) if _key(*key[:3]) == key else None
+
+
+def _compiled(key: Key) -> Program:
+    settings, layout, of_vertices, *_ = key
+    lowered = jitted_move.lower(*_arguments(layout, of_vertices), settings, layout)
     try:
         return lowered.compile(compiler_options=OPTIONS)
     except jax.errors.JaxRuntimeError:  # this version has no such option
         return lowered.compile()
 
 
-def _key(settings: StepSettings, layout: Layout, of_vertices: bool) -> Hashable:
+def _key(settings: StepSettings, layout: Layout, of_vertices: bool) -> Key:
     device = jax.config.jax_default_device or jax.devices()[0]  # pyright: ignore[reportAttributeAccessIssue]
     flags = tuple(repr(getattr(jax.config, name, None)) for name in SAME_FOR_ALL)
     return settings, layout, of_vertices, str(real_dtype()), repr(device), flags

@@ -4,7 +4,7 @@ import numpy as np
 
 from msf_jax.base.clock import Clock, begin
 from msf_jax.base.errors import MeshError
-from msf_jax.base.layout import layout_for
+from msf_jax.base.layout import layout_for, smaller_layouts
 from msf_jax.base.options import Config, PreprocessingOptions
 from msf_jax.flow.programs import compile_moves
 from msf_jax.flow.state import State
@@ -84,11 +84,11 @@ def init(
     with clock.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
     clock.check()
-    with clock.stage("compile"):  # for the size of the surface, and for the smallest layout, which all runs reach
-        layouts = {layout_for(meso.num_rows, packing.rows_beyond(meso.degree))}
+    with clock.stage("compile"):  # for the size of the surface, and for the smaller ones that it passes through
+        layouts = [layout_for(meso.num_rows, packing.rows_beyond(meso.degree))]
         if config.flow.edit_connectivity and config.max_iterations > 1:
-            layouts.add(layout_for(1, []))
-        compile_moves(config.on_device, sorted(layouts, reverse=True), meso.weights is not None)
+            layouts += smaller_layouts(layouts[0])
+        compile_moves(config.on_device, layouts, meso.weights is not None)
     clock.check()
     limbs = None
     if config.least_slenderness or config.curve.extend_tips:

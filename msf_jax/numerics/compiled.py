@@ -57,7 +57,7 @@ class Kernel:
 
     @cached_property
     def _entry(self) -> Callable[[Any], int]:
-        address = _engine().get_function_address(entry_of(self))
+        address = load().get_function_address(entry_of(self))
         if not address:
             raise RuntimeError(f"{TEXT.name} has no {entry_of(self)}: it was made before this kernel")
         return ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(address)  # releases Python's lock
@@ -102,19 +102,17 @@ def entry_of(kernel: Kernel) -> str:
     return f"{kernel.__module__}.{kernel.__name__}"
 
 
-_LOADED: list[Any] = []  # the engine with the compiled code, once there is one
 _LOADING = threading.Lock()
 
 
-def _engine() -> Any:
+def load() -> Any:
     """The engine with the compiled code; made once."""
     with _LOADING:
-        if not _LOADED:
-            _LOADED.append(_compiled())
-        return _LOADED[0]
+        return _engine()
 
 
-def _compiled() -> Any:
+@cache
+def _engine() -> Any:
     from llvmlite import binding as llvm
 
     llvm.initialize_native_target()

@@ -48,6 +48,17 @@ def test_steps_from_the_cache_are_those_that_were_compiled(tmp_path, monkeypatch
         np.testing.assert_array_equal(one.positions[:60], other.positions[:60])
 
 
+def test_a_thread_with_other_settings_gets_programs_of_its_own(monkeypatch):
+    """The worker computes in float64, as the process does."""
+    monkeypatch.setattr(programs, "_programs", {})
+    monkeypatch.setattr(programs, "_compiled", lambda key: key)
+    with jax.enable_x64(False):
+        programs.compile_moves(SETTINGS, LAYOUTS, False)
+        assert [programs.compiled_move(SETTINGS, layout, False)[3] for layout in LAYOUTS] == ["float32"] * 2
+    programs.compile_moves(SETTINGS, LAYOUTS, False)
+    assert [programs.compiled_move(SETTINGS, layout, False)[3] for layout in LAYOUTS] == ["float64"] * 2
+
+
 @pytest.mark.parametrize("dtype", ["float32", "float64"])
 def test_sums_over_many_rows_are_those_of_numpy(dtype):
     """jaxlib 0.10.2 added wrongly from 16,385 rows on. All values are small whole numbers: sums are exact."""
