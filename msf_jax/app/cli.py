@@ -105,10 +105,10 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     skeleton, notes = shaping.shaped(skeleton), ()
     source = arguments.mesh if shaping.scale == 1 else mesh  # a format that contains the mesh has its file's materials
     if suffix == ".glb":
-        from msf_jax.skeleton.formats import gltf
+        from msf_jax.skeleton.rigging.rig import glb_of
 
         rig = skeleton.rig(source)
-        content, notes = gltf.of_rig(rig, source), rig.notes
+        content, notes = glb_of(rig, source), rig.notes
     elif suffix == ".png":
         from msf_jax import view
 

@@ -1,21 +1,26 @@
-"""Nodes evenly along the branches of a curve, inside its solid."""
+"""Other nodes along the branches of a curve: evenly, inside its solid, or at its corners."""
 
 import itertools
+from collections.abc import Callable
 
 import numpy as np
 
 from msf_jax.inside import containment
-from msf_jax.solid.geometry import arc_length, at
+from msf_jax.solid.geometry import arc_length, at, to_segment
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
 
+Stops = Callable[[np.ndarray, np.ndarray, int], np.ndarray]
+
 
 def resample(
-    vertices: np.ndarray, edges: np.ndarray, spacing: float, is_held: np.ndarray, solid: Solid | None
+    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, stops_of: Stops
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Nodes about every ``spacing`` along the branches of a curve ``(vertices (N, 3), edges (E, 2))``.
+    """Other nodes along the branches of a curve ``(vertices (N, 3), edges (E, 2))``; ends of branches and nodes of
+    ``is_held`` (N,) stay.
 
-    Ends of branches and nodes of ``is_held`` (N,) stay. An edge that would leave ``solid`` is bisected.
+    ``stops_of`` gives the arc lengths (s,) of the nodes of a stretch between these, from its points (k, 3), their arc
+    lengths (k,), and the least number of edges: a loop needs three, the second stretch between the same ends two.
 
     Returns:
         The nodes, the edges, and the new node (N,) of each old node.
@@ -31,14 +36,10 @@ def resample(
             is_end[nodes[[0, -1]]] = True
             ends = (int(nodes[[0, -1]].min()), int(nodes[[0, -1]].max()))
             along = arc_length(vertices[nodes])
-            num = max(1, round(along[-1] / spacing))
-            if ends[0] == ends[1]:
-                num = max(3, num)  # a loop needs three edges
-            elif num == 1 and ends in joined_ends:
-                num = 2  # of two branches with the same ends, one needs an inner node
+            least = 3 if ends[0] == ends[1] else 2 if ends in joined_ends else 1
             joined_ends.add(ends)
             polylines.append((nodes, along))
-            stops.append(_stops_inside(vertices[nodes], along, num, solid))
+            stops.append(stops_of(vertices[nodes], along, least))
     rank = np.cumsum(is_end) - 1
     node_of_old = np.where(is_end, rank, -1)
     new_vertices, new_edges, count = [vertices[is_end]], [np.empty((0, 2), dtype=np.int64)], int(is_end.sum())
@@ -57,11 +58,32 @@ def nearest_of(stops: np.ndarray, along: np.ndarray) -> np.ndarray:
     return np.where(along - stops[after - 1] <= stops[after] - along, after - 1, after)
 
 
-def _stops_inside(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
-    """Arc lengths of the ends of at least ``num`` edges along ``points`` (k, 3), as few as stay inside.
+def corner_stops(points: np.ndarray, along: np.ndarray, least: int, tolerance: float) -> np.ndarray:
+    """Arc lengths of the corners of a polyline within ``tolerance`` of ``points`` (k, 3), and ``least`` even edges."""
+    corners = add_corners(points, [0, len(points) - 1], tolerance)
+    return np.union1d(along[corners], np.linspace(0, along[-1], least + 1))
+
+
+def add_corners(points: np.ndarray, stops: list[int], tolerance: float) -> list[int]:
+    """``stops`` of a path through ``points`` (n, 3), and those between them, in order, such that no point is farther
+    than ``tolerance`` from the line between the stops before and after it (Douglas and Peucker 1973)."""
+    corners, stack = list(stops), list(itertools.pairwise(stops))
+    while stack:
+        first, last = stack.pop()
+        away = to_segment(points[first : last + 1], points[first], points[last])
+        if away.max() > tolerance:
+            corners.append(first + int(away.argmax()))
+            stack += [(first, corners[-1]), (corners[-1], last)]
+    return sorted(corners)
+
+
+def even_stops(points: np.ndarray, along: np.ndarray, least: int, spacing: float, solid: Solid | None) -> np.ndarray:
+    """Arc lengths of the ends of edges about ``spacing`` long along ``points`` (k, 3), as few as stay inside ``solid``,
+    where an edge that would leave it is bisected.
 
     Instead of many bisections, a few more equal edges may be enough. So a larger spacing never needs more nodes.
     """
+    num = max(least, round(along[-1] / spacing))
     fewest = _bisected(points, along, num, solid)
     while num + 1 < len(fewest) - 1:
         num += 1

@@ -6,9 +6,13 @@ fork, the one that continues the axis is thick, straight, and leads far. That is
     r (1 + cos a) / 2 l^(1/3),
 
 r its mean radius, a its angle to the branch before the fork, 0 if straight, and l the length of the longest path beyond
-the fork's ball: a stub there ends no axis. The others begin axes of the next order.
-The main axis has order 0. The Strahler order of a branch that ends in a tip is 1. Before a fork it is the largest after
-the fork, or one more if several have that (Strahler 1957).
+the fork's ball: a stub there ends no axis. The others begin axes of the next order; the main axis has order 0. The
+Strahler order of a branch that ends in a tip is 1; before a fork it is the largest after it, or one more if several
+have that (Strahler 1957).
+
+With s the arc length and x(s) the least-squares cubic over the nodes within a few radii,
+
+    tangent x' / |x'|,   curvature |x' x x''| / |x'|^3.
 """
 
 from collections.abc import Iterable, Sequence
@@ -17,20 +21,163 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy import spatial
+from trimesh import remesh
 
-from msf_jax.curve import branches
+from msf_jax.curve import branches, centring
 from msf_jax.curve.junctions import AXIS, Branches
-from msf_jax.skeleton.measures import limb_sections, profile_of, section_of, tangents_of, volumes_of
-from msf_jax.solid.geometry import arc_length, unit
+from msf_jax.solid import sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length, cross, unit
+from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
+FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
+FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
+LONGEST_FACE = 2.0  # radii: a longer face is split in four before its volume is given to branches
+MOST_SPLITS = 6  # times that a face is split
+MOST_FACES = 50_000  # faces, beyond which none is split; bounds time and memory
 SURE = 0.3  # least weight of a section that counts, however wide beside the ball: 1.35 times the usual radius has it
 ROUND = 1.2  # largest ratio of a disc's radius to the ball's at a node whose section counts, however wide on its branch
 
 Columns = dict[str, np.ndarray]
+
+
+def tangents_of(points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The tangents (n, 3), unit vectors, and the curvature (n,), in 1/length, of a branch through ``points`` (n, 3),
+    n >= 2, of some length, in a limb of ``radii`` (n,)."""
+    num, along = len(points), arc_length(points)
+    tangent, curvature = np.empty((num, 3)), np.empty(num)
+    for k in range(num):
+        first, last = max(k - FEWEST_FITTED, 0), min(k + FEWEST_FITTED, num - 1)
+        reach = max(FIT_REACH * radii[k], along[k] - along[first], along[last] - along[k], 1e-12 * along[-1])
+        reach *= 1.001  # so that the nodes at both ends count whatever the rounding
+        is_fitted = np.abs(along - along[k]) <= reach
+        t = (along[is_fitted] - along[k]) / reach
+        weight = 1 - t[:, None] ** 2
+        power = weight * t[:, None] ** np.arange(4)
+        _, one, two, _ = np.linalg.lstsq(power, weight * (points[is_fitted] - points[k]), rcond=1e-5)[0]
+        tangent[k] = unit(one)
+        speed = max(float(np.linalg.norm(one)), 1e-300)
+        curvature[k] = 2 * np.linalg.norm(cross(one, two)) / speed**3
+    return tangent, curvature
+
+
+def axes_across(normals: np.ndarray) -> np.ndarray:
+    """(P, 2, 3) two unit vectors across each of the unit vectors ``normals`` (P, 3)."""
+    u = unit(cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)]))
+    return np.stack([u, cross(normals, u)], axis=1)
+
+
+class SectionLoop(NamedTuple):
+    """The edge of a cross-section. place: (3,) of its plane. axes: (2, 3) unit vectors in the plane. corners: (n, 2)
+    along the axes from the place, counterclockwise. weight: from 0 to 1, how sure and usual it is, see `centring`."""
+
+    place: np.ndarray
+    axes: np.ndarray
+    corners: np.ndarray
+    weight: float
+
+
+def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict[int, SectionLoop]:
+    """The sections of the limbs of ``solid`` across a curve ``(vertices (N, 3), edges (E, 2))``, by node; none for a
+    node where several limbs are one. In the caller's units.
+
+    A node at an opening, or so near an oblique or uneven one that the plane cuts its lid, has the section just inside
+    the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim.
+    """
+    shape, given, none = solid.shape, solid.enter(vertices), np.zeros(len(vertices), dtype=bool)
+    paths = branches.paths_of(given, edges, none)
+    if not paths:
+        return {}
+    size = solid.radii(vertices) / solid.diagonal
+    x = moved_inside(given, unit(branches.chords(given, paths, size) @ given), solid.openings)
+    ball, near = shape.approximate_clearance(x)
+    limbs = centring.limb_sections(shape, x, edges, paths, none, ball, near)
+    node, weight, normal = limbs.node, limbs.weight, limbs.tangent[limbs.node]
+    cut, axes = sections.corners(shape, x[node], normal, limbs.size[node], near[node]), axes_across(normal)
+    middle = vertices[node] + solid.diagonal * (x - given)[node]
+    corners, bounds = solid.leave(cut.places(shape)), np.searchsorted(cut.loop, np.arange(len(node) + 1))
+    return {
+        number: SectionLoop(at, across, (corners[first:last] - at) @ across.T, float(value))
+        for number, at, across, first, last, value in zip(
+            node.tolist(), middle, axes, bounds[:-1], bounds[1:], weight, strict=True
+        )
+    }
+
+
+class Section(NamedTuple):
+    """area. centroid: (2,). moments: (2, 2), the integrals of u u, u v, v v over the area, about the centroid."""
+
+    area: float
+    centroid: np.ndarray
+    moments: np.ndarray
+
+
+def section_of(corners: np.ndarray) -> Section:
+    """The properties of the polygon ``corners`` (n, 2), counterclockwise: sums over its edges (Green's theorem)."""
+    start = corners[0]
+    a = corners - start
+    b = np.roll(a, -1, axis=0)
+    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    area = twice.sum() / 2
+    centroid = (twice[:, None] * (a + b)).sum(axis=0) / (6 * area)
+    a, b = a - centroid, b - centroid
+    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    pairs = sum(np.einsum("n,ni,nj->ij", twice, each, each) for each in (a, b, a + b))
+    return Section(float(area), start + centroid, np.asarray(pairs) / 24)
+
+
+def profile_of(corners: np.ndarray) -> tuple[float, float, float, float]:
+    """Of the polygon ``corners`` (n, 2): the area, the perimeter, and the largest and least diameter between parallel
+    lines, as measured by a calliper; NaN for these if all corners are in a line."""
+    perimeter = float(np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1).sum())
+    try:
+        hull = spatial.ConvexHull(corners)
+    except spatial.QhullError:  # all in a line, but for rounding
+        return section_of(corners).area, perimeter, np.nan, np.nan
+    extreme = corners[hull.vertices]
+    # The least width of a polygon is across an edge of its convex hull.
+    widths = np.ptp(extreme @ hull.equations[:, :2].T, axis=0)
+    return section_of(corners).area, perimeter, float(spatial.distance.pdist(extreme).max()), float(widths.min())
+
+
+def volumes_of(
+    shape: Enclosure,
+    nodes: np.ndarray,
+    paths: Sequence[list[int] | np.ndarray],
+    radii: np.ndarray,
+    node_of_vertex: np.ndarray | None,
+) -> np.ndarray:
+    """(B,) the volume between each branch of a curve through ``nodes`` (N, 3), by its nodes in ``paths``, and the faces
+    that belong to it: to that of their first corner's node, ``node_of_vertex`` (V,), or the nearest if None.
+
+    The corners of each face move straight to their nodes. The sides of the volume that a face sweeps are shared with
+    its neighbours, so the volumes of all faces add up to the enclosed one, because a curve encloses none. A face longer
+    than the limb is thick, by the ``radii`` (N,), is split, and its new corners belong to the nearest node.
+    """
+    branch = np.full(len(nodes), -1)
+    for number, path in reversed(list(enumerate(paths))):
+        branch[path] = number
+    x, faces, tree = shape.vertices, shape.faces, spatial.KDTree(nodes)
+    node = np.asarray(tree.query(x)[1]) if node_of_vertex is None else node_of_vertex
+    for _ in range(MOST_SPLITS):
+        longest = np.linalg.norm(x[faces] - np.roll(x[faces], 1, axis=1), axis=2).max(axis=1)
+        long = np.flatnonzero(longest > LONGEST_FACE * radii[node[faces]].max(axis=1))
+        if not 0 < len(long) <= MOST_FACES:
+            break
+        x, faces = remesh.subdivide(x, faces, face_index=long)[:2]
+        node = np.append(node, tree.query(x[len(node) :])[1])
+    # Six times the volume: the corners' part, less the feet's, and of each side, a ruled surface, the mean of its two
+    # triangulations.
+    a, b = np.moveaxis(x[faces], 1, 0), np.moveaxis(nodes[node[faces]], 1, 0)
+    six = np.einsum("fi,fi->f", a[0], cross(a[1], a[2])) - np.einsum("fi,fi->f", b[0], cross(b[1], b[2]))
+    for p, q in ((0, 1), (1, 2), (2, 0)):
+        six += np.einsum("fi,fi->f", cross(a[q], a[p]), b[p] + b[q]) / 2
+        six += np.einsum("fi,fi->f", cross(b[p], b[q]), a[p] + a[q]) / 2
+    return np.bincount(branch[node[faces[:, 0]]], weights=six / 6, minlength=len(paths))
 
 
 def direct_paths(
@@ -95,10 +242,8 @@ def _whole(numbers: Sequence[int]) -> np.ndarray:
 def branch_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of branches."""
     paths, parent, _, whole, degree = direct_branches(skeleton)
-    known, points = skeleton.branches, [skeleton.vertices[nodes] for nodes in paths]
-    length = np.array([arc_length(path)[-1] for path in points])
-    chord = np.array([np.linalg.norm(path[-1] - path[0]) for path in points])
-    size = np.array([radii_without_ends(skeleton, nodes, degree) for nodes in paths]).reshape(len(paths), 3)
+    known, along = skeleton.branches, measures_along(skeleton, paths, degree)
+    length, chord = along.pop("length"), along.pop("chord")
     surface = [known[number].surface for number in whole]
     for number in np.flatnonzero(np.bincount(whole)[whole] > 1).tolist():  # parts of a branch, which a root splits
         own = np.isin(skeleton.mesh_map, paths[number][1:][degree[paths[number][1:]] < 3])
@@ -114,9 +259,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "length": length,
         "chord": chord,
         "tortuosity": tortuosity,
-        "mean_radius": size[:, 0],
-        "least_radius": size[:, 1],
-        "largest_radius": size[:, 2],
+        **along,
         "volume": _branch_volumes(skeleton, paths),
         "angle": _fork_angles(skeleton, paths, parent),
         "slenderness": np.array([known[number].slenderness for number in whole], dtype=float),
@@ -150,21 +293,23 @@ def node_columns(skeleton: "Skeleton") -> Columns:
     }
 
 
-def radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> tuple[float, float, float]:
-    """Mean, least and largest radius of a branch without its ends: within a radius of a tip balls are smaller, and
-    within the ball of a junction larger, than along the branch."""
-    radii, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
-    usual = float(np.median(radii))
-    first, last = (
-        radii[k] if degree[nodes[k]] > 2 else usual if degree[nodes[k]] == 1 and not is_open else 0.0
-        for k, is_open in ((0, nodes[0] in skeleton.openings), (-1, nodes[-1] in skeleton.openings))
-    )
-    is_own = (along >= first) & (along <= along[-1] - last)
-    if not is_own.any():
-        is_own[np.abs(along - along[-1] / 2).argmin()] = True
-    own, stops = radii[is_own], along[is_own]
-    mean = np.trapezoid(own, stops) / (stops[-1] - stops[0]) if stops[-1] > stops[0] else own.mean()
-    return float(mean), float(own.min()), float(own.max())
+def measures_along(skeleton: "Skeleton", paths: list[np.ndarray], degree: np.ndarray) -> Columns:
+    """Of each path the length, the chord, and the mean, least and largest radius without its ends: within a radius of a
+    tip balls are smaller, and within the ball of a junction larger, than along the branch."""
+    rows = np.empty((len(paths), 5))
+    for row, nodes in zip(rows, paths, strict=True):
+        radii, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
+        usual, is_own = float(np.median(radii)), np.ones(len(nodes), dtype=bool)
+        for end, away in ((0, along), (-1, along[-1] - along)):
+            is_tip = degree[nodes[end]] == 1 and nodes[end] not in skeleton.openings
+            is_own &= away >= (radii[end] if degree[nodes[end]] > 2 else usual if is_tip else 0.0)
+        if not is_own.any():
+            is_own[np.abs(along - along[-1] / 2).argmin()] = True
+        own, stops = radii[is_own], along[is_own]
+        mean = np.trapezoid(own, stops) / (stops[-1] - stops[0]) if stops[-1] > stops[0] else own.mean()
+        chord = np.linalg.norm(skeleton.vertices[nodes[-1]] - skeleton.vertices[nodes[0]])
+        row[:] = along[-1], chord, mean, own.min(), own.max()
+    return dict(zip(("length", "chord", "mean_radius", "least_radius", "largest_radius"), rows.T, strict=True))
 
 
 def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> np.ndarray:
@@ -220,8 +365,8 @@ def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, Directed]:
     Strahler order (B,) of each branch; and the branches."""
     found = direct_branches(skeleton)
     paths, parent, outwards, _, degree = found
-    radius = np.array([radii_without_ends(skeleton, nodes, degree)[0] for nodes in paths])
-    beyond = np.array([arc_length(skeleton.vertices[nodes])[-1] for nodes in paths])
+    length, _, radius, *_ = measures_along(skeleton, paths, degree).values()
+    beyond = length.copy()
     strahler, after = np.ones(len(paths), dtype=np.int64), list[list[int]]([] for _ in paths)
     for branch in reversed(outwards):
         if after[branch]:
@@ -239,7 +384,7 @@ def axes_of(skeleton: "Skeleton") -> tuple[list[Axis], np.ndarray, Directed]:
         own, leaving, along = [number], [], 0.0
         while True:
             last = own[-1]
-            along += float(arc_length(skeleton.vertices[paths[last]])[-1])
+            along += float(length[last])
             goes_on = max(after[last], key=lambda each: worth[each], default=-1)
             leaving += [(each, along) for each in sorted(after[last]) if each != goes_on]
             if goes_on < 0:
@@ -255,7 +400,8 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of axes."""
     axes, strahler, found = axes_of(skeleton)
     num, volume = len(axes), _branch_volumes(skeleton, found.paths)
-    size = np.array([radii_without_ends(skeleton, axis.nodes, found.degree)[:2] for axis in axes]).reshape(num, 2)
+    along = measures_along(skeleton, [axis.nodes for axis in axes], found.degree)
+    along.pop("largest_radius")
     curve = Branches(skeleton.vertices, skeleton.edges, skeleton.radii)
     position, angle, internode = np.full((3, num), np.nan)
     last = dict[int, float]()  # of each parent, the position of the axis before
@@ -277,10 +423,7 @@ def axis_columns(skeleton: "Skeleton") -> Columns:
         "position": position,
         "internode": internode,
         "angle": angle,
-        "length": np.array([arc_length(skeleton.vertices[axis.nodes])[-1] for axis in axes]),
-        "chord": np.array([np.linalg.norm(np.diff(skeleton.vertices[axis.nodes[[0, -1]]], axis=0)) for axis in axes]),
-        "mean_radius": size[:, 0],
-        "least_radius": size[:, 1],
+        **along,
         "volume": np.array([volume[axis.branches].sum() for axis in axes]),
     }
 
@@ -302,10 +445,9 @@ def _disc_radii(skeleton: "Skeleton") -> np.ndarray:
 def cylinder_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of cylinders: one along each edge, by the names of TreeQSM as rTwig reads them.
 
-    Numbers of cylinders and branches begin with 1, and 0 is none. ``radius`` is that of a disc with the area of the
-    limb's section, between known ones in proportion: balls are smaller in uneven limbs, and larger at forks. An axis
-    begins at the surface of its parent, not within it. So cylinders have the solid's volume. ``UnmodRadius`` is the
-    mean of the skeleton's radii at both ends.
+    Numbers begin with 1, and 0 is none. ``radius`` is that of a disc with the area of the limb's section, between known
+    ones in proportion: balls are smaller in uneven limbs, and larger at forks. An axis begins at the surface of its
+    parent. So cylinders have the solid's volume. ``UnmodRadius`` is the mean of the skeleton's radii at both ends.
     """
     (axes, *_), disc = axes_of(skeleton), _disc_radii(skeleton)
     sizes, rows, parent, branch = list[np.ndarray](), [np.empty((0, 8))], list[int](), list[int]()

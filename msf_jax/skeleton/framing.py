@@ -23,8 +23,9 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.curve.junctions import nearest_to_lines
+from msf_jax.curve.resampling import add_corners
+from msf_jax.skeleton.centrelines import SectionLoop, axes_across, limb_sections, section_of
 from msf_jax.skeleton.formats.writers import number
-from msf_jax.skeleton.measures import SectionLoop, add_corners, axes_across, limb_sections, section_of
 from msf_jax.solid.geometry import arc_length, cross, unit
 from msf_jax.topology import graphs
 
@@ -84,29 +85,23 @@ class Frame:
             raise ConfigError(f"solver is {solver!r}: expected one of {', '.join(map(repr, SOLVERS))}")
         if not os.fspath(path).lower().endswith(".inp"):
             raise ConfigError(f"no format for a frame in {os.fspath(path)!r}: expected the suffix .inp")
-        write_whole(path, _inp(self, solver))
-
-
-def _inp(frame: Frame, solver: str) -> str:
-    """The nodes, and for each member an element with a section; numbers begin with 1."""
-    modulus, ratio = STEEL
-    is_user = solver == "calculix"
-    kind = "U1" if is_user else "B31"
-    lines = ["*HEADING", "frame written by msf_jax; the elastic constants are those of steel in N and mm"]
-    lines += ["*NODE, NSET=ALL"]
-    lines += [f"{k}, {', '.join(map(number, place))}" for k, place in enumerate(frame.joints, 1)]
-    lines += ["*USER ELEMENT, TYPE=U1, NODES=2, INTEGRATION POINTS=2, MAXDOF=6"] * is_user
-    for k, (a, b) in enumerate(frame.members.tolist(), 1):
-        lines += [f"*ELEMENT, TYPE={kind}, ELSET=M{k}", f"{k}, {a + 1}, {b + 1}"]
-    if is_user:
-        lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{number(modulus)}, {number(ratio)}"]
-    each_member = zip(frame.area, frame.moments, frame.torsion, frame.axes, strict=True)
-    for k, (area, moments, torsion, axes) in enumerate(each_member, 1):
-        head = f"*BEAM SECTION, ELSET=M{k}, MATERIAL=STEEL" if is_user else f"*BEAM GENERAL SECTION, ELSET=M{k}"
-        values = [area, moments[0], 0.0, moments[1], SHEAR if is_user else torsion]
-        lines += [f"{head}, SECTION=GENERAL", ", ".join(map(number, values)), ", ".join(map(number, axes[1]))]
-        lines += [f"{number(modulus)}, {number(modulus / (2 + 2 * ratio))}"] * (not is_user)
-    return "\n".join(lines) + "\n"
+        is_user = solver == "calculix"
+        kind, head = ("U1", "SECTION, ELSET=M{}, MATERIAL=STEEL") if is_user else ("B31", "GENERAL SECTION, ELSET=M{}")
+        lines = ["*HEADING", "frame written by msf_jax; the elastic constants are those of steel in N and mm"]
+        lines += ["*NODE, NSET=ALL"]
+        lines += [f"{k}, {', '.join(map(number, place))}" for k, place in enumerate(self.joints, 1)]
+        lines += ["*USER ELEMENT, TYPE=U1, NODES=2, INTEGRATION POINTS=2, MAXDOF=6"] * is_user
+        for k, (a, b) in enumerate(self.members.tolist(), 1):
+            lines += [f"*ELEMENT, TYPE={kind}, ELSET=M{k}", f"{k}, {a + 1}, {b + 1}"]
+        modulus, ratio = STEEL
+        lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{number(modulus)}, {number(ratio)}"] * is_user
+        each_member = zip(self.area, self.moments, self.torsion, self.axes, strict=True)
+        for k, (area, moments, torsion, axes) in enumerate(each_member, 1):
+            values = [area, moments[0], 0.0, moments[1], SHEAR if is_user else torsion]
+            lines += [f"*BEAM {head}, SECTION=GENERAL".format(k)]
+            lines += [", ".join(map(number, each)) for each in (values, axes[1])]
+            lines += [f"{number(modulus)}, {number(modulus / (2 + 2 * ratio))}"] * (not is_user)
+        write_whole(path, "\n".join(lines) + "\n")
 
 
 def frame_of(skeleton: "Skeleton", tolerance: float) -> Frame:

@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 GREY, GREEN = "#8c9eb8", "#5b8c5a"  # colours of the surface, and of the contraction
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
-AWAY = 1.4  # diagonals: at 1.31, a ball with the box's diagonal fills plotly's angle of view of 45 degrees
-LEAST_EXTENT = 0.01  # least ratio of the scene's extents: the box of a line or a point would be empty
 
 
 def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "Figure":
@@ -88,10 +86,11 @@ def _scene(box: np.ndarray) -> dict[str, Any]:
     """Axes and camera such that ``box`` (n, 3) is in view, and stays in place when parts are hidden. Plotly's unit of
     length is the diagonal of the scene's box."""
     middle, half = (box.max(axis=0) + box.min(axis=0)) / 2, np.ptp(box, axis=0) / 2
-    half = np.maximum(half, LEAST_EXTENT * (float(half.max()) or 1.0))
+    half = np.maximum(half, 0.01 * (float(half.max()) or 1.0))  # the box of a line or a point would be empty
     upright, around = looking(box)
     above, around = np.radians([ABOVE, around])
-    eye = AWAY * np.array([np.cos(above) * np.cos(around), np.cos(above) * np.sin(around), np.sin(above)])
+    # At 1.31 diagonals, a ball with the box's diagonal fills plotly's angle of view of 45 degrees.
+    eye = 1.4 * np.array([np.cos(above) * np.cos(around), np.cos(above) * np.sin(around), np.sin(above)])
     of_axes = 2 * half / np.linalg.norm(2 * half), np.roll(eye, upright - 2), np.eye(3)[upright]
     ratio, eye, up = (dict(zip("xyz", values.tolist(), strict=True)) for values in of_axes)
     axes = {

@@ -1,7 +1,7 @@
 """`Report`: the results of a run, and how far to trust them.
 
 For a branch of length l outside the balls of its junctions, in a part of the solid of volume V (see
-`measures.swept_volumes`) with cross-sections of area A,
+`centrelines.volumes_of`) with cross-sections of area A,
 
     unexplained = max(l - V / A, 0),
 
@@ -21,7 +21,7 @@ from msf_jax.base.writing import counted
 from msf_jax.curve import branches, handle_loops
 from msf_jax.limbs.one_branch import Branch, leaves_of
 from msf_jax.meshes.repair import specks
-from msf_jax.skeleton.measures import volumes_of
+from msf_jax.skeleton.centrelines import volumes_of
 from msf_jax.solid import crossings, sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import ROUNDING, arc_length, at, unit

@@ -1,30 +1,34 @@
 """`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`.
 
-Its verbs give other curves of the same mesh: pruned, with other nodes, smoothed, with radii of another kind; and trees.
-
-What else can be made of a skeleton are functions in other modules, which its methods import when they are called.
+Its verbs give other curves of the same mesh: pruned, with other nodes, with radii of another kind; and trees. What else
+can be made of a skeleton are functions in other modules, which its methods import when they are called.
 """
 
 import numbers
 import os
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import jax
+import jax.numpy as jnp
 import numpy as np
-from scipy import spatial
+from scipy import sparse, spatial
 
 from msf_jax import metrics
+from msf_jax.base import binding as bindings
+from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import counted, write_whole
 from msf_jax.curve import branches, finishing, resampling
+from msf_jax.device import following
+from msf_jax.device.buffers import real_dtype
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.one_branch import Branch
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.reading import MeshLike
-from msf_jax.recording.following import BoundSurface
+from msf_jax.recording.following import BoundSurface, record
 from msf_jax.skeleton import centrelines
-from msf_jax.skeleton.measures import add_corners
 from msf_jax.skeleton.report import Report, assessed
 from msf_jax.solid.geometry import arc_length
 from msf_jax.solid.solid import Solid
@@ -33,13 +37,10 @@ from msf_jax.topology import graphs
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from plotly.graph_objects import Figure as PlotlyFigure
-    from scipy.sparse import csr_matrix
 
-    from msf_jax.base.binding import Binding
     from msf_jax.skeleton.framing import Frame
     from msf_jax.skeleton.rigging.rig import Rig
 
-MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 SOMA_REACH = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
 STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
 TIP_REACH = 2.0  # radii of the node nearest to a point: a tip within this length of the branch is meant
@@ -125,7 +126,7 @@ class Skeleton:
     @property
     def length(self) -> float:
         """Length of all edges, in the caller's units."""
-        return float(np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1).sum())
+        return float(graphs.lengths(self.vertices, self.edges).sum())
 
     @property
     def num_leaves(self) -> int:
@@ -148,7 +149,7 @@ class Skeleton:
         if self.source is None:
             raise ConfigError(
                 "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an "
-                ".npz file; save it as .npz, because other files do not contain the mesh"
+                ".npz file; save it as .npz"
             )
         return self.source
 
@@ -207,13 +208,12 @@ class Skeleton:
             ConfigError: ``spacing`` is not above 0, or would give more than ten million nodes.
         """
         _check_length("spacing", spacing)
-        if self.length > MOST_NODES * float(spacing):
-            raise ConfigError(
-                f"spacing is {spacing!r}, and the curve {self.length:.3g} long: expected a spacing that gives at most "
-                f"{MOST_NODES} nodes; is it in the mesh's units?"
-            )
+        if self.length > 1e7 * float(spacing):
+            long = f"spacing is {spacing!r}, and the curve {self.length:.3g} long"
+            raise ConfigError(f"{long}: expected at most ten million nodes; is it in the mesh's units?")
         solid = None if self.source is None else self.source.solid
-        return changed(self, *resampling.resample(self.vertices, self.edges, spacing, _held(self), solid))
+        stops_of = partial(resampling.even_stops, spacing=float(spacing), solid=solid)
+        return changed(self, *resampling.resample(self.vertices, self.edges, _held(self), stops_of))
 
     def simplify(self, tolerance: float) -> "Skeleton":
         """A new skeleton with few nodes, within ``tolerance`` of this one, a length. Ends and pins stay.
@@ -225,22 +225,10 @@ class Skeleton:
             ConfigError: ``tolerance`` is not above 0.
         """
         _check_length("tolerance", tolerance)
-        num = len(self.vertices)
-        stays = _held(self) | (np.bincount(self.edges.ravel(), minlength=num) != 2)
-        stays[list(self.roots)] = True
-        chains, node_of_old = [np.empty((0, 2), dtype=np.int64)], np.arange(num)
-        for path in graphs.trace(num, self.edges):
-            nodes = np.array(path)
-            is_needed = stays[nodes]
-            is_needed[[0, -1]] = True
-            if nodes[0] == nodes[-1] and is_needed[1:-1].sum() < 2:  # a loop needs three nodes
-                is_needed[[len(nodes) // 3, 2 * len(nodes) // 3]] = True
-            places = np.array(add_corners(self.vertices[nodes], np.flatnonzero(is_needed).tolist(), float(tolerance)))
-            stays[nodes[places]] = True
-            chains.append(np.stack([nodes[places[:-1]], nodes[places[1:]]], axis=1))
-            node_of_old[nodes[1:-1]] = nodes[places[resampling.nearest_of(places, np.arange(1, len(nodes) - 1))]]
-        rank = np.cumsum(stays) - 1
-        return changed(self, self.vertices[stays], rank[np.concatenate(chains)], rank[node_of_old])
+        is_held = _held(self)
+        is_held[list(self.roots)] = True
+        stops_of = partial(resampling.corner_stops, tolerance=float(tolerance))
+        return changed(self, *resampling.resample(self.vertices, self.edges, is_held, stops_of))
 
     def to_tree(self, root: Any = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
@@ -259,18 +247,15 @@ class Skeleton:
         """
         num, why = len(self.vertices), ""
         if isinstance(root, str) and root == "soma":
-            soma = self.soma()
-            root = soma.node
-            stands = f"{soma.contrast:.3g} times as thick as the thickest elsewhere"
-            why = f" (the soma: {stands})" if soma.is_sure else f" (the thickest; NOT SURE to be the soma: {stands})"
+            root, _, contrast, is_sure = self.soma()
+            what = "the soma" if is_sure else "the thickest; NOT SURE to be the soma"
+            why = f" ({what}: {contrast:.3g} times as thick as the thickest elsewhere)"
         if np.shape(root) == (3,) and np.asarray(root).dtype.kind in "fiu" and np.isfinite(root).all():
             root = int(np.linalg.norm(self.vertices - np.asarray(root), axis=1).argmin())
         is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
         if root is not None and not is_node:
-            raise ConfigError(
-                f'root is {root!r}: expected a node from 0 to {num - 1}, "soma", or None for the thickest node, or '
-                "a point (x, y, z)"
-            )
+            expected = f'a node from 0 to {num - 1}, "soma", or None for the thickest node, or a point (x, y, z)'
+            raise ConfigError(f"root is {root!r}: expected {expected}")
         stays = branches.cut_loops(num, self.edges, self.radii)
         edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
         first = None if root is None else int(root) if why else self._tip_near(int(root))
@@ -338,21 +323,22 @@ class Skeleton:
         return with_balls if of == "ball" else _with_sections(with_balls)
 
     @cached_property
-    def binding(self) -> "Binding":
+    def binding(self) -> Binding:
         """The curve as a function of the mesh's vertices, for `msf_jax.follow`; made on first access.
 
-        A pytree of NumPy arrays, padded to one of few capacities. A jitted function with a binding as its argument is
-        compiled once for all skeletons of one capacity.
+        A pytree of NumPy arrays, padded to one of few capacities, for each of which a jitted function is compiled once.
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
-        from msf_jax.skeleton import slopes
+        surface, pins = self.bound_surface, np.asarray(self.known_source.pins, dtype=np.int64)
+        pinned = self.mesh_map[pins]
+        pins_of_node = {int(node): pins[pinned == node] for node in np.unique(pinned)}
+        binding = record(surface, len(self.mesh_map), self.vertices, self.edges, pins_of_node)
+        return bindings.padded(binding, bindings.capacity_for(binding.live))
 
-        return slopes.binding_of(self)
-
-    def jacobian(self) -> "csr_matrix":
-        """The derivative of `msf_jax.follow` at the recorded vertices.
+    def jacobian(self) -> sparse.csr_matrix:
+        """The derivative of `msf_jax.follow` at the recorded vertices, that of the equation of `msf_jax.base.binding`.
 
         Returns:
             (3 N, 3 V), sparse. Entry (3 i + a, 3 v + b) is the derivative of coordinate a of node i with respect to
@@ -361,12 +347,29 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
-        from msf_jax.skeleton import slopes
-
-        return slopes.jacobian(self)
+        padded = self.binding
+        binding = bindings.unpadded(padded)
+        num, num_sections, many = len(binding.rest), len(binding.node), len(binding.vertices)
+        entered = (padded.vertices - padded.centre) / padded.unit
+        slopes = np.asarray(_slopes(padded, entered.astype(real_dtype())), dtype=np.float64)  # axis, corner, axis
+        corner = np.arange(len(binding.section))
+        ends: Any = sparse.coo_matrix(
+            (np.r_[1 - binding.part, binding.part], (np.tile(corner, 2), np.r_[binding.tail, binding.head])),
+            shape=(len(corner), many),
+        ).tocsr()
+        a: Any = sparse.csr_matrix((binding.a_value, (binding.a_row, binding.a_column)), shape=(num, num_sections))
+        b: Any = sparse.csr_matrix((binding.b_value, (binding.b_row, binding.b_column)), shape=(num, many))
+        total: Any = sparse.kron(b, sparse.eye_array(3), format="csr")
+        for i, j in np.ndindex(3, 3):
+            of_corners = slopes[i, : len(corner), j], (binding.section, corner)
+            centroid = sparse.csr_matrix(of_corners, shape=(num_sections, len(corner)))
+            axes = sparse.csr_matrix(([1.0], ([i], [j])), shape=(3, 3))
+            total = total + sparse.kron(a @ (centroid @ ends), axes, format="csr")
+        return sparse.csr_matrix(total)
 
     def covariance(self, sigma: Any) -> np.ndarray:
-        """The covariance of each node for independent noise of the mesh's vertices, to first order; see `jacobian`.
+        """The covariance of each node for independent noise of the mesh's vertices, to first order: the diagonal blocks
+        of J diag(sigma^2) J^T, with the `jacobian` J.
 
         Args:
             sigma: standard deviation of the noise of every vertex along each axis, in the mesh's units: a number, or
@@ -378,9 +381,18 @@ class Skeleton:
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
         """
-        from msf_jax.skeleton import slopes
-
-        return slopes.covariance(self, sigma)
+        num, spread = len(self.mesh_map), np.asarray(sigma, dtype=np.float64)
+        if spread.shape not in ((), (num,)):
+            raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
+        if not (np.isfinite(spread) & (spread >= 0)).all():
+            raise ConfigError("sigma has values that are negative or not finite: expected lengths of 0 or more")
+        slopes: Any = self.jacobian()
+        by_axis = [slopes[axis::3] for axis in range(3)]
+        variance = np.repeat(np.broadcast_to(spread, num) ** 2, 3)
+        blocks = np.empty((len(self.vertices), 3, 3))
+        for i, j in np.ndindex(3, 3):
+            blocks[:, i, j] = by_axis[i].multiply(by_axis[j]) @ variance
+        return blocks
 
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
@@ -503,6 +515,16 @@ class Skeleton:
         from msf_jax import view
 
         return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)
+
+
+@jax.jit
+def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
+    """(3, C, 3): derivative of a centroid along axis i with respect to each corner of its section along axis j. No two
+    sections share a corner, so three products with the transpose give the derivatives of all centroids."""
+    place = following.corners(binding, entered)
+    pull_back = jax.vjp(lambda corners: following.centroids(binding, corners)[0], place)[1]
+    axes = jnp.eye(3, dtype=place.dtype)[:, None, :] * jnp.ones((len(binding.node), 1), place.dtype)
+    return jax.vmap(lambda axis: pull_back(axis)[0])(axes)
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:

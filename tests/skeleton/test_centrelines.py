@@ -12,7 +12,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError
-from msf_jax.skeleton.measures import swept_volumes, tangents_of
+from msf_jax.skeleton.centrelines import tangents_of
 from msf_jax.skeleton.skeleton import Skeleton, Source, curve_of
 from msf_jax.solid.solid import Solid
 from tests.benchmarks import ground_truth
@@ -103,14 +103,6 @@ def test_branches_know_their_lengths_angles_parents_and_radii():
     np.testing.assert_allclose(limbs["mean_radius"], (0.14 + 0.11) / 2, rtol=0.03)  # limbs taper
     assert (limbs["least_radius"] > 0.105).all()  # at the tips it is 0
     assert table["volume"].sum() == pytest.approx(shape.mesh.volume, rel=1e-3)
-
-
-def test_what_faces_sweep_is_the_volume_of_the_part():
-    """A box whose corners go to its middle: each pair of triangles sweeps a sixth of it."""
-    box = trimesh.creation.box([1.0, 2.0, 3.0])
-    side = np.abs(box.face_normals).argmax(axis=1) * 2 + (box.face_normals.sum(axis=1) > 0)
-    found = swept_volumes(box.triangles, np.zeros((12, 3, 3)), side, 6)
-    np.testing.assert_allclose(found, 1.0)
 
 
 def test_tables_are_written_and_are_columns_of_arrays(tmp_path):

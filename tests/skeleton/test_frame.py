@@ -11,8 +11,8 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError, shapes
+from msf_jax.skeleton.centrelines import section_of
 from msf_jax.skeleton.framing import Frame, trace_wires
-from msf_jax.skeleton.measures import section_of
 from msf_jax.skeleton.skeleton import Skeleton
 
 SIDES = 24

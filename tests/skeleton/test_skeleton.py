@@ -134,8 +134,8 @@ def test_a_twig_within_a_limb_goes_with_the_surface_and_without_it(whole):
         (lambda s: s.prune(-1), "slenderness is -1: expected a number of 0 or more"),
         (lambda s: s.prune(float("nan")), "slenderness is nan"),
         (lambda s: s.resample(0), "spacing is 0: expected a length above 0"),
-        (lambda s: s.resample(1e-320), "at most 10000000 nodes; is it in the mesh's units"),
-        (lambda s: s.resample(1e-12), "at most 10000000 nodes"),
+        (lambda s: s.resample(1e-320), "at most ten million nodes; is it in the mesh's units"),
+        (lambda s: s.resample(1e-12), "at most ten million nodes"),
     ],
 )
 def test_arguments_out_of_range_are_refused(whole, call, message):

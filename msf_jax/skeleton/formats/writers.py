@@ -177,12 +177,12 @@ def npz(skeleton: "Skeleton") -> bytes:
 
 
 def glb(skeleton: "Skeleton", mesh: Any) -> bytes:
-    """The mesh on the bones of the skeleton, see `gltf`."""
-    from msf_jax.skeleton.formats import gltf
+    """The mesh on the bones of the skeleton, see `rigging.rig`."""
+    from msf_jax.skeleton.rigging.rig import glb_of
 
     if mesh is None:
         raise ConfigError("a .glb file contains the mesh, too: expected save(path, mesh)")
-    return gltf.of_rig(skeleton.rig(mesh=mesh), mesh)
+    return glb_of(skeleton.rig(mesh=mesh), mesh)
 
 
 # Of each suffix. Longer suffixes stand before those with which they end.

@@ -8,6 +8,10 @@ automatic weights, the weights w_b of bone b are the heat in equilibrium
 with L the cotangent Laplacian, M the areas of vertices, and d the size of the limb at a vertex. In Pinocchio p_b is 1
 where b is the nearest visible bone. Here it is 1 at vertices that the flow maps to b's part of the curve, so that an
 arm that touches a leg keeps its own bones. Weights sum to 1 as p does, and none is negative.
+
+A file is binary glTF 2.0: trimesh writes the mesh, with materials, UVs, normals and colours, and this module adds the
+skin. A vertex of the format has one of each attribute, so a vertex with several, at a seam, is written several times. A
+joint has the name of its bone, and its "extras" the end. Numbers are float32, so a mesh should be near the origin.
 """
 
 import os
@@ -16,18 +20,20 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import trimesh
 from scipy import sparse
+from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
 from msf_jax.curve import branches
 from msf_jax.limbs.ends import laplacian
-from msf_jax.meshes import reading
+from msf_jax.meshes import reading, scenes
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.numerics.factors import surface_factor
-from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging.body import STANDARDS
-from msf_jax.skeleton.rigging.bones import bones_of
+from msf_jax.skeleton.rigging.bones import STANDARDS, bones_of
+from msf_jax.solid.geometry import repeated
 from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
@@ -80,7 +86,7 @@ class Rig:
         """
         if not os.fspath(path).lower().endswith(".glb"):
             raise ConfigError(f"no format for a rig in {os.fspath(path)!r}: expected the suffix .glb")
-        write_whole(path, gltf.of_rig(self, mesh))
+        write_whole(path, glb_of(self, mesh))
 
     def posed(self, vertices: Any, turns: Mapping[str, Any]) -> np.ndarray:
         """The positions of ``vertices`` (V, 3) when bones turn, by linear blend skinning, as in other programs.
@@ -114,7 +120,13 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
     """See `Skeleton.rig`."""
     if names is not None and names not in STANDARDS:
         raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(STANDARDS)}")
-    vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh)
+    if mesh is None:
+        surface, num = skeleton.bound_surface, len(skeleton.mesh_map)
+        if len(np.unique(surface.vertex)) < num:
+            raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh)")
+        vertices, faces = surface.given(num), surface.vertex[surface.solid.shape.faces]
+    else:
+        vertices, faces = reading.read(mesh)
     reading.check_map(skeleton.mesh_map, len(vertices))
     nodes, edges, node = skeleton.vertices, skeleton.edges, skeleton.mesh_map
     vertices = np.where(np.isfinite(vertices).all(axis=1, keepdims=True), vertices, nodes[node])
@@ -132,14 +144,6 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
         more = f" and {len(cuts) - 1} more at other places" if len(cuts) > 1 else ""
         notes.append(f"a loop was cut at {place}{more}, where it is thinnest or parts merely touch")
     return Rig(bones.joints, bones.tails, bones.parents, bones.names, sparse.csr_matrix(weights), tuple(notes))
-
-
-def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of the mesh that the curve was made from, if they can be known without the mesh."""
-    surface, num = skeleton.bound_surface, len(skeleton.mesh_map)
-    if len(np.unique(surface.vertex)) < num:
-        raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh=...)")
-    return surface.given(num), surface.vertex[surface.solid.shape.faces]
 
 
 def _sizes(skeleton: "Skeleton", away: np.ndarray) -> np.ndarray:
@@ -208,3 +212,86 @@ def subtract_rest(weights: np.ndarray) -> np.ndarray:
     is_even = ~few.any(axis=1)
     few[is_even, weights[is_even].argmax(axis=1)] = 1.0
     return few / few.sum(axis=1, keepdims=True)
+
+
+def glb_of(rig: Rig, mesh: "MeshLike") -> bytes:
+    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
+
+    Raises:
+        ConfigError: there are more bones than the format can number.
+        MeshError: the mesh cannot be read, or has another number of vertices than the rig.
+    """
+    if len(rig.joints) > (most := np.iinfo(np.uint16).max):
+        raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {most}")
+    parts = reading.parts(mesh)
+    num = sum(len(part.vertices) for part in parts)
+    reading.check_map(np.empty(rig.num_vertices), num)
+    rows = np.split(np.arange(num), np.cumsum([len(part.vertices) for part in parts])[:-1])
+    for part in parts:
+        part.vertices = np.where(np.isfinite(part.vertices), part.vertices, 0.0)
+    _add_normals(parts, rows)
+    scene = trimesh.Scene()
+    for number, part in enumerate(parts):
+        part.metadata.clear()
+        scene.add_geometry(part, node_name=f"mesh {number}", geom_name=f"mesh {number}")
+    return export_glb(scene, buffer_postprocessor=lambda data, document: _add_skin(document, data, rig, rows))
+
+
+def _add_normals(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> None:
+    """Give smooth normals to those of ``parts`` that have none: without them, viewers show every face flat. Vertices at
+    one place, as at the seam of a texture, have one normal."""
+    places, place = np.unique(np.concatenate([part.vertices for part in parts]), axis=0, return_inverse=True)
+    faces = np.concatenate([place.ravel()[row[part.faces]] for part, row in zip(parts, rows, strict=True)])
+    normals = np.array(trimesh.Trimesh(places, faces, process=False).vertex_normals)
+    normals[~normals.any(axis=1)] = [0.0, 0.0, 1.0]  # of vertices in no face
+    for part, row in zip(parts, rows, strict=True):
+        if not scenes.has_normals(part):
+            part.vertex_normals = normals[place.ravel()[row]]
+
+
+def _add_skin(document: dict[str, Any], data: Any, rig: Rig, rows: list[np.ndarray]) -> None:
+    """Put the joints of ``rig``, and nodes of the meshes that are bound to them, in place of the document's nodes.
+    ``rows`` are those of the rig's weights, for the vertices of each part."""
+
+    def add(array: np.ndarray, kind: str) -> int:
+        """Append ``array``, of a multiple of four bytes, to the binary content. Returns the index of its accessor."""
+        number = len(document["accessors"])
+        data["skin", number] = array.tobytes()  # trimesh numbers buffer views in their order
+        component = {"float32": 5126, "uint16": 5123}[array.dtype.name]
+        accessor = {"bufferView": len(data) - 1, "componentType": component, "count": len(array), "type": kind}
+        document["accessors"]["skin", number] = accessor
+        return number
+
+    num, position = len(rig.joints), rig.joints.astype(np.float32)
+    nodes: list[dict[str, Any]] = []
+    for bone, (name, above) in enumerate(zip(rig.names, rig.parents.tolist(), strict=True)):
+        offset = position[bone] - (position[above] if above >= 0 else 0)
+        nodes.append({"name": name, "translation": offset.tolist()})
+        nodes[-1]["extras"] = {"tail": (rig.tails[bone] - rig.joints[bone]).tolist()}
+        if children := np.flatnonzero(rig.parents == bone).tolist():
+            nodes[-1]["children"] = children
+    meshes = {mesh["name"]: number for number, mesh in enumerate(document["meshes"])}
+    for number, row in enumerate(rows):
+        name = f"mesh {number}"
+        if name not in meshes:  # a part without faces
+            continue
+        attributes = document["meshes"][meshes[name]]["primitives"][0]["attributes"]
+        bound, weights = _four_of_each(rig.weights[row])
+        attributes |= {"JOINTS_0": add(bound, "VEC4"), "WEIGHTS_0": add(weights, "VEC4")}
+        nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0})
+    top = len(nodes)
+    nodes.append({"name": "rig", "children": np.flatnonzero(rig.parents < 0).tolist()})
+    inverse = np.tile(np.eye(4, dtype=np.float32), (num, 1, 1))
+    inverse[:, 3, :3] = -position  # matrices of the format are column-major
+    binds = add(inverse, "MAT4")
+    document["nodes"], document["scenes"] = nodes, [{"nodes": list(range(num, top + 1))}]
+    document["skins"] = [{"inverseBindMatrices": binds, "joints": list(range(num)), "skeleton": top}]
+    document["asset"]["generator"] = f"msf_jax {VERSION}"
+
+
+def _four_of_each(rows: Any) -> tuple[np.ndarray, np.ndarray]:
+    """The joints (v, 4) uint16 and weights (v, 4) float32 in the sparse ``rows`` (v, B) of at most four values."""
+    bound, weights = np.zeros((rows.shape[0], 4), dtype=np.uint16), np.zeros((rows.shape[0], 4), dtype=np.float32)
+    place = repeated(np.diff(rows.indptr))
+    bound[place], weights[place] = rows.indices, rows.data
+    return bound, weights / weights.sum(axis=1, keepdims=True)
