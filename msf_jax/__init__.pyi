@@ -26,10 +26,9 @@ from msf_jax.gradients import torch as torch
 from msf_jax.gradients.follow import Followed as Followed
 from msf_jax.gradients.follow import follow as follow
 from msf_jax.gradients.follow import stack as stack
+from msf_jax.gradients.replay import Tape as Tape
 from msf_jax.gradients.replay import replay as replay
 from msf_jax.gradients.replay import replay_meso as replay_meso
-from msf_jax.gradients.replay import replay_radii as replay_radii
-from msf_jax.gradients.tape import Tape as Tape
 from msf_jax.gradients.track import Track as Track
 from msf_jax.gradients.track import track as track
 from msf_jax.inside.preprocessing import reconstruct as reconstruct

@@ -8,9 +8,9 @@ where a smooths along the branches. At the recorded vertices node i differs from
 of b turn, stretch and shear this vector with the limb.
 
 A binding is a pytree of arrays without static fields. Several are joined to one as graph libraries batch: rows of all
-meshes follow each other, and numbers of rows are shifted. Arrays are padded to one of few capacities, so that bindings
-of one capacity share a compiled program. Padding is assigned to the last node and the last section, which no curve
-uses, and refers to vertices that the curve uses: it changes no value and no gradient.
+meshes follow each other, and numbers of rows are shifted. Arrays are padded to a capacity, whose bindings share a
+compiled program. Padding is assigned to the last node and the last section, which no curve uses, and refers to vertices
+that the curve uses: it changes no value and no gradient.
 """
 
 from typing import Any, NamedTuple
@@ -43,8 +43,7 @@ KIND = {name: kind for kind, names in REFERS.items() for name in names}
 
 
 class Sizes(NamedTuple):
-    """Numbers of vertices of the caller's mesh, faces of the surface, nodes and edges of the curve, cross-sections,
-    corners of cross-sections, entries of a (``smoothing``) and of b (``turning``)."""
+    """Numbers of rows; ``smoothing`` and ``turning`` are the entries of a and of b."""
 
     vertices: Any
     faces: Any
@@ -61,18 +60,17 @@ class Binding(NamedTuple):
     of B meshes together. Lengths are in ``unit``.
 
     live: the numbers without padding, of B meshes (B,) each. vertices: (V, 3) as recorded, in the caller's units; 0 for
-    one in no face, and in padding. tail, head: (C,) the vertices of the mesh edge that each corner lies on. part: (C,)
-    the corner's place on it, as a fraction from tail to head. onward: (C,) the next corner of the section. section:
-    (C,) the section of each corner, ascending. share: (C,) one over the number of corners in the section. is_loop: (S,)
-    False for a cloud of points, whose centroid is their mean. node: (S,) the node of each section. a_row, a_column,
-    a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value: entries of b, (N, V). rest: (N, 3) r.
-    faces: (F, 3) triangles of the surface, neighbours close to each other. twin: (F, 3): edge 3 f + k leads from corner
-    k of face f to the next corner; its twin is the same edge of the face on the other side. side: (N,) -1 for a node
-    whose nearest wall faces away from it, where the surface crosses itself; else 1. edges: (E, 2) of the curve, one
-    branch after the other, each from end to end. branch: (E,) the branch of each edge, ascending: its number among
-    those of `Skeleton.branches` that have an edge, plus the number of edges of the meshes before. centre: (3,),
-    diagonal: () of the surface in the caller's units. unit: () a power of two near the diagonal; scaling by it is
-    exact, so that all compilers round alike. Of B meshes centre is (B, 3), diagonal and unit (B,).
+    one in no face, and in padding. tail, head, part: (C,) the mesh edge that each corner lies on, and its place there,
+    0 to 1. onward: (C,) the next corner of the section. section: (C,) ascending. share: (C,) one over the number of
+    corners in the section. is_loop: (S,) False for a cloud of points, whose centroid is their mean. node: (S,) of each
+    section. a_row, a_column, a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value: entries of b,
+    (N, V). rest: (N, 3) r. faces: (F, 3) of the surface, neighbours close to each other. twin: (F, 3): edge 3 f + k
+    leads from corner k of face f to the next corner; its twin is the same edge of the face on the other side. side:
+    (N,) -1 for a node whose nearest wall faces away from it, where the surface crosses itself; else 1. edges: (E, 2) of
+    the curve, one branch after the other, each from end to end. branch: (E,) of each edge, ascending: its number among
+    the branches that have an edge, plus the number of edges of the meshes before. centre: (3,), diagonal: () of the
+    surface in the caller's units. unit: () a power of two near the diagonal, so that all compilers round alike. Of B
+    meshes centre is (B, 3), diagonal and unit (B,).
     """
 
     live: Sizes
@@ -118,26 +116,22 @@ class Binding(NamedTuple):
     @property
     def vertex_mask(self) -> Any:
         """(V,) bool: rows that are vertices, not padding."""
-        return self._mask("vertices")
+        return self.live.vertices.sum() > np.arange(self.num_vertices, dtype=np.int32)
 
     @property
     def node_mask(self) -> Any:
         """(N,) bool: rows that are nodes, not padding."""
-        return self._mask("nodes")
+        return self.live.nodes.sum() > np.arange(self.capacity.nodes, dtype=np.int32)
 
     @property
     def edge_mask(self) -> Any:
         """(E,) bool: rows that are edges, not padding."""
-        return self._mask("edges")
+        return self.live.edges.sum() > np.arange(self.capacity.edges, dtype=np.int32)
 
     @property
     def mesh_mask(self) -> Any:
         """(B,) bool: meshes that are some, not padding."""
         return self.live.vertices > 0
-
-    def _mask(self, kind: str) -> Any:
-        count = getattr(self.live, kind).sum()
-        return count > np.arange(getattr(self.capacity, kind), dtype=count.dtype)
 
     def mesh_of(self, kind: str) -> Any:
         """The mesh of each row of ``kind``, a field of `Sizes`; the last mesh for padding."""
@@ -159,9 +153,7 @@ class Binding(NamedTuple):
         """This binding in the largest capacities of ``others``, so that a program of one capacity serves all of them.
 
         If one of ``others`` is of B meshes, so is the result: those that this one lacks are padding, see ``mesh_mask``.
-
-        Raises:
-            ConfigError: one of ``others`` is no binding, there are none, or a capacity is too small.
+        A `ConfigError` is raised if one of ``others`` is no binding, there are none, or a capacity is too small.
         """
         if not others or not all(isinstance(each, Binding) for each in others):
             kinds = ", ".join(type(each).__name__ for each in others) or "nothing"
@@ -201,11 +193,9 @@ def joined(bindings: list[Binding]) -> Binding:
     start = {kind: np.cumsum([0, *(getattr(each.live, kind).sum() for each in every)]) for kind in REFERS}
 
     def shifted(name: str) -> list[np.ndarray]:
-        values = [getattr(each, name) for each in every]
-        if name not in KIND:
-            return values
-        rows = 3 if name == "twin" else 1
-        return [value + rows * first for value, first in zip(values, start[KIND[name]], strict=False)]
+        values, rows = [getattr(each, name) for each in every], 3 if name == "twin" else 1
+        firsts = start[KIND[name]] if name in KIND else [0] * len(values)
+        return [value + rows * first if first else value for value, first in zip(values, firsts, strict=False)]
 
     return Binding(live, *(np.concatenate(shifted(name)) for name in Binding._fields[1:]))
 
@@ -217,14 +207,8 @@ def _needed(sizes: Sizes) -> Sizes:
 
 def capacity_for(sizes: Sizes) -> Sizes:
     """The smallest capacity for ``sizes``, each field by itself."""
-    return Sizes(*(_capacity(need) for need in _needed(sizes)))
-
-
-def _capacity(need: int) -> int:
-    step = 0
-    while int(SMALLEST * 2 ** (step / 2)) < need:
-        step += 1
-    return int(SMALLEST * 2 ** (step / 2))
+    steps = (int(np.ceil(2 * np.log2(max(need / SMALLEST, 1)))) for need in _needed(sizes))
+    return Sizes(*(int(SMALLEST * 2 ** (step / 2)) for step in steps))
 
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:

@@ -1,7 +1,6 @@
 """The clock of a run: the seconds of its stages, and when it has to end, by Ctrl-C or because its time is over.
 
-The run asks the clock between iterations and passes, so that it ends within one of these. One worker
-thread computes what is asked for later, beside the caller's thread.
+The run asks it between iterations and passes. One worker thread computes what is asked for later.
 """
 
 import contextvars
@@ -24,7 +23,7 @@ class Stopped(BaseException):
 
 
 def begin(function: Callable[..., Any], *arguments: Any) -> Future:
-    """Compute on the worker, with the caller's settings of Python and NumPy, what is asked for later, or never."""
+    """Compute on the worker, with the caller's settings of Python and NumPy."""
     return _worker.submit(contextvars.copy_context().run, function, *arguments)
 
 
@@ -57,8 +56,8 @@ class Clock:
             self.was_pressed = True
             self._end, self._why = min(self._end, time.monotonic()), "interrupted"
 
-        is_own = threading.current_thread() is threading.main_thread()
-        is_own = is_own and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        is_main = threading.current_thread() is threading.main_thread()
+        is_own = is_main and signal.getsignal(signal.SIGINT) is signal.default_int_handler
         if is_own:
             signal.signal(signal.SIGINT, press)
         try:
@@ -87,8 +86,8 @@ class Clock:
 
 @contextmanager
 def held_interrupts() -> Iterator[None]:
-    """Hear Ctrl-C only at the end of this context. JAX crashes if its import is interrupted, trimesh hides an interrupt
-    of its own, and processes that are started here never hear Ctrl-C, which a terminal sends to them, too."""
+    """Hear Ctrl-C only at the end of this context: JAX crashes if its import is interrupted, trimesh hides an interrupt
+    of its own, and processes that are started here never hear it."""
     is_main, pressed = threading.current_thread() is threading.main_thread(), list[int]()
     # Other threads may hear what is blocked in this one, and wake its handler.
     handler = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number)) if is_main else None

@@ -4,12 +4,11 @@ from typing import Any, NamedTuple
 
 
 class Mixing(NamedTuple):
-    """A sparse matrix by its entries (e,): ``share`` for positions, ``blend`` for weights."""
+    """A sparse matrix by its entries (e,)."""
 
     row: Any
     column: Any
     share: Any
-    blend: Any
 
 
 class Polynomial(NamedTuple):
@@ -35,8 +34,8 @@ class Stretch(NamedTuple):
 
     enter: (T, n) the row of the workspace before, from which each row starts. rings: (T, S) each. degree, free, pull:
     (T, n). site: (T, n) the row of the first stretch whose pole each row has. left: (T, 2, n, 3) residuals r of the
-    solves. factor: (T,) the factor on w_L. group: (T, n) the row that each row is merged into. share, blend: (T, n) its
-    share of that row's position and weights. cut: (T, R, M, 3) the ends of the split edge, and the apex.
+    solves. factor: (T,) on w_L. group, share: (T, n) the row that each row is merged into, and its share of that.
+    cut: (T, R, M, 3) the ends of the split edge, and the apex.
     """
 
     enter: Any
@@ -49,7 +48,6 @@ class Stretch(NamedTuple):
     factor: Any
     group: Any
     share: Any
-    blend: Any
     cut: Any
 
 
@@ -57,11 +55,11 @@ class Part(NamedTuple):
     """The tape of one component. Its first rows are those of the surface at the start of the flow.
 
     vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
-    mesh_filter: the filter of the mesh itself, or None. gather: the matrix (n, V) from vertices to first rows.
-    site_filter: the filter of the sites of poles, or None. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see
-    `recording.records.record_poles`. meso_row: (m,) rows of the last workspace. nodes: the matrix (N, m) from the
-    meso-skeleton to the nodes. pin_node, pin_input, pin_share: (p,) entries of the matrix from the caller's vertices to
-    held nodes. is_held: (N,) nodes that are means of pins. centre: (3,), diagonal: (), axes: (3, 3): the frame.
+    mesh_filter, site_filter: of the mesh itself and of the sites of poles, or None. gather: the matrix (n, V) from
+    vertices to first rows. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see `recording.records.record_poles`.
+    meso_row: (m,) rows of the last workspace. nodes, pins: the matrices (N, m) from the meso-skeleton to the nodes, and
+    (N, V) from the caller's vertices to those nodes that are means of pins. is_held: (N,) these nodes. centre: (3,),
+    diagonal: (), axes: (3, 3): the frame.
     """
 
     vertices: Any
@@ -76,9 +74,7 @@ class Part(NamedTuple):
     stretches: tuple[Stretch, ...]
     meso_row: Any
     nodes: Mixing
-    pin_node: Any
-    pin_input: Any
-    pin_share: Any
+    pins: Mixing
     is_held: Any
     centre: Any
     diagonal: Any

@@ -1,11 +1,10 @@
 """The layout of a surface in fixed-capacity buffers, which both the host and `device` know.
 
 Each capacity is a compiled program, so there are few: three for meshes of up to 50,000 vertices, where the flow starts
-from some 20,000. A shrinking surface passes through them downwards. Rows are sorted by degree, the largest first, so
-that the rows that use slot k of the one-rings are a prefix of all rows. The slots form a staircase of four levels: 6
-slots, a regular vertex's degree, for all rows, two more for half of the rows, four more for an eighth, and a tail for
-one row in 64. That is 7.9 numbers a vertex. A rectangle for the largest degree seen in a flow (20) would need 24, and
-a CG step spends nearly all its time gathering them.
+from some 20,000. Rows are sorted by degree, the largest first, so that the rows that use slot k of the one-rings are a
+prefix of all rows. The slots form a staircase of four levels: 6 for all rows, two more for half of them, four more for
+an eighth, and a tail for one row in 64. That is 7.9 numbers a vertex, for 24 in a rectangle for the largest degree of a
+flow, and a CG step spends nearly all its time gathering them.
 """
 
 from typing import NamedTuple

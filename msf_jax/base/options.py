@@ -1,8 +1,4 @@
-"""The options of a run: `Weights`, which are differentiable, and `Config`, which is not.
-
-A `Config` holds what users set often, and groups of the other options. Each class checks its own values. A jitted step
-depends on a `Config` only through its `StepSettings`.
-"""
+"""The options of a run: `Weights`, which are differentiable, and `Config`, which is not. Each checks its values."""
 
 import dataclasses
 import math
@@ -17,7 +13,7 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 
 SMOOTH = 1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by 2e-3 of an objective
-TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
+TIGHT = 1e-6  # the same in `Config.tight`: derivatives predict runs to 3e-3 of an objective, for 2e-2 of a step
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.system``
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``FlowOptions.laplacian``
 POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
@@ -36,7 +32,7 @@ class Weights:
         smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
 
     All are dimensionless. Only the ratios of w_L, w_H and w_M matter: a larger w_L / w_H contracts more in one
-    iteration. A `ConfigError` is raised if a value is negative or not finite. Weights with arrays have no hash.
+    iteration. A value out of range is a `ConfigError`. Weights with arrays have no hash.
     """
 
     w_L: Any = 1.0
@@ -52,8 +48,8 @@ class Weights:
         return all(a is b or (not is_traced(a) and not is_traced(b) and np.array_equal(a, b)) for a, b in pairs)
 
     def check(self, num: int | None = None) -> None:
-        """Raise a `ConfigError` unless all weights are in range, and numbers or ``num`` of them, if that is given. Of
-        traced values only the shape is checked."""
+        """Raise a `ConfigError` unless all weights are in range, and numbers or, if given, ``num`` of them. Of traced
+        values only the shape is checked."""
         for name, value in vars(self).items():
             if num is not None and np.shape(value) not in ((), (num,)):
                 raise ConfigError(
@@ -93,7 +89,8 @@ def choice(default: str, values: tuple[str, ...]) -> Any:
 
 
 class Options:
-    """A dataclass that checks its fields: `number`, `choice`, and flags. None is allowed where it is the default."""
+    """A dataclass that checks its fields: `number`, `choice`, and flags. None is allowed where it is the default. A
+    number that JAX traces is not checked."""
 
     def __post_init__(self) -> None:
         for member in fields(self):  # pyright: ignore[reportArgumentType]
@@ -103,7 +100,7 @@ class Options:
                 raise ConfigError(f"{named} True or False")
             if "values" in member.metadata and value not in member.metadata["values"]:
                 raise ConfigError(f"{named} one of {', '.join(member.metadata['values'])}")
-            if "range" in member.metadata and not (value is None and default is None):
+            if "range" in member.metadata and not (value is None and default is None) and not is_traced(value):
                 is_whole = isinstance(default, int)
                 kind = numbers.Integral if is_whole else numbers.Real
                 low, high = member.metadata["range"]
@@ -117,17 +114,17 @@ class PreprocessingOptions(Options):
     """The surface before the flow, and its poles.
 
     Attributes:
-        reconstruct_mesh: number of eigenvectors kept in the mesh that is contracted; 0 uses the mesh itself.
-        reconstruct_poles: number of eigenvectors kept in the mesh that poles are computed on; 0 uses the mesh itself.
-        exact_reconstruction: whether reconstruction computes eigenvectors, as in the article. Else it applies a
-            polynomial of the Laplacian, whose cut-off is less sharp, in a twentieth of the time or less.
-        resample: target edge length that the mesh is resampled to before poles are computed; 0 keeps its sampling.
-        refine: edges longer than this, and longer than two radii of their limb, are split before the flow, so that the
-            limbs and holes of a coarse mesh are resolved; 0 splits none.
+        reconstruct_mesh, reconstruct_poles: number of eigenvectors kept in the mesh that is contracted, and in the one
+            that poles are computed on; 0 uses the mesh itself.
+        exact_reconstruction: whether eigenvectors are computed, as in the article; else a polynomial of the Laplacian
+            replaces them, whose cut-off is less sharp, in a twentieth of the time or less.
+        resample: edge length that the mesh is resampled to before poles are computed; 0 keeps its sampling.
+        refine: edges longer than this, and than two radii of their limb, are split before the flow, so that limbs and
+            holes of a coarse mesh are resolved; 0 splits none.
         use_poles: whether poles pull at all.
         poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": balls if the solid is
-            thin, else Voronoi poles. On a thin solid a Voronoi diagram takes minutes, and ``reconstruct_poles`` is left
-            out, because it would remove most of the solid.
+            thin, else Voronoi poles, which take minutes on a thin solid. There ``reconstruct_poles`` is left out, too,
+            because it would remove most of the solid.
     """
 
     reconstruct_mesh: int = number(0, 0, math.inf)
@@ -154,17 +151,17 @@ class FlowOptions(Options):
         laplacian: "mean_value" (article Eq. 4), "cotangent" with negative sums set to 0, "signed_cotangent" with
             negative sums kept, or "uniform".
         edit_connectivity: whether each iteration collapses and splits edges, and fixes vertices.
-        threshold_min, threshold_step, threshold_max: saw-tooth of the collapse threshold t_c (article 3.2.6): it starts
-            at the least, rises by the step in each iteration, and falls back above the largest; a step of 0 keeps it
-            constant. The article's program has 0.002 and 0.0001; the larger defaults, 0.005 and 0.0005, take a quarter
-            of the iterations, and their curves have fewer side branches and are more inside.
+        threshold_min, threshold_step, threshold_max: saw-tooth of the collapse threshold t_c (article 3.2.6): it rises
+            from the least by the step in each iteration, and falls back above the largest. The article's program has
+            0.002 and 0.0001; with the defaults a run takes a quarter of the iterations, and curves have fewer side
+            branches and are more inside.
         split_angle: theta_s in degrees: an edge whose two opposite angles are larger is split.
         w_L_growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps w_L constant.
         w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L starts at 400 times the square
             root of the mean area of a face (Au et al. 2008).
-        volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
-            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume. With
-            a volume_tolerance of 0 a run makes all of its iterations.
+        volume_tolerance, area_tolerance: the flow has converged when these fractions of volume and area are left, or
+            the area, which counts because a sheet has no volume, has stopped shrinking. With a volume_tolerance of 0 a
+            run makes all of its iterations.
         free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
     """
 
@@ -199,12 +196,10 @@ class SolverOptions(Options):
 
     Attributes:
         tolerance: residual of a solve, relative to the right-hand side, at which it ends.
-        step_tolerance: a solve also ends when a CG step moves no vertex by more than this part of t_c. This says little
-            about its error.
+        step_tolerance: a solve also ends when a CG step moves no vertex by more than this part of t_c.
         max_steps: CG steps after which a solve gives up; the report counts such solves (``out_of_steps``).
-        preconditioner: "jacobi", or "factored", a sparse factorisation that the host computes in every iteration, for
-            systems too ill-conditioned for "jacobi" (see `numerics.factors`). Such systems are solved in float64,
-            whatever JAX is set to.
+        preconditioner: "jacobi", or "factored", a sparse factorisation by the host in every iteration, for systems too
+            ill-conditioned for "jacobi" (see `numerics.factors`), which are solved in float64 whatever JAX is set to.
     """
 
     tolerance: float = number(3e-3, 0, 1)
@@ -218,11 +213,10 @@ class CurveOptions(Options):
     """How the curve is extracted from the contracted surface, and finished.
 
     Attributes:
-        surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
-            nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
+        surgery: whether edges collapse in the order of shape and sampling costs, and nodes are recentred by the
+            boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
-        extend_tips: whether branches end on the axes of their limbs' ends (see `limbs.ends`), and limbs that the
-            flow has missed get one.
+        extend_tips: whether branches end on the axes of their limbs' ends, and limbs that the flow has missed get one.
     """
 
     surgery: bool = False
@@ -247,9 +241,9 @@ class Config(Options):
     """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
 
     ``Config()`` is the article's system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on. What
-    is set often is here; the rest is in groups, as ``config.flow.split_angle``. The constructor takes groups:
-    ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and the systems take changes of groups:
-    ``Config.au2008(flow={"w_L_growth": 1.2})``. A `ConfigError` is raised if a value is out of its range.
+    is set often is here, the rest in groups: ``Config(detail=0.6, flow=FlowOptions(split_angle=120))``. `replace` and
+    the systems take changes of groups: ``Config.au2008(flow={"w_L_growth": 1.2})``. A value out of its range is a
+    `ConfigError`.
 
     Attributes:
         detail: which limbs that are shorter than ``least_slenderness`` asks have a branch, because they stand out (see
@@ -258,17 +252,17 @@ class Config(Options):
         least_slenderness: of the solid's limbs (see `limbs.tree`): length over radius. Each limb gets one branch,
             others are removed, and junctions within one ball become one; 0 keeps the flow's branches. A half ball on a
             wall has 0.5.
-        coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over.
-            The cost of a run then depends on the solid's shape, and hardly on the number of its vertices. 0 collapses
-            none. If it would change the volume by a twentieth, as of a thin plate, the mesh is not coarsened. On a limb
-            of radius r below 0.005, this length and t_c are multiplied by r / 0.005, so that a wire keeps its length.
+        coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over, or
+            change the volume by a twentieth; 0 collapses none. The cost of a run then hardly depends on the number of
+            vertices. On a limb of radius r below 0.005, this length and t_c are multiplied by r / 0.005, so that a wire
+            keeps its length.
         max_iterations: the flow gives up after this many iterations.
         max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
             If no iteration has ended, a `FlowError` is raised.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
-        preprocessing, flow, solver, curve: the groups; each has a page of its own.
-        system: "msf", "tagliasacchi2012" or "au2008": the system that this was made from, whose weights
-            `default_weights` returns. Only the systems' own constructors set it.
+        preprocessing, flow, solver, curve: the groups.
+        system: the system that this was made from, whose weights `default_weights` returns; only the systems' own
+            constructors set it.
     """
 
     detail: float = number(0.5, 0, 1)
@@ -301,10 +295,8 @@ class Config(Options):
 
     @classmethod
     def tagliasacchi2012(cls, **changes: Any) -> "Config":
-        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles of the unfiltered surface, constant t_c.
-
-        Its weights, `default_weights`, have no smoothing. Entries of L are limited as in the default system.
-        """
+        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles of the unfiltered surface, constant t_c, no
+        smoothing. Entries of L are limited as in the default system."""
         base = cls(
             system="tagliasacchi2012",
             coarsen=0.0,
@@ -343,9 +335,9 @@ class Config(Options):
     def smooth(cls, iterations: int = 6, **changes: Any) -> "Config":
         """The default system without decisions: ``iterations`` steps of the mesh as it is, with tight solves.
 
-        The contracted surface is then a smooth function of the weights and of the vertices, and the replay of one tape
-        is a fresh run at any weights, in float64: `tune` needs this for weights per vertex. It takes several times the
-        CG steps. A surface that is not edited also contracts along its limbs, so that a curved limb may leave its axis.
+        The contracted surface is then a smooth function of weights and vertices, and the replay of one tape, in
+        float64, a fresh run at any weights: `tune` needs this for weights per vertex. A surface that is not edited also
+        contracts along its limbs, so that a curved limb may leave its axis.
         """
         base = cls(
             coarsen=0.0,
@@ -359,8 +351,8 @@ class Config(Options):
     def tight(self) -> "Config":
         """This configuration with solves to a residual of 1e-6 at least, none of which ends by the length of a step.
 
-        With loose solves a derivative does not predict a fresh run, even where no decision changes: each run stops
-        elsewhere. A tight run takes several times the CG steps. A "factored" system is solved tightly as it is.
+        Loose solves of each run stop elsewhere, so that no derivative predicts them. A tight run takes several times
+        the CG steps. A "factored" system is solved tightly as it is.
         """
         if self.solver.preconditioner == FACTORED:
             return self

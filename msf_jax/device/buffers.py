@@ -1,7 +1,6 @@
-"""Padded buffers, the input of a jitted step, and sums over one-rings.
+"""Padded buffers, the input of a jitted step, and sums over one-rings, in the rows and slots of a `layout.Layout`.
 
-`layout.Layout` places rows and slots. A padded row has no neighbours and is not free. An unused slot refers to its own
-row. Neither adds to any sum, so values and gradients do not depend on padding.
+A padded row has no neighbours and is not free; an unused slot refers to its own row. Neither adds to any sum.
 """
 
 from functools import partial
@@ -15,10 +14,7 @@ from msf_jax.base.layout import Layout, Level
 
 
 class Rings(NamedTuple):
-    """The one-rings as flat arrays: entry s is slot k of row i, the directed edge i -> j with its two apexes.
-
-    An unused slot refers to its own row three times.
-    """
+    """The one-rings as flat arrays: entry s is slot k of row i, the directed edge i -> j with its two apexes."""
 
     neighbour: jax.Array  # (S,) int32: j
     after: jax.Array  # (S,) int32: the neighbour after j, counter-clockwise around i
@@ -68,7 +64,7 @@ def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
 def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
     """y_i = sum over the slots of row i of weight times x[neighbour], for weights (S,) and x (n, c).
 
-    It starts at the last level; each level adds to a prefix of the rows of the level before it.
+    From the last level on, each is added to a prefix of the rows of the level before it.
     """
     total = _level_product(layout.levels[-1], weights, neighbour, x)
     for level in layout.levels[-2::-1]:

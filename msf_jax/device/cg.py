@@ -1,9 +1,8 @@
 """Conjugate gradients for A x = b with a symmetric positive definite operator A, differentiated implicitly.
 
 jaxopt's `solve_cg` reports neither its steps nor its residual, so jaxopt's loop has another body here. The loop is the
-solve of a `lax.custom_linear_solve`: derivatives of any order, in every transformation, are those of the solution,
-A dx = db - dA x. Each costs one more solve. Under a `jax.checkpoint` with the policy `keeps_solutions`, the backward
-pass does not repeat the solve for x.
+solve of a `lax.custom_linear_solve`: derivatives of any order are those of the solution, A dx = db - dA x, by one more
+solve each. Under a `jax.checkpoint` with the policy `keeps_solutions`, the backward pass does not repeat the solve.
 """
 
 import warnings
@@ -29,8 +28,7 @@ MOST_HALVINGS = 6  # so that the compiled code does not grow with the mesh
 
 class SolveReport(NamedTuple):
     """steps: of CG. left: (n, c) the right-hand side minus A x, over |b|, for the final x. residual: the norm of that.
-    has_ended: whether the solve ended by its tolerance or by a short step, and not by the number of steps, an A without
-    positive curvature, or rounding, see `_has_ended`."""
+    has_ended: whether the solve ended by its tolerance or by a short step, see `_has_ended`."""
 
     steps: jax.Array
     residual: jax.Array
@@ -53,8 +51,8 @@ class Descent(NamedTuple):
 def _descended(A: Map, M: Map, b: jax.Array, smallest: Any, solver: SolverOptions, in_python: bool = False) -> Descent:
     """CG for A x = b from x = 0, preconditioned by M, a symmetric positive definite operator near A's inverse.
 
-    It also ends after a step that changes every entry by less than ``smallest``. The first step is always made, and
-    passes a NaN in b on. It is inside the loop, whose body then exists once, and compiles in two thirds of the time.
+    It also ends after a step that changes every entry by less than ``smallest``. The first step is always made, in the
+    loop, whose body then is compiled once, and passes a NaN in b on.
     """
 
     def follow(now: Descent) -> Descent:
@@ -82,8 +80,8 @@ def _descended(A: Map, M: Map, b: jax.Array, smallest: Any, solver: SolverOption
 
 
 def dot(x: jax.Array, y: jax.Array) -> jax.Array:
-    """Sum of x y over all entries. One half of the rows is added to the other until few entries are left: additions
-    are fast on the CPU in all versions of XLA, unlike a long reduction, and they round less."""
+    """Sum of x y over all entries. Halves of the rows are added until few are left: on the CPU that is faster than a
+    long reduction in some versions of XLA, and rounds less."""
     products = x * y
     for _ in range(MOST_HALVINGS):
         half, is_odd = divmod(len(products), 2)
@@ -111,29 +109,15 @@ def solve(
     A is a symmetric positive definite ``operator``: a pytree that is called with x, and has its ``diagonal()`` (n,).
     CG ends when the norm of the residual is at most the solver's tolerance times |b|, or when a step changes every
     entry of x by less than ``smallest``. If the tolerance is loose, CG runs in float32, where a step takes two thirds
-    of the time. The entries of A must then be in float32's range. Under differentiation CG runs in the type of b.
-    Differentiable in: operator, b; implicitly, to any order. A derivative whose solve does not end by the tolerance is
-    NaN.
-    """
-    is_loose = isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE  # a traced one may be tight
-    return (_rounded if is_loose else _solved)(solver, operator, b, smallest, left)
+    of the time. The entries of A must then be in float32's range.
+    Differentiable in: operator, b; implicitly, to any order, by solves to the same tolerance. A derivative whose solve
+    does not end by it is NaN.
 
-
-def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
-    """A policy for `jax.checkpoint` that stores the results of solves, and recomputes the rest."""
-    return primitive is lax.linear_solve_p
-
-
-def _solved(
-    solver: SolverOptions, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
-) -> tuple[jax.Array, SolveReport]:
-    """`solve` in the type of b, or in float32 if ``is_short``.
-
-    JAX calls the same function for derivatives. They are solved to the tolerance, relative to their own right-hand
-    sides, and are NaN if that fails. One more row tells them from this solve: in its right-hand side it is 1, and 0 in
-    theirs; in the unknown it is the number of steps, negative if the solve has not ended. (Steps as auxiliary data
+    JAX calls the same solve for derivatives. One more row tells them from this one: in its right-hand side it is 1, and
+    0 in theirs; in the unknown it is the number of steps, negative if the solve has not ended. (Steps as auxiliary data
     would become a batch under `jax.jacfwd`, which JAX refuses.)
     """
+    is_short = isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE  # a traced one may be tight
     operator, b, smallest, left = _together((operator, b, smallest, left))
     size = norm(b)
     right = b if left is None else b - size * left
@@ -165,9 +149,14 @@ def _solved(
     return found[:-1], SolveReport(abs(steps), jnp.sqrt(dot(rest, rest)), steps > 0, rest)
 
 
+def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
+    """A policy for `jax.checkpoint` that stores the results of solves, and recomputes the rest."""
+    return primitive is lax.linear_solve_p
+
+
 def _together(values: Any) -> Any:
-    """``values``, each declared to differ between the devices of a `jax.shard_map` if one of them does. JAX would
-    declare that inside the solve, and refuse it there if a scan has declared the values outside since."""
+    """``values``, each declared to differ between the devices of a `jax.shard_map` if one of them does: within the
+    solve JAX refuses what a scan has declared outside."""
     arrays = jax.tree.map(jnp.asarray, values)
     every = frozenset().union(*(jax.typeof(array).mat.varying for array in jax.tree.leaves(arrays)))
 
@@ -178,22 +167,11 @@ def _together(values: Any) -> Any:
     return jax.tree.map(spread, arrays)
 
 
-@partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _rounded(solver: SolverOptions, *arguments: Any) -> tuple[jax.Array, SolveReport]:
-    """`_solved` in float32. Partial evaluation may drop the rule below: then derivatives are in float32, too."""
-    return _solved(solver, *arguments, is_short=True)
-
-
-@_rounded.defjvp
-def _rounded_jvp(solver: SolverOptions, primals: Any, tangents: Any) -> Any:
-    return jax.jvp(partial(_solved, solver), primals, tangents)
-
-
 def solve_outside(
     operator: Any, b: jax.Array, solver: SolverOptions, precondition: Map, smallest: Any = 0.0
 ) -> tuple[jax.Array, SolveReport]:
     """Like `solve`, with a loop in Python, so that ``precondition``, r -> M r near A^-1 r, may be a function on the
-    host, see `numerics/factors.py`. It cannot be jitted or differentiated."""
+    host, see `numerics.factors`. It cannot be jitted or differentiated."""
     scale, A = _scale(norm(b)), partial(jax.jit(type(operator).__call__), operator)
     end = _descended(A, precondition, b / scale, smallest / scale, solver, in_python=True)
     left = b / scale - A(end.x)
@@ -206,9 +184,8 @@ def _scale(size: jax.Array) -> jax.Array:
 
 
 def _has_ended(end: Descent, left: jax.Array, solver: SolverOptions) -> jax.Array:
-    """Whether CG ended by a short step or by its tolerance. Rounding leaves more than CG's own residual says: then
-    ``left``, b - A x for the final x in the type of b, may be twice the tolerance, or cost half of the type's digits.
-    """
+    """Whether CG ended by a short step or by its tolerance. For rounding, ``left``, b - A x for the final x in the type
+    of b, may be twice the tolerance, or cost half of the type's digits."""
     residual, recursive = jnp.sqrt(dot(left, left)), jnp.sqrt(dot(end.residual, end.residual))
     is_near = (residual <= 2 * solver.tolerance) | (residual <= float(jnp.finfo(left.dtype).eps) ** 0.5)
     return (end.error <= solver.tolerance) & ((recursive > solver.tolerance) | is_near)

@@ -56,9 +56,6 @@ class Gram:
 
     weights: (2, S) A's off-diagonal entries, by row and then by column. own: (n,) A's diagonal. shift: (n,). free: (n,)
     1.0 for free vertices, 0.0 for fixed and padded ones. neighbour: (S,). layout: of the slots.
-
-    The two products are two steps of one scan over the stacked weights. If they were two calls, XLA on the CPU would
-    fuse them into one kernel that computes A x again for every slot.
     """
 
     weights: jax.Array
@@ -78,7 +75,9 @@ class Gram:
         return self.free * (square + self.shift) + (1.0 - self.free)
 
     def transposed_after(self, diagonal: jax.Array, x: jax.Array) -> jax.Array:
-        """A^T (A + diag(diagonal - own)) x: ``diagonal`` (n,) replaces the diagonal of the first factor."""
+        """A^T (A + diag(diagonal - own)) x: ``diagonal`` (n,) replaces the diagonal of the first factor.
+
+        Two steps of one scan: XLA on the CPU would fuse two calls into a kernel that computes A x for every slot."""
 
         def product(y: jax.Array, line: Any) -> tuple[jax.Array, None]:
             own, weights = line

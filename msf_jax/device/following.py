@@ -1,8 +1,7 @@
 """The finished curve as a function of the mesh's vertices: the equation of `msf_jax.base.binding` in JAX.
 
-A section's corners are p_k = (1 - t_k) V_tail + t_k V_head. Its area vector is N = sum_k p_k x p_{k+1} / 2. Its
-centroid is that of the area projected along N. So a corner that moves along the limb moves the centroid along the limb,
-and not across, to first order.
+A section's corners are p_k = (1 - t_k) V_tail + t_k V_head, its area vector is N = sum_k p_k x p_{k+1} / 2, and its
+centroid that of the area projected along N: a corner that moves along the limb moves it along the limb, to first order.
 """
 
 from typing import NamedTuple

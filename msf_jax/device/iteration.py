@@ -18,7 +18,7 @@ from msf_jax.device.laplacian import LaplacianRows
 
 
 class Moved(NamedTuple):
-    """The new positions, and the reports of both solves: fields of ``solves`` are (2, ...), contraction first."""
+    """The new positions, and the reports of both solves, (2, ...): contraction first."""
 
     positions: jax.Array
     solves: SolveReport
@@ -27,8 +27,8 @@ class Moved(NamedTuple):
 def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, left: Any = None) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
-    ``left`` (2, n, 3) are the residuals that the two solves shall leave, as a run reported them. Contraction and
-    smoothing are two steps of one scan, so that one body is compiled.
+    ``left`` (2, n, 3): the residuals that the two solves shall leave, as a run reported them. Contraction and smoothing
+    are two steps of one scan, so that one body is compiled.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     energies = _energies(buffers, weights, settings, layout)
@@ -75,10 +75,7 @@ Factoring = Callable[..., Callable[[Any], Any]]
 def move_factored(
     buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, factoring: Factoring
 ) -> Moved:
-    """`move` with a preconditioner on the host. It cannot be jitted or differentiated.
-
-    CG then needs few steps. Python runs each step, and calls jitted functions.
-    """
+    """`move` with a preconditioner on the host, and loops in Python. It cannot be jitted or differentiated."""
     positions, reports = buffers.positions, []
     smallest = settings.solver.step_tolerance * buffers.t_c
     for energy, least in zip(_jitted_energies(buffers, weights, settings, layout), (smallest, 0.0), strict=True):

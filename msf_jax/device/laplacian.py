@@ -1,7 +1,7 @@
 """Laplacians on padded one-ring slots: mean value (article Eq. 4), cotangent in two forms, and uniform.
 
-Each entry depends only on the positions of its edge i -> j and of the two apexes. The entry j -> i is computed from the
-same four points, so that the product with the transpose is a gather, too. Lengths are fractions of the diagonal.
+Entries i -> j and j -> i are computed from the same four points, so that the product with the transpose is a gather,
+too. Lengths are fractions of the diagonal.
 """
 
 from functools import partial
@@ -68,8 +68,8 @@ def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
 def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """(cot(alpha) + cot(beta)) / 2, which may be negative: L x is the gradient of the area.
 
-    A flat triangle with collinear corners then keeps its middle corner between the outer two. It does not pull the
-    outer two together, which would shorten a thin limb (see `_flattened`).
+    A flat triangle then keeps its middle corner between the outer two, and does not pull these together, which would
+    shorten a thin limb (see `_flattened`).
     """
     del degree
     at_i, at_j = at_rows(layout, positions), positions[rings.neighbour]
@@ -99,10 +99,9 @@ BOUNDED = ("signed_cotangent",)  # kinds that are bounded without `limit`, which
 def limit(rows: LaplacianRows, largest: float = LARGEST_ENTRY) -> LaplacianRows:
     """The same rows with entries of at most ``largest``.
 
-    Two vertices that nearly coincide, or a flat triangle, make arbitrarily large entries. Their only effect is to keep
-    the two vertices together, which 20 times the regular weight does as well. The condition number of the normal
-    equations grows with the square of the largest entry. On a mesh of 6,002 vertices the limit halves the iterations
-    and the CG steps.
+    Vertices that nearly coincide, or a flat triangle, make large entries, which only keep two vertices together, as 20
+    times the regular weight does. The condition number of the normal equations grows with the square of the largest
+    entry: on a mesh of 6,002 vertices the limit halves the iterations and the CG steps.
     Differentiable in: rows; the gradient of a limited entry is 0.
     """
     return LaplacianRows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
@@ -114,10 +113,7 @@ def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
 
 
 def _norm(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, with gradient 0 where it is 0 or nearly 0.
-
-    Below 1e-15 in float32, squares are close to denormal, and the gradient x / |x| would be arbitrary.
-    """
+    """Norm over the last axis, with gradient 0 where its square is close to denormal, as below 1e-15 in float32."""
     square = (vector * vector).sum(-1)
     is_zero = square < 1e8 * jnp.finfo(square.dtype).tiny
     return jnp.where(is_zero, 0.0, jnp.sqrt(jnp.where(is_zero, 1.0, square)))
@@ -139,9 +135,8 @@ def _sine_and_cosine(a: jax.Array, b: jax.Array) -> tuple[jax.Array, jax.Array]:
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
     """tan(alpha / 2) for the angle alpha between a and b, clamped to STEEPEST, with gradient 0 where it is clamped.
 
-    It is sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where 1 + cos cancels. Both agree only if
-    sin^2 + cos^2 = 1. For an edge shorter than SHORTEST the sum is smaller, and the first formula is always used, so
-    that there is no jump at 90 degrees.
+    It is sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where 1 + cos cancels. Both agree only if sin^2 +
+    cos^2 = 1, and not for an edge shorter than SHORTEST, where the first is always used: no jump at 90 degrees.
     """
     sine, cosine = _sine_and_cosine(a, b)
     is_obtuse = (cosine < 0) & (sine * sine + cosine * cosine > 0.99999)  # 1, but for rounding in float32
@@ -161,8 +156,8 @@ def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
 def _flattened(a: jax.Array, b: jax.Array, square: jax.Array) -> jax.Array:
     """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``.
 
-    The divisor is at least LEAST_HEIGHT times the square of the longest edge. So all three cotangents of a flat
-    triangle are reduced by the same factor, and its energy, an area, is never negative.
+    The divisor is at least LEAST_HEIGHT times the square of the longest edge: all three cotangents of a flat triangle
+    are reduced by one factor, and its energy, an area, is never negative.
     """
     longest2 = jnp.maximum(jnp.maximum(_square(a), _square(b)), square)
     is_point = longest2 < SHORTEST**4

@@ -1,8 +1,8 @@
 """The nearest triangle of a moved surface for many points, and the side of the surface that they are on.
 
-Triangles are stored in runs of neighbours. A bounding ball of each run is computed from its moved corners. Runs whose
-ball is farther from a point than a known triangle are skipped. So the result is exact for every motion, although only a
-small part of the triangles is tested. The nearest triangle is held fixed in derivatives.
+Triangles are stored in runs of neighbours, mesh by mesh. A bounding ball of each run is computed from its moved
+corners. Runs whose ball is farther from a point than a known triangle of its mesh are skipped. So the result is exact
+for every motion, although few triangles are tested. The nearest triangle is held fixed in derivatives.
 
 The side follows from the pseudonormal of the nearest face, edge or corner (Baerentzen and Aanaes 2005): the sum of the
 normals around it, at a corner weighted by angles. It is exact for a closed surface that does not cross itself.
@@ -14,8 +14,8 @@ from jax import lax
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding
 
-MOST_RUNS = 1024  # runs of the shortest length; for more triangles, length and number of runs grow together
-AT_ONCE = 1 << 14  # triangles that are tested in one step
+TOGETHER = 1024  # points that are looked at together, and runs: bounds memory
+AT_ONCE = 512  # pairs of a point and a run that are tested in one step
 ROUNDING = 16  # rounding errors (machine epsilons) that are subtracted from a lower bound of a distance
 
 
@@ -26,83 +26,84 @@ def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -
     """
     frozen = lax.stop_gradient((points, vertices))
     face = nearest_faces(binding, *frozen)
-    is_inside = _is_inside(binding, *frozen, face)
-    distance = clearance(points, vertices[binding.faces[face]], is_inside)
-    return jnp.asarray(binding.side, distance.dtype) * distance
+    triangles = vertices[binding.faces[face]]
+    best = _square(_from_edges(points, triangles)[0]).min(-1)
+    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
+    is_over, height, area2 = _over(points, triangles)
+    by_edge = jnp.where(_is_inside(binding, *frozen, face), to_edge, -to_edge)
+    return jnp.asarray(binding.side, points.dtype) * jnp.where(is_over, -height / jnp.sqrt(area2), by_edge)
 
 
 def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
     """(N,) the face nearest to each of ``points`` (N, 3), the first of several; any for NaN and for padding."""
-    num, dtype = len(points), points.dtype
-    count = binding.faces.shape[0]
-    size = FACES_TOGETHER
-    while count // size > MOST_RUNS * size // FACES_TOGETHER:
-        size *= 2
-    count = -(-count // size) * size
+    size, dtype = FACES_TOGETHER, points.dtype
     corners = vertices[binding.faces]
-    corners = jnp.concatenate([corners, jnp.broadcast_to(corners[-1:], (count - len(corners), 3, 3))])
+    corners = jnp.concatenate([corners, jnp.broadcast_to(corners[-1:], (-len(corners) % size, 3, 3))])
     runs = corners.reshape(-1, 3 * size, 3)
     low, high = runs.min(1), runs.max(1)
     centre = (low + high) / 2
     radius = jnp.sqrt(((runs - centre[:, None]) ** 2).sum(-1).max(1))
-    away = jnp.sqrt(((points[:, None] - centre) ** 2).sum(-1))
-    bound = away - radius - ROUNDING * jnp.finfo(dtype).eps * (away + radius)
-    # Of several meshes, a point is nearest to a face of its own: one from ``first`` to before ``stop``.
-    per_mesh = jnp.asarray(binding.live.faces)
-    ends = jnp.cumsum(per_mesh).reshape(per_mesh.shape).astype(jnp.int32)
-    first, stop = (jnp.broadcast_to(binding.spread(x, "nodes")[..., None], (num, 1)) for x in (ends - per_mesh, ends))
-    start = jnp.arange(len(runs), dtype=jnp.int32) * size
-    is_run = (start < stop) & (start + size > first)
-    bound = jnp.where(is_run & binding.node_mask[:, None], jnp.maximum(bound, 0.0), jnp.inf)
     runs = corners.reshape(-1, size, 3, 3)
+    window = min(TOGETHER, len(runs))
+    # Of several meshes, a point is nearest to a face of its own, from ``first`` to before ``stop``; padding has none.
+    per_mesh = jnp.asarray(binding.live.faces).astype(jnp.int32)
+    ends = jnp.cumsum(per_mesh).reshape(per_mesh.shape)
+    first, stop = (jnp.broadcast_to(binding.spread(x, "nodes"), len(points)) for x in (ends - per_mesh, ends))
+    first, stop = (jnp.where(binding.node_mask, x, none) for x, none in ((first, len(corners)), (stop, 0)))
 
-    def smallest(point: jax.Array, run: jax.Array) -> tuple[jax.Array, jax.Array]:
-        faces = start[run][:, None] + jnp.arange(size, dtype=jnp.int32)
-        is_own = (first[point] <= faces) & (faces < stop[point])
-        away = jnp.where(is_own, squared_distances(points[point], runs[run]), jnp.inf)
-        return away.min(axis=1), start[run] + away.argmin(axis=1)
+    def of_some(given: tuple[jax.Array, ...]) -> jax.Array:
+        points, first, stop = given
+        num = len(points)
 
-    # All pairs of a point and a run that may contain its nearest face, numbered, and tested ``together`` at a time.
-    # One of two meshes has a large ball around both, whose far side is not near.
-    some, _ = smallest(jnp.arange(num), jnp.where(bound < jnp.inf, away + radius, jnp.inf).argmin(axis=1))
-    is_near = (bound * bound <= some[:, None]) & (bound < jnp.inf)  # rows of padding have no pair
-    pair = jnp.cumsum(is_near.ravel().astype(jnp.int32))
-    together = AT_ONCE // size
+        def smallest(point: jax.Array, run: jax.Array) -> tuple[jax.Array, jax.Array]:
+            faces = size * run[:, None] + jnp.arange(size, dtype=jnp.int32)
+            is_own = (first[point, None] <= faces) & (faces < stop[point, None])
+            away = jnp.where(is_own, squared_distances(points[point], runs[run]), jnp.inf)
+            return away.min(axis=1), size * run + away.argmin(axis=1).astype(jnp.int32)
 
-    def test_pairs(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
-        done, best, face = state
-        number = jnp.searchsorted(pair, done + 1 + jnp.arange(together, dtype=jnp.int32))
-        number = jnp.minimum(number, len(pair) - 1)  # testing the last pair again changes nothing
-        point, run = number // len(runs), number % len(runs)
-        away, which = smallest(point, run)
-        least = jnp.minimum(best, jax.ops.segment_min(away, point, num, indices_are_sorted=True))
-        which = jnp.where(away == least[point], which, count)
-        first = jax.ops.segment_min(which.astype(jnp.int32), point, num, indices_are_sorted=True)
-        return done + together, least, jnp.where(least < best, first, face)
+        def test_window(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+            at, best, face = state
+            # In the last window, runs after the last are the last again, which changes nothing.
+            run = jnp.minimum(at + jnp.arange(window, dtype=jnp.int32), len(runs) - 1)
+            is_own = (size * run < stop[:, None]) & (size * run + size > first[:, None])
+            away = jnp.sqrt(((points[:, None] - centre[run]) ** 2).sum(-1))
+            bound = away - radius[run] - ROUNDING * jnp.finfo(dtype).eps * (away + radius[run])
+            bound = jnp.where(is_own, jnp.maximum(bound, 0.0), jnp.inf)
+            # Of two meshes one run may have a large ball around both, whose far side is not near.
+            near = run[jnp.where(is_own, away + radius[run], jnp.inf).argmin(axis=1)]
+            some = jnp.minimum(best, smallest(jnp.arange(num), near)[0])
+            # Pairs of a point and a run that may contain its nearest face, numbered, and tested ``AT_ONCE``.
+            is_near = (bound * bound <= some[:, None]) & (bound < jnp.inf)
+            pair = jnp.cumsum(is_near.ravel().astype(jnp.int32))
 
-    none = 0 * pair[-1]  # not a constant: in a `jax.shard_map` the state must vary from device to device
-    far = jnp.full(num, jnp.inf, dtype) + none
-    state = (none, far, first[:, 0] + none)
-    found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, state)[2]
-    return jnp.minimum(found, per_mesh.sum(dtype=jnp.int32) - 1)  # padding repeats the last face
+            def test_pairs(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+                done, best, face = state
+                number = jnp.searchsorted(pair, done + 1 + jnp.arange(AT_ONCE, dtype=jnp.int32))
+                number = jnp.minimum(number, len(pair) - 1)  # testing the last pair again changes nothing
+                point = number // window
+                away, which = smallest(point, run[number % window])
+                least = jnp.minimum(best, jax.ops.segment_min(away, point, num, indices_are_sorted=True))
+                which = jnp.where(away == least[point], which, len(corners))
+                which = jax.ops.segment_min(which, point, num, indices_are_sorted=True)
+                return done + AT_ONCE, least, jnp.where(least < best, which, face)
 
+            state = 0 * pair[-1], best, face
+            return at + window, *lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, state)[1:]
 
-def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
-    """Signed distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3), negative outside.
+        none = 0 * ((points[:, 0] > radius[0]) + first)  # no constant: it varies between devices, as the state will
+        state = first.min() // size, jnp.full(num, jnp.inf, dtype) + none, first + none
+        return lax.while_loop(lambda state: size * state[0] < stop.max(), test_window, state)[2]
 
-    If the nearest point is inside the triangle, the sign follows from the positions. If it is on an edge or a corner,
-    ``is_inside`` (N,) gives the sign.
-    Differentiable in: points, triangles; the gradient of a point on an edge is 0.
-    """
-    best = _square(_from_edges(points, triangles)[0]).min(-1)
-    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
-    is_over, height, area2 = _over(points, triangles)
-    return jnp.where(is_over, -height / jnp.sqrt(area2), jnp.where(is_inside, to_edge, -to_edge))
+    parts = -(-len(points) // TOGETHER)
+    more = -len(points) % parts
+    given = jnp.pad(points, ((0, more), (0, 0))), jnp.pad(first, (0, more), constant_values=len(corners))
+    given = *given, jnp.pad(stop, (0, more))
+    found = lax.map(of_some, jax.tree.map(lambda x: x.reshape(parts, -1, *x.shape[1:]), given)).ravel()[: len(points)]
+    return jnp.minimum(found, ends.max() - 1)  # padding repeats the last face
 
 
 def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:
-    """(P, K) squared distances of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3): to the plane if the
-    point projects into the triangle, else to the nearest edge."""
+    """(P, K) squared distances of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3)."""
     to_edge = _square(_from_edges(points[:, None], triangles)[0]).min(-1)
     is_over, height, area2 = _over(points[:, None], triangles)
     return jnp.where(is_over, height * height / area2, to_edge)

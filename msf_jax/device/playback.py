@@ -1,10 +1,8 @@
 """The replay of one component's flow from its tape: recorded decisions, geometry computed anew, one JAX program.
 
 Each iteration is a step of a `lax.scan`: contract and smooth, apply the recorded collapses and splits, and gather the
-rows of the next iteration. Laplacians, poles, midpoints and split points are computed from the positions. One-rings,
-collapses, splits, the pole of each vertex and the fixed vertices come from the tape. The run's linear solves were
-loose: each left a residual r |b| of A x = b, and the tape has r. The replay solves A x = b - r |b| tightly. So it gets
-the same x, with the derivatives of an exact solve.
+rows of the next iteration. Each of the run's loose solves left a residual r |b| of A x = b, and the tape has r. The
+replay solves A x = b - r |b| tightly, for the same x with the derivatives of an exact solve.
 """
 
 from functools import partial
@@ -16,8 +14,7 @@ from jax import lax
 
 from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import Layout
-from msf_jax.base.options import StepSettings, Weights
-from msf_jax.device import laplacian
+from msf_jax.base.options import SolverOptions, StepSettings, Weights
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.cg import keeps_solutions
 from msf_jax.device.iteration import move
@@ -25,61 +22,48 @@ from msf_jax.device.iteration import move
 CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
 
 
-@partial(jax.jit, static_argnames=("layouts", "settings"))
+@partial(jax.jit, static_argnames=("layouts", "laplacian", "max_steps"))
 def replay_part(
     part: Part,
     weights: Weights,
     vertices: jax.Array,
     moved: jax.Array,
+    tolerance: Any,
     layouts: tuple[Layout, ...],
-    settings: StepSettings,
+    laplacian: str,
+    max_steps: int,
 ) -> tuple[jax.Array, jax.Array]:
     """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
 
     ``weights``: scalars, or one value for each of the caller's vertices. ``vertices`` (V, 3): of the caller's mesh.
-    ``moved`` (V, 3): their displacement from the recorded vertices. ``layouts``: of the stretches.
+    ``moved`` (V, 3): their displacement from the recorded vertices. ``tolerance``: relative residual of the solves; one
+    program serves all. ``layouts``: of the stretches.
     Differentiable in: weights, vertices together with moved.
     """
+    solver = SolverOptions(tolerance=tolerance, step_tolerance=0.0, max_steps=max_steps)
+    settings = StepSettings(laplacian, solver, w_H_follows_area=False)
     start = jnp.asarray(part.vertices) + (moved[part.vertex_of_input] / part.diagonal) @ part.axes.T
-    place, site_of_pole = _first_rows(part, weights, start)
-    poles = _poles(part, site_of_pole)
-    workspace, area = place, jnp.ones(len(place), place.dtype)
-    for number, (stretch, layout) in enumerate(zip(part.stretches, layouts, strict=True)):
-        if settings.w_H_follows_area:  # then no edge is edited, and rows are the same in all stretches
-            rings = Rings(*(table[-1] for table in stretch.rings))
-            first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
-            area = first[stretch.enter[0]]
-        else:
-            area = jnp.ones(layout.capacity, place.dtype)
-        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.enter[0]], layout, settings)
-    meso = workspace[part.meso_row, :3]
-    nodes = _mixed(part.nodes, meso, len(part.is_held), part.nodes.share)
-    meso, nodes = (part.centre[None] + part.diagonal * (points @ part.axes) for points in (meso, nodes))
-    pins = jax.ops.segment_sum(part.pin_share[:, None] * vertices[part.pin_input], part.pin_node, len(part.is_held))
-    return meso, jnp.where(part.is_held[:, None], pins, nodes)
+    workspace, sites = _first_rows(part, weights, start)
+    poles = _poles(part, sites)
+    for stretch, layout in zip(part.stretches, layouts, strict=True):
+        workspace = _replay_stretch(stretch, poles, workspace[stretch.enter[0]], layout, settings)
+    meso, num = workspace[part.meso_row, :3], len(part.is_held)
+    meso, nodes = (part.centre[None] + part.diagonal * (x @ part.axes) for x in (meso, _mixed(part.nodes, meso, num)))
+    return meso, jnp.where(part.is_held[:, None], _mixed(part.pins, vertices, num), nodes)
 
 
 def _first_rows(part: Part, weights: Weights, start: jax.Array) -> tuple[jax.Array, jax.Array]:
     """Position and weights (n, 3 + 4) of the rows at the start of the flow, and the sites of their poles (n, 3)."""
     if part.mesh_filter is not None:
-        kept = _filtered(part.mesh_filter, start)
-        start = jnp.where(part.is_pin[:, None], start, kept)
-    num = len(part.tetrahedron)
-    positions = _mixed(part.gather, start, num, part.gather.share)
-    columns = []
-    for weight in (weights.w_L, weights.w_H, weights.w_M, weights.smoothing):
-        weight = jnp.asarray(weight, positions.dtype)
-        if weight.ndim:
-            weight = _mixed(part.gather, weight[part.vertex_of_input][:, None], num, part.gather.blend)[:, 0]
-        columns.append(jnp.broadcast_to(weight, num))
-    sites = positions
-    if part.site_filter is not None:
-        sites = _filtered(part.site_filter, positions)
-    return jnp.concatenate([positions, jnp.stack(columns, axis=1)], axis=1), sites
+        start = jnp.where(part.is_pin[:, None], start, _filtered(part.mesh_filter, start))
+    values = [jnp.asarray(weight, start.dtype) for weight in vars(weights).values()]
+    values = [jnp.broadcast_to(value[part.vertex_of_input] if value.ndim else value, len(start)) for value in values]
+    rows = _mixed(part.gather, jnp.concatenate([start, jnp.stack(values, axis=1)], axis=1), len(part.tetrahedron))
+    return rows, rows[:, :3] if part.site_filter is None else _filtered(part.site_filter, rows[:, :3])
 
 
-def _mixed(mixing: Mixing, values: jax.Array, num: int, share: Any) -> jax.Array:
-    return jax.ops.segment_sum(share[:, None] * values[mixing.column], mixing.row, num)
+def _mixed(mixing: Mixing, values: jax.Array, num: int) -> jax.Array:
+    return jax.ops.segment_sum(mixing.share[:, None] * values[mixing.column], mixing.row, num)
 
 
 def _filtered(kept: Polynomial | Basis, x: jax.Array) -> jax.Array:
@@ -103,10 +87,8 @@ def _filtered(kept: Polynomial | Basis, x: jax.Array) -> jax.Array:
 
 
 def _poles(part: Part, sites: jax.Array) -> jax.Array:
-    """The poles (n, 3): circumcentres c of their tetrahedra, c - p = (|a|^2 b x c + ...) / (2 a . b x c).
-
-    If the circumcentre is ill-conditioned, the pole moves with the mean of the sites.
-    """
+    """The poles (n, 3): circumcentres c of their tetrahedra, c - p = (|a|^2 b x c + ...) / (2 a . b x c); where that is
+    ill-conditioned, the pole moves with the mean of the sites."""
     corner = sites[part.tetrahedron]
     a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
     bc, ca, ab = jnp.cross(b, c), jnp.cross(c, a), jnp.cross(a, b)
@@ -118,7 +100,7 @@ def _poles(part: Part, sites: jax.Array) -> jax.Array:
 
 
 def _replay_stretch(
-    stretch: Stretch, poles: jax.Array, area: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
+    stretch: Stretch, poles: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
 ) -> jax.Array:
     """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows and of new rows."""
     num_new = stretch.cut.shape[1] * stretch.cut.shape[2]
@@ -135,12 +117,12 @@ def _replay_stretch(
             poles=poles[line.site],
             pull=jnp.asarray(line.pull, dtype),
             t_c=jnp.zeros((), dtype),  # solve to the tolerance
-            area=area,
+            area=jnp.ones(layout.capacity, dtype),
         )
         weights = Weights(rows[:, 3] * line.factor, rows[:, 4], rows[:, 5], rows[:, 6])
         moved = move(buffers, weights, settings, layout, jnp.asarray(line.left, dtype))
         positions = jnp.where(moved.solves.has_ended.all(), moved.positions, jnp.nan)
-        parts = jnp.concatenate([line.share[:, None] * positions, line.blend[:, None] * rows[:, 3:]], axis=1)
+        parts = line.share[:, None] * jnp.concatenate([positions, rows[:, 3:]], axis=1)
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 

@@ -94,7 +94,7 @@ def assemble(
         history=history,
         curve=curve,
         skeleton=skeleton,
-        recording=Recording(records, *checked.given, checked.input_of_vertex, checked.is_made),
+        recording=Recording(records, *checked.given, bool(checked.is_made.any())),
         source=source,
     )
 

@@ -104,8 +104,7 @@ def skeletonize(
         mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices (V, 3), faces (F, 3))``. It is not changed.
             Each component is skeletonised; the result is one skeleton.
         weights: of the flow; those of ``config``'s system if not given. Each is a number, or an array (V,) with one for
-            every vertex of the mesh. A merged vertex gets the mean of its vertices' weights; a vertex that splits an
-            edge gets an interpolated weight.
+            every vertex of the mesh. Weights of a merged or a new vertex are interpolated as its position is.
         config: the system and its options; ``Config()``, the article's, if not given.
         pins: ids of vertices of the mesh that are held in place; the curve goes through them.
         repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold: weld, fill holes,

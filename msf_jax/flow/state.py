@@ -10,7 +10,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
-from msf_jax.gradients.tape import Tape, record
+from msf_jax.gradients.replay import Tape, record
 from msf_jax.meshes.checking import Component
 from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
@@ -120,7 +120,7 @@ class Flow:
 
     @cached_property
     def tape(self) -> Tape:
-        return record(self.recording, self.weights, self.config, self.curve, self.source)
+        return record(self.recording, self.weights, self.config, self.source.areas)
 
     def surface(self, iteration: int) -> Stage:
         """The surface after that many iterations, with its ``vertices`` (n, 3), ``faces`` (m, 3) and ``is_fixed`` (n,),

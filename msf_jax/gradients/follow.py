@@ -37,27 +37,25 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
 
     Each node is tied to cross-sections of its limb (see `msf_jax.base.binding`), or to its own vertices; pins move with
     theirs. An affine map of the mesh maps the curve by the same map. At the recorded vertices the result is
-    ``skeleton.vertices``, to rounding. The mesh must keep its limbs: a new limb, or a limb bent through itself, needs a
-    fresh run; `msf_jax.track` detects it.
+    ``skeleton.vertices``, to rounding. A mesh with a new limb, or a limb bent through itself, needs a fresh run;
+    `msf_jax.track` detects it.
 
-    Works under `jax.jit`, `grad`, `vmap`, `jacfwd` and `jacrev`, also for second derivatives. The first call for a
-    skeleton computes its binding, in well under a second. A jitted function of ``skeleton.binding`` is compiled once
-    for all skeletons of its capacity. `msf_jax.stack` makes a binding of many meshes.
+    Works under all transformations of JAX, also for second derivatives. A jitted function of ``skeleton.binding`` is
+    compiled once for all skeletons of its capacity. `msf_jax.stack` makes a binding of many meshes.
 
     Args:
-        skeleton: of a run, also after `Skeleton.prune` and `resample`, or read from an ``.npz`` file. Or its
-            padded ``binding``, or that of a batch: then nodes and radii are padded by rows of zeros; see
-            ``binding.node_mask``.
+        skeleton: of a run, also after changes of it, or read from an ``.npz`` file. Or its ``binding``, or that of a
+            batch: then nodes and radii are padded by rows of zeros; see ``binding.node_mask``.
         vertices: (V, 3), in the order and the units of the mesh of the run. For a binding they have its rows of
             padding, as ``binding.vertices`` has; a binding that is not traced takes them without, too.
 
     Returns:
         The nodes and radii: exact distances to the moved mesh, negative for a node outside. Signs are right unless the
         moved mesh crosses itself. Both have the floating-point type of ``vertices``, at least float32, and JAX's
-        default for an integer type. Under `jax.jit`, a node whose cross-section has vanished is NaN.
+        default for whole numbers. Under `jax.jit`, a node whose cross-section has vanished is NaN.
 
-    Differentiable in: vertices, not the binding, with the nearest triangle held fixed. In a triangle soup, where every
-    face has its own vertices, the first of several coincident vertices has the whole derivative; the others have 0.
+    Differentiable in: vertices, not the binding, with the nearest triangle held fixed. Of several welded vertices the
+    first has the whole derivative.
 
     Raises:
         ConfigError: ``skeleton`` has no source mesh.
@@ -83,9 +81,7 @@ _follow = jax.jit(following.follow)
 
 def evaluated(binding: Binding, vertices: Any) -> tuple[np.ndarray, np.ndarray]:
     """Nodes and radii with rows of padding, NaN at a node whose section has vanished, computed where ``vertices`` are.
-
-    NumPy pads, because JAX would compile this for every size.
-    """
+    NumPy pads, because JAX would compile this for every size."""
     padded = np.pad(jax.device_get(vertices), ((0, binding.num_vertices - len(vertices)), (0, 0)))
     return tuple(jax.device_get(_follow(*jax.device_put((binding, padded), _device_of(vertices)))))
 
@@ -106,8 +102,8 @@ def binding_of(skeleton: Any) -> Binding:
 
 
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> tuple[Binding, Any]:
-    """The binding of ``skeleton``, and ``vertices`` as a JAX or NumPy array (V, 3). Only the shape of a traced array is
-    checked. Vertices that no face of the surface uses may be at any position."""
+    """The binding of ``skeleton``, and ``vertices`` (V, 3) as an array, whose numbers are checked if it is not traced.
+    Vertices that no face uses may be at any position."""
     binding, array = binding_of(skeleton), numbers_of("vertices", vertices, MeshError)
     is_whole = jnp.isdtype(array.dtype, "integral")
     wide = real_dtype() if is_whole else jnp.promote_types(array.dtype, jnp.float32)
@@ -153,13 +149,9 @@ def stack(skeletons: Iterable[Skeleton | Binding]) -> Binding:
     As graph libraries batch, rows of all meshes follow each other, in ``batch.vertices``, in the nodes and the radii.
     ``batch.mesh_of("nodes")`` has the mesh of each row, ``batch.split(found.nodes)`` the nodes mesh by mesh. Padding is
     at the end: there nodes, radii and gradients are zero. ``stack(others).like(batch)`` has the capacity of ``batch``,
-    whose compiled programs serve it. Real numbers are float64 if JAX has it enabled, else float32.
+    whose compiled programs serve it.
 
-    Args:
-        skeletons: of runs, at least one, as `msf_jax.follow` takes them; bindings, too.
-
-    Raises:
-        ConfigError: ``skeletons`` is empty, or a skeleton has no source mesh.
+    A `ConfigError` is raised if ``skeletons``, which may be bindings, are none, or one has no source mesh.
     """
     every = list(skeletons) if isinstance(skeletons, Iterable) and not isinstance(skeletons, Binding) else []
     if not every or not all(isinstance(each, Skeleton | Binding) for each in every):

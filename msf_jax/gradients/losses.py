@@ -1,13 +1,12 @@
-"""Losses of followed curves, for training. Each is a number, 0 at best, of each mesh; rows of padding do not count.
+"""Losses of followed curves: a number, 0 at best, of each mesh; rows of padding do not count.
 
     found = msf_jax.follow(skeleton.binding, skeleton.binding.vertices)
     loss = losses.near(found, skeleton.binding, target) + 0.1 * losses.clearance(found, skeleton.binding, 0.01)
 
 For the binding of one skeleton a loss is a number, for one by `msf_jax.stack` of B meshes (B,). Targets are in the
-mesh's units. Losses are in squared diagonals of the mesh, so that those of meshes of any size can be added. They are
-means over the nodes. A node whose cross-section has vanished is NaN, and so is the loss of its mesh: ``jnp.where(
-jnp.isnan(loss), 0, loss)`` leaves such a mesh out, also out of the gradient. Arguments of other shapes or kinds are a
-`ConfigError`. Lengths, areas and angles for a loss of your own are in `msf_jax.measures`.
+mesh's units, losses in squared diagonals of the mesh, so that those of meshes of any size can be added. The loss of a
+mesh with a vanished cross-section is NaN: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves it out, also out of the
+gradient. Arguments of other shapes or kinds are a `ConfigError`. Lengths, areas and angles are in `msf_jax.measures`.
 """
 
 from typing import Any
@@ -23,8 +22,7 @@ from msf_jax.gradients.follow import numbers_of, promoting
 
 SAMPLES = 4  # points along each edge of a curve
 SHORTEST = 1e-4  # diagonals: shorter edges count less in the turning, in proportion to their length
-BLOCK = 32  # points whose nearest ones are found together: bounds memory
-ROWS = 128  # of other points that are looked at in one step
+TOGETHER = 64  # points, and other points to look at, in one step: bounds memory
 TINY = 1e-24  # diagonals squared: below this squared length, the gradient of a length is 0
 
 
@@ -33,12 +31,11 @@ def near(found: Any, binding: Binding, target: Any, mesh: Any = None) -> jax.Arr
     """Mean squared distance between the curve and a ``target``, in squared diagonals: the mean of both directions.
 
     One direction is from points spread evenly over the curve's length to the nearest target point. The other is from
-    each target point to the nearest of those points, or of nodes without an edge. It needs no correspondence. Target
-    points that are h apart along the curve leave h^2 / 24 of a curve through all of them: take them close together.
+    each target point to the nearest of those points, or of nodes without an edge. Target points that are h apart along
+    the curve leave h^2 / 24 of a curve through all of them: take them close together.
 
     Args:
-        found: of `msf_jax.follow`, nodes (N, 3).
-        binding: the binding that was followed.
+        found, binding: of `msf_jax.follow`, and the binding that was followed.
         target: (P, 3) points along the wanted curves, in the units of their meshes.
         mesh: (P,) the number of the mesh that each point belongs to, in any order; all to the first if not given. A
             point of -1 does not count. The loss of a mesh without points is 0.
@@ -95,13 +92,8 @@ def smoothness(found: Any, binding: Binding) -> jax.Array:
 def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
     """Mean over the nodes of the squared shortfall of the radii below ``least``, in squared diagonals.
 
-    It is 0 if the solid is at least twice as thick as ``least`` along its curve, as casting and printing need. For a
-    node outside, its distance to the surface is added to the shortfall.
-
-    Args:
-        found: of `msf_jax.follow`.
-        binding: the binding that was followed.
-        least: a number, or one for each row of the nodes, in the mesh's units.
+    It is 0 if the solid is at least twice as thick as ``least`` along its curve. For a node outside, its distance to
+    the surface is added. ``least`` is a number, or one for each row of the nodes, in the mesh's units.
 
     Differentiable in: radii, least.
     """
@@ -139,18 +131,18 @@ def _to_nearest(points: jax.Array, own: jax.Array, others: jax.Array, their: jax
 
         def step(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
             at, best, which = state
-            rows = at + jnp.arange(ROWS, dtype=at.dtype)
+            rows = at + jnp.arange(TOGETHER, dtype=at.dtype)
             away = ((point - fixed[jnp.minimum(rows, len(fixed) - 1)]) ** 2).sum(-1)
             away = jnp.where(rows < until, away, jnp.inf)
             row = away.argmin()
             is_nearer = ~(away[row] >= best)  # a NaN is the nearest
-            return at + ROWS, jnp.where(is_nearer, away[row], best), jnp.where(is_nearer, rows[row], which)
+            return at + TOGETHER, jnp.where(is_nearer, away[row], best), jnp.where(is_nearer, rows[row], which)
 
         at = first[jnp.minimum(mesh, num - 1)]
         start = at, jnp.inf + 0 * point[0], at  # not a constant: in a `jax.shard_map` it varies from device to device
         return lax.while_loop(lambda state: state[0] < until, step, start)[2]
 
-    found = lax.map(nearest, (lax.stop_gradient(points), own), batch_size=BLOCK)
+    found = lax.map(nearest, (lax.stop_gradient(points), own), batch_size=TOGETHER)
     found = jnp.minimum(found, len(others) - 1)
     return jnp.where(their[found] == own, ((points - others[found]) ** 2).sum(-1), 0.0)
 

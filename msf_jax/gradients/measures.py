@@ -4,10 +4,10 @@
     length = measures.lengths(found, skeleton.binding)
     radius = measures.means(found, skeleton.binding, found.radii)
 
-Those of branches have a row for each branch, in the order of `Skeleton.branches` without those that have no edge, and
-rows of zeros up to the number of edges (E,). In a binding by `msf_jax.stack` the branches of a mesh begin at the row of
-its first edge: ``binding.split(length, "edges")`` has them mesh by mesh. All are in the mesh's units and exact for the
-polyline of the nodes. Arguments of other shapes or kinds are a `ConfigError`.
+Those of branches have a row for each branch with an edge, in the order of `Skeleton.branches`, and rows of zeros up to
+the number of edges (E,). In a binding by `msf_jax.stack` the branches of a mesh begin at the row of its first edge:
+``binding.split(length, "edges")`` has them mesh by mesh. All are in the mesh's units, and exact for the polyline of the
+nodes. Arguments of other shapes or kinds are a `ConfigError`.
 """
 
 from typing import Any
@@ -41,7 +41,7 @@ def chords(found: Any, binding: Binding) -> jax.Array:
     Differentiable in: nodes; the gradient at a distance of 0 is 0.
     """
     ends = checked(found, binding)[_ends(binding)]
-    return jnp.where(_is_branch(binding), norm(ends[:, 1] - ends[:, 0]), 0.0)
+    return norm(ends[:, 1] - ends[:, 0])
 
 
 @promoting()
@@ -74,12 +74,9 @@ def means(found: Any, binding: Binding, values: Any) -> jax.Array:
 def areas(skeleton: Any, vertices: Any) -> jax.Array:
     """(N,) the area of the cross-section at each node, across the curve, for a mesh with moved ``vertices`` (V, 3).
 
-    As nodes are weighted means of the centroids of sections, this is that mean of their areas. The cuts move with the
-    mesh; the area of one that has become oblique is that of its projection along the curve. NaN at a node that has no
-    section of one limb near it: a pin, a node in a sheet; 0 in padding.
-
-    Args:
-        skeleton, vertices: of `msf_jax.follow`; of a binding, N counts its rows of padding.
+    As nodes are weighted means of the centroids of sections, this is that mean of their areas, projected along the
+    curve. NaN at a node that has no section of one limb near it: a pin, a node in a sheet; 0 in padding. Arguments are
+    those of `msf_jax.follow`.
 
     Differentiable in: vertices.
     """
@@ -108,8 +105,8 @@ def _areas(binding: Binding, vertices: jax.Array) -> jax.Array:
     area = jnp.where(is_some, jnp.sqrt(jnp.where(is_some, square, 1.0)), 0.0)
     weight = jnp.asarray(binding.a_value, dtype) * is_some[binding.a_column]
     total, sums = (
-        jax.ops.segment_sum(weight * of, binding.a_row, num, indices_are_sorted=True)
-        for of in (1.0, area[binding.a_column])
+        jax.ops.segment_sum(of, binding.a_row, num, indices_are_sorted=True)
+        for of in (weight, weight * area[binding.a_column])
     )
     return jnp.where(binding.node_mask, jnp.where(total > 0, sums / jnp.where(total > 0, total, 1.0), jnp.nan), 0.0)
 
@@ -119,24 +116,17 @@ def angles(found: Any, binding: Binding, one: Any, other: Any) -> jax.Array:
     """The angle in radians between branches ``one`` and ``other`` where they meet; pi if one goes straight on.
 
     The direction of a branch is that of the chord from `NEAR` to `FAR` times the radius of the node where both meet,
-    along the branch, or over all of one that is shorter.
-
-    Args:
-        found, binding: of `msf_jax.follow`, and the binding that was followed.
-        one, other: rows of branches, numbers or arrays of one shape, which the result has. NaN if they do not meet; if
-            they meet twice, as in a loop, the angle at the first end of ``one``.
+    along the branch, or over all of one that is shorter. ``one`` and ``other`` are rows of branches, numbers or arrays
+    of one shape, which the result has. NaN if they do not meet; if they meet twice, the angle at the first end of one.
 
     Differentiable in: nodes, radii.
     """
-    nodes, num = checked(found, binding), len(binding.edges)
-    one, other = (numbers_of(name, of, ConfigError) for name, of in (("one", one), ("other", other)))
-    a, b = binding.edges.T
-    length = norm(nodes[b] - nodes[a])
-    length = jnp.where(binding.edge_mask, length, 0.0)
-    total = jax.ops.segment_sum(length, binding.branch, num, indices_are_sorted=True)
-    before = jnp.cumsum(total) - total
-    stop = jnp.cumsum(length) - before[binding.branch]  # along the branch, at the end of each edge
-    ends = _ends(binding)
+    nodes, num, ends = checked(found, binding), len(binding.edges), _ends(binding)
+    one, other = (jnp.asarray(numbers_of(name, of, ConfigError)) for name, of in (("one", one), ("other", other)))
+    along = nodes[binding.edges[:, 1]] - nodes[binding.edges[:, 0]]
+    length = jnp.where(binding.edge_mask, norm(along), 0.0)
+    total = lengths(found, binding)
+    stop = jnp.cumsum(length) - (jnp.cumsum(total) - total)[binding.branch]  # in its branch, at the end of each edge
 
     def direction(end: int) -> jax.Array:
         radius = jnp.abs(found.radii[ends[:, end]])
@@ -145,27 +135,20 @@ def angles(found: Any, binding: Binding, one: Any, other: Any) -> jax.Array:
             low, high = total - high, total - low
         part = jnp.clip(stop, low[binding.branch], high[binding.branch])
         part = part - jnp.clip(stop - length, low[binding.branch], high[binding.branch])
-        step = (part / jnp.where(length > 0, length, 1.0))[:, None] * (nodes[b] - nodes[a])
+        step = (part / jnp.where(length > 0, length, 1.0))[:, None] * along
         chord = jax.ops.segment_sum(step, binding.branch, num, indices_are_sorted=True)
         return -chord if end else chord
 
     away = jnp.stack([direction(0), direction(1)], axis=1)
-    meets = ends[one][..., :, None] == ends[other][..., None, :]
-    is_first = jnp.cumsum(meets.reshape(*meets.shape[:-2], 4), axis=-1).reshape(meets.shape) == 1
-    pick = (meets & is_first).astype(nodes.dtype)
-    u, v = jnp.einsum("...ij,...ik->...k", pick, away[one]), jnp.einsum("...ij,...jk->...k", pick, away[other])
-    angle = jnp.arctan2(norm(jnp.cross(u, v)), (u * v).sum(-1))
-    return jnp.where(meets.any((-1, -2)), angle, jnp.nan)
-
-
-def _is_branch(binding: Binding) -> jax.Array:
-    """(E,) rows that are branches, which have an edge."""
-    return jax.ops.segment_max(binding.edge_mask.astype(jnp.int32), binding.branch, len(binding.edges)) > 0
+    meets = (ends[one][..., :, None] == ends[other][..., None, :]).reshape(*one.shape, 4)
+    first = meets.argmax(-1)
+    u, v = away[one, first // 2], away[other, first % 2]
+    return jnp.where(meets.any(-1), jnp.arctan2(norm(jnp.cross(u, v)), (u * v).sum(-1)), jnp.nan)
 
 
 def _ends(binding: Binding) -> jax.Array:
-    """(E, 2) the first and the last node of each branch; rows that are none have any."""
-    rows, most = jnp.arange(len(binding.edges)), len(binding.edges) - 1
-    first, last = (jnp.searchsorted(jnp.asarray(binding.branch), rows, side=side) for side in ("left", "right"))
-    edges = jnp.asarray(binding.edges)
-    return jnp.stack([edges[jnp.minimum(first, most), 0], edges[jnp.maximum(last - 1, 0), 1]], axis=1)
+    """(E, 2) the first and the last node of each branch; one node twice in rows that are none."""
+    edges, rows = jnp.asarray(binding.edges), jnp.arange(len(binding.edges))
+    first, stop = (jnp.searchsorted(jnp.asarray(binding.branch), rows, side=side) for side in ("left", "right"))
+    start = edges[jnp.minimum(first, len(edges) - 1), 0]
+    return jnp.stack([start, jnp.where(stop > first, edges[stop - 1, 1], start)], axis=1)

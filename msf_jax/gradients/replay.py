@@ -1,10 +1,10 @@
-"""`replay`: the curve of a recorded run as a function of its weights and of the mesh's vertices, in pure JAX.
+"""`replay`: the curve of a run, from its tape, as a function of its weights and of the mesh's vertices, in pure JAX.
 
 Its gradient is that of the run's geometry with all recorded decisions held fixed. It does not see that other weights
 may collapse, split or fix other vertices, or take more iterations.
 """
 
-from dataclasses import replace as changed
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
@@ -13,49 +13,102 @@ import jax.numpy as jnp
 import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
+from msf_jax.base.decisions import Part
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout
-from msf_jax.base.options import StepSettings, Weights, is_traced
+from msf_jax.base.options import FACTORED, Config, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
-from msf_jax.device.nearest import clearance
 from msf_jax.device.playback import replay_part
 from msf_jax.gradients.follow import check_finite, numbers_of
-from msf_jax.gradients.tape import Tape
+from msf_jax.recording.records import Recording, record_component
 
-# Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.
-TOLERANCE = {"float64": (1e-14, 1e-8), "float32": (1e-6, 1e-6)}
+# Relative residuals of the linear solves: of a value in each type, and of a value with a derivative.
+TOLERANCE = {"float64": 1e-14, "float32": 1e-6, "derivative": 1e-8}
 MOST_STEPS = 20_000  # steps of conjugate gradients in one solve
+MOST_KINDS = 12  # of tapes whose programs are kept: each takes some 2,000 of the 65,530 memory maps of a process
+_kinds: set[Any] = set()
+
+
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True, eq=False)
+class Tape:
+    """The decisions of a run, for `replay`, as ``flow.tape``. A pytree of arrays, for `jax.jit` and pickle.
+
+    Attributes:
+        parts, layouts: of each component of the mesh: one-rings, collapses and splits, poles, fixed vertices, residuals
+            of the linear solves, the map to nodes; and the layouts of its buffers.
+        vertices: (V, 3) of the mesh, in the caller's units.
+        areas: (V,) of each vertex.
+        weights, config: of the run.
+        is_joined: whether the surface has vertices that repair made, where it joined parts or extruded a rim.
+    """
+
+    parts: tuple[Part, ...]
+    vertices: Any
+    areas: Any
+    weights: Weights
+    layouts: tuple[tuple[Layout, ...], ...] = field(metadata={"static": True})
+    config: Config = field(metadata={"static": True})
+    is_joined: bool = field(metadata={"static": True})
+
+    def __repr__(self) -> str:
+        return f"Tape({self.num_nodes} nodes, {len(self.vertices)} vertices)"
+
+    @property
+    def num_nodes(self) -> int:
+        """The number of nodes of the recorded curve."""
+        return sum(len(part.is_held) for part in self.parts)
+
+    @property
+    def diagonal(self) -> Any:
+        """Length of the bounding box's diagonal."""
+        extent = self.vertices.max(axis=0) - self.vertices.min(axis=0)
+        return (extent * extent).sum() ** 0.5
+
+
+def record(run: Recording, weights: Weights, config: Config, areas: np.ndarray) -> Tape:
+    """The tape of a run whose vertices have ``areas`` (V,)."""
+    parts, layouts = zip(*map(record_component, run.components), strict=True)
+    return Tape(
+        parts=parts,
+        vertices=run.vertices,
+        areas=areas,
+        weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
+        layouts=layouts,
+        config=config,
+        is_joined=run.is_joined,
+    )
 
 
 def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
     """The nodes that the recorded run would have found at other ``weights``, or for other ``vertices``.
 
     Positions, Laplacians, poles and split points are computed anew. Collapses, splits and fixed vertices are those of
-    the tape. At the recorded weights and vertices the result is ``flow.curve.vertices``. Works under `jax.jit`, `grad`,
-    `vmap`, `jacfwd` and `jacrev`. Under `jax.jit`, pass the tape as an argument, or it is compiled in.
+    the tape. At the recorded weights and vertices the result is ``flow.curve.vertices``. Works under JAX's
+    transformations. Under `jax.jit`, pass the tape as an argument, or it is compiled in.
 
     Args:
         tape: of a run, ``flow.tape``.
-        weights: each a number, or (V,), one value for each vertex of the mesh. A merged vertex gets the mean of its
-            vertices' weights; a vertex that splits an edge gets an interpolated weight.
+        weights: each a number, or (V,), one value for each vertex of the mesh. Weights of a
+            merged or a new vertex are interpolated as its position is.
         vertices: (V, 3) of the mesh in the caller's units. The default is the recorded vertices.
-        tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed, and
-            1e-8 where a derivative is, too, which is three to five times as fast and gives gradients to some
-            thousandths; in float32 it is 1e-6. ``tolerance=1e-14`` makes gradients exact, to rounding.
+        tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed (1e-6
+            in float32), and 1e-8 where a derivative is, too, which is three to five times as fast and gives gradients
+            to some thousandths. ``tolerance=1e-14`` makes gradients exact, to rounding.
 
     Returns:
-        (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: then the weights are
-        too extreme (w_H and w_M almost 0, for example). A derivative whose solve does not converge is NaN.
+        (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps, as with extreme weights
+        (w_H and w_M almost 0); so is a derivative whose solve does not converge.
 
-    Differentiable in: weights, vertices. The derivative includes a pole's dependence on its four sites, and the filter
-    of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and
-    the direction of the residual that each loose solve of the run left; its length scales with the right-hand side.
-    Of several welded vertices the first has the whole derivative. A system whose w_L grows (``Config.au2008()``) is
-    ill-conditioned, and the replay has no factorisation for it: on more than some thousand vertices it takes minutes,
-    or is NaN.
+    Differentiable in: weights, vertices; in float64 only. The derivative includes a pole's dependence on its four
+    sites, and the filter of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the
+    trust in a pole, and the direction of the residual that each loose solve of the run left; its length scales with the
+    right-hand side. Of several welded vertices the first has the whole derivative.
 
     Raises:
-        ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.
+        ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape; the
+            run's systems were solved by a factorisation, which a replay has not (``Config.au2008()``); or JAX derives
+            the replay and computes in float32.
         MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or repair made vertices of
             the surface, so that it cannot follow the mesh.
     """
@@ -70,44 +123,45 @@ def replay_meso(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance
     return _replayed(tape, weights, vertices, tolerance)[0]
 
 
-def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
-    """Distance (N,) from each of the ``nodes`` (N, 3) to the surface, negative for a node outside.
-
-    The triangle nearest to each node is held as recorded. At the recorded nodes the result is ``flow.curve.radii``
-    where that is positive. Differentiable in: nodes, vertices.
-
-    Raises:
-        ConfigError: ``nodes`` are not those of the tape.
-        MeshError: see `replay`.
-    """
-    _check_tape(tape)
-    if np.shape(nodes) != (tape.num_nodes, 3):
-        raise ConfigError(f"nodes has shape {np.shape(nodes)}: expected ({tape.num_nodes}, 3), as in the tape")
-    surface = jnp.asarray(tape.vertices, real_dtype()) if vertices is None else _checked_vertices(tape, vertices)
-    unit = jnp.asarray(tape.diagonal, surface.dtype)  # in this unit no square overflows float32
-    triangles = (surface[jnp.asarray(tape.triangles)] + jnp.asarray(tape.offsets, surface.dtype)) / unit
-    return unit * clearance(jnp.asarray(nodes) / unit, triangles, jnp.asarray(tape.is_inside))
-
-
 def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | None) -> tuple[jax.Array, jax.Array]:
-    _check_tape(tape)
+    if not isinstance(tape, Tape):
+        raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
+    if tape.config.solver.preconditioner == FACTORED or tape.config.flow.w_H_follows_area:
+        raise ConfigError(
+            "the run's systems need a factorisation, which a replay has not: expected Config(), or another"
+        )
     if not isinstance(weights, Weights):
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")
     weights.check(len(tape.vertices))
+    kind = tape.layouts, tape.config.flow.laplacian, tuple(map(np.shape, jax.tree.leaves(tape.parts)))
+    if kind not in _kinds and len(_kinds) >= MOST_KINDS:
+        _kinds.clear()
+        replay_part.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
+    _kinds.add(kind)
     dtype = real_dtype()
     given = jnp.asarray(tape.vertices, dtype)
-    moved = jnp.zeros_like(given) if vertices is None else _checked_vertices(tape, vertices) - given
+    moved = jnp.zeros_like(given)
+    if vertices is not None:
+        if tape.is_joined:
+            raise MeshError(
+                "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
+                'expected a run without repair="join" and without extruded rims, or a call without vertices'
+            )
+        array = numbers_of("vertices", vertices, MeshError).astype(dtype)
+        if array.shape != given.shape:
+            raise MeshError(f"vertices has shape {array.shape}: expected {given.shape}, as in the mesh of the tape")
+        if not is_traced(array):
+            check_finite(array)
+        moved = array - given
     if tolerance is None:
-        tight, loose = TOLERANCE[str(dtype)]
+        tolerances = TOLERANCE[str(dtype)], TOLERANCE["derivative"]
     elif isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
         raise ConfigError(f"tolerance is {tolerance!r}: expected a number above 0 and below 1")
     else:
-        tight = loose = tolerance
-    run = tape.config.on_device
-    solvers = [changed(run.solver, tolerance=t, max_steps=MOST_STEPS, preconditioner="jacobi") for t in (tight, loose)]
-    settings = tuple(run._replace(solver=solver) for solver in solvers)
+        tolerances = float(tolerance), float(tolerance)
+    laplacian = tape.config.flow.laplacian
     results = [
-        _replayed_part(layouts, settings, (part, weights, given + moved, moved))
+        _replayed_part((layouts, laplacian, MOST_STEPS), tolerances, (part, weights, given + moved, moved))
         for part, layouts in zip(tape.parts, tape.layouts, strict=True)
     ]
     meso, nodes = map(jnp.concatenate, zip(*results, strict=True))
@@ -115,14 +169,18 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0, 1))
-def _replayed_part(
-    layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...], arguments: Any
-) -> tuple[jax.Array, jax.Array]:
-    """`replay_part` with the first of ``settings``. Under differentiation, value and derivative use the second."""
-    return replay_part(*arguments, layouts, settings[0])
+def _replayed_part(static: Any, tolerances: tuple[float, float], arguments: Any) -> tuple[jax.Array, jax.Array]:
+    """`replay_part` to the first of ``tolerances``. Under differentiation, value and derivative use the second."""
+    return replay_part(*arguments, tolerances[0], *static)
 
 
-def _derivative(layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...], primals: Any, tangents: Any) -> Any:
+def _derivative(static: Any, tolerances: tuple[float, float], primals: Any, tangents: Any) -> Any:
+    if real_dtype() != jnp.float64:
+        raise ConfigError(
+            "JAX derives a replay in float32, whose rounding leaves nothing of a derivative through so many solves: "
+            'expected jax.config.update("jax_enable_x64", True) at the start; or msf_jax.follow for a derivative by '
+            "the vertices, which is right in float32"
+        )
     leaves, structure = jax.tree_util.tree_flatten(primals[0])
     slopes = structure.flatten_up_to(tangents[0])
     places = [number for number, slope in enumerate(slopes) if not isinstance(slope, SymbolicZero)]
@@ -131,31 +189,9 @@ def _derivative(layouts: tuple[Layout, ...], settings: tuple[StepSettings, ...],
         every = list(leaves)
         for place, value in zip(places, live, strict=True):
             every[place] = value
-        return replay_part(*jax.tree_util.tree_unflatten(structure, every), layouts, settings[1])
+        return replay_part(*jax.tree_util.tree_unflatten(structure, every), tolerances[1], *static)
 
     return jax.jvp(of_live, [leaves[place] for place in places], [slopes[place] for place in places])
 
 
 _replayed_part.defjvp(_derivative, symbolic_zeros=True)
-
-
-def _check_tape(tape: Any) -> None:
-    if not isinstance(tape, Tape):
-        raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
-
-
-def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
-    if tape.is_joined:
-        raise MeshError(
-            "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
-            'expected a run without repair="join" and without extruded rims, or a call without vertices'
-        )
-    array = numbers_of("vertices", vertices, MeshError).astype(real_dtype())
-    if array.shape != tape.vertices.shape:
-        raise MeshError(
-            f"vertices has shape {array.shape}: expected {tape.vertices.shape}, as in the mesh that the tape was "
-            "recorded for"
-        )
-    if not is_traced(array):
-        check_finite(array)
-    return jnp.asarray(array)

@@ -1,7 +1,5 @@
 """`msf_jax.torch.follow`: `msf_jax.follow` as a function of PyTorch, with JAX's derivative, in shared memory (DLPack).
-
-PyTorch is imported on the first call; this package does not depend on it.
-"""
+PyTorch is imported on the first call."""
 
 import importlib
 from functools import lru_cache
@@ -17,20 +15,14 @@ from msf_jax.gradients.follow import Followed
 
 
 def follow(skeleton: Any, vertices: Any) -> Followed:
-    """`msf_jax.follow` of a ``torch.Tensor``, for a loss in PyTorch; see there.
-
-    Args:
-        skeleton: a `Skeleton`, or a binding, of one or by `msf_jax.stack`.
-        vertices: (V, 3) tensor, float32 or float64.
-
-    Returns:
-        Tensors of the type and on the device of ``vertices``: nodes (N, 3) and radii (N,).
+    """`msf_jax.follow` of a ``torch.Tensor`` (V, 3), float32 or float64, for a loss in PyTorch: tensors of its type and
+    on its device.
 
     Differentiable in: vertices, once.
 
     Raises:
-        ConfigError: PyTorch is not installed, or JAX has no float64 for a float64 tensor.
-        MeshError: ``vertices`` is no tensor of real numbers, has another shape, or is not finite.
+        ConfigError: PyTorch is not installed, or JAX has no float64 for a float64 tensor; or see `msf_jax.follow`.
+        MeshError: ``vertices`` is no such tensor; or see there.
     """
     try:
         torch = importlib.import_module("torch")

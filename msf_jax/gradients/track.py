@@ -1,9 +1,8 @@
 """`track`: one curve through a sequence of meshes with the same faces; the same nodes in each, and its validity.
 
 It evaluates `follow` for each frame. The recorded cross-sections can look right although a limb has entered another
-one, or a new limb has grown. So a frame is checked against its whole moved surface: which shares of the curve's length
-are inside, and have walls too near or around them, and which share of the surface's area is too far from the curve. A
-fold inside a bend, or limbs that touch, leave the curve where it belongs, and are no faults.
+one, or a new limb has grown. So a frame is checked against its whole moved surface. A fold inside a bend, or limbs that
+touch, leave the curve where it belongs, and are no faults.
 """
 
 from collections.abc import Iterable
@@ -22,9 +21,8 @@ from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.solid.geometry import ROUNDING, triangle_areas
 from msf_jax.solid.solid import Solid
 
-# Chosen on three bent bodies, and tested on others.
+# Chosen on three bent bodies, and tested on others. Ratios are to what was recorded, and to the mesh's growth.
 MOST_LOST = 0.01  # share of the curve's length, or of the surface's area, that may be lost
-# Ratios to what was recorded, relative to the growth of the whole mesh
 NEAR = 0.3  # of a node's radius, below which walls are too near
 FAR = 2.0  # of a vertex's distance from its node, above which a limb has grown there
 
@@ -39,10 +37,10 @@ class TrackedFrame:
         radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN for ``vanished``.
         vanished: (k,) nodes whose cross-section no longer exists. If there are any, the shares are NaN.
         inside: share of the curve's length that is inside.
-        crowded: share of the length in the mesh of the run that has become too narrow, or is in another part, too: its
-            radius is less than 0.3 of that in the run, or its winding number is above 1, and higher than there.
-        grown: share of the surface's area that is more than twice as far from its nodes as in the mesh of the run.
-            Both are relative to the growth of the whole mesh.
+        crowded: share of the recorded length that has become too narrow, with less than 0.3 of its radius, or is in
+            another part, too, with a winding number above 1, and higher than in the run.
+        grown: share of the surface's area that is more than twice as far from its nodes as in the run. Both are
+            relative to the growth of the whole mesh.
     """
 
     number: int
@@ -55,9 +53,8 @@ class TrackedFrame:
 
     @property
     def wants_run(self) -> bool:
-        """Whether the curve is no longer valid, so that this frame needs `msf_jax.skeletonize`, if it is a solid: nodes
-        have ``vanished``, or over 1 % of the curve is not ``inside``, or ``crowded``, or of the surface ``grown``.
-        """
+        """Whether the frame needs `msf_jax.skeletonize`: nodes have ``vanished``, or over 1 % of the curve is not
+        ``inside``, or ``crowded``, or of the surface ``grown``."""
         return bool(len(self.vanished)) or max(1 - self.inside, self.crowded, self.grown) > MOST_LOST
 
     def __repr__(self) -> str:
@@ -86,11 +83,8 @@ class Track:
         return np.stack([frame.radii for frame in self.frames])
 
     def curve(self, number: int) -> Skeleton:
-        """The curve of frame ``number``, to save or draw. It has no source mesh; its report is that of the run.
-
-        Raises:
-            ConfigError: nodes of that frame have vanished, or there is no such frame.
-        """
+        """The curve of frame ``number``, to save or draw. It has no source mesh; its report is that of the run. A
+        `ConfigError` is raised if nodes have vanished, or there is no such frame."""
         if not -len(self.frames) <= number < len(self.frames):
             raise ConfigError(f"no frame {number}: expected one of the {len(self.frames)}, counted from 0")
         frame, skeleton = self.frames[number], self.skeleton
@@ -110,14 +104,12 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
     """The ``skeleton`` in every mesh of a sequence: an animation, a 4-D scan, an ensemble. It makes no run.
 
     Args:
-        skeleton: of a mesh with the same faces as all ``frames``, usually the first; as `msf_jax.follow` takes it.
-        frames: at least one; each (V, 3) vertices, or a mesh as `msf_jax.skeletonize` takes it: a path, an object with
-            vertices and faces, a pair of them.
+        skeleton: of a mesh with the same faces as all ``frames``; as `msf_jax.follow` takes it.
+        frames: at least one; each (V, 3) vertices, or a mesh as `msf_jax.skeletonize` takes it.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
-        Nodes and radii for each frame, with the same ids in all. ``wants_run`` is True for a frame that is bent,
-        flattened or torn too far, in which a limb has come into another one, or has grown. See `TrackedFrame`.
+        Nodes and radii for each frame, with the same ids in all; see `TrackedFrame`.
 
     Raises:
         ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
@@ -134,7 +126,7 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
 
 
 class Tracker:
-    """Follows a skeleton frame by frame. It holds the data that all frames share, and raises as `track` does."""
+    """Follows a skeleton frame by frame, with what all frames share. It raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
         binding, surface = binding_of(skeleton), skeleton.bound_surface

@@ -251,7 +251,7 @@ def merge_data(surface: MesoArrays, one: int, two: int, share: float) -> bool:
             surface.poles[one, axis] = surface.poles[two, axis]
     surface.scale[one] = min(surface.scale[one], surface.scale[two])
     for k in range(surface.weights.shape[1]):
-        surface.weights[one, k] = (surface.weights[one, k] + surface.weights[two, k]) / 2
+        surface.weights[one, k] += share * (surface.weights[two, k] - surface.weights[one, k])
     return takes_pole
 
 

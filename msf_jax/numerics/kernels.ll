@@ -6164,7 +6164,7 @@ define i64 @msf_jax.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
   %78 = getelementptr i8, ptr %0, i64 320
   %79 = load i64, ptr %78, align 8
   %80 = icmp sgt i64 %53, 0
-  br i1 %80, label %81, label %1234
+  br i1 %80, label %81, label %1196
 81:
   %82 = getelementptr i8, ptr %0, i64 280
   %83 = load i64, ptr %82, align 8
@@ -6173,1339 +6173,1294 @@ define i64 @msf_jax.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
   %86 = load i8, ptr %85, align 8
   %87 = and i64 %49, 9223372036854775806
   %88 = getelementptr double, ptr %45, i64 %87
-  %89 = add nsw i64 %87, -2
-  %90 = lshr exact i64 %89, 1
-  %91 = add nuw i64 %90, 1
-  %92 = and i64 %91, -2
-  %93 = getelementptr i8, ptr %45, i64 24
-  %94 = icmp eq i8 %86, 0
-  %95 = icmp sgt i64 %13, 0
-  %96 = getelementptr i64, ptr %69, i64 %83
-  %97 = add i64 %14, 8
-  %98 = add i64 %25, 8
-  %99 = add i64 %14, 16
-  %100 = add i64 %25, 16
-  %101 = icmp slt i64 %13, 1
-  %102 = icmp eq i64 %13, 1
-  %103 = and i64 %13, 9223372036854775806
-  %104 = getelementptr i8, ptr %69, i64 %84
-  %105 = getelementptr i8, ptr %104, i64 8
-  %106 = and i64 %13, 1
-  %107 = icmp eq i64 %106, 0
-  %108 = icmp slt i64 %49, 1
-  %109 = icmp eq i64 %49, 1
-  %110 = icmp eq i64 %89, 0
-  %111 = and i64 %89, 2
-  %112 = icmp eq i64 %111, 0
-  %113 = and i64 %49, 1
-  %114 = icmp eq i64 %113, 0
-  %115 = getelementptr i64, ptr %69, i64 %103
-  %116 = getelementptr i64, ptr %96, i64 %103
-  br label %117
-117:
-  %118 = phi i64 [ %921, %920 ], [ 0, %81 ]
-  %119 = phi i64 [ %123, %920 ], [ 0, %81 ]
-  %120 = shl i64 %119, 3
-  %121 = getelementptr i8, ptr %51, i64 %120
-  %122 = load i64, ptr %121, align 8
-  %123 = add nuw nsw i64 %119, 1
-  %124 = icmp slt i64 %122, 0
-  %125 = select i1 %124, i64 %57, i64 0
-  %126 = add i64 %125, %122
-  %127 = mul i64 %126, %59
-  %128 = getelementptr i64, ptr %55, i64 %127
+  %89 = icmp eq i8 %86, 0
+  %90 = icmp sgt i64 %13, 0
+  %91 = getelementptr i64, ptr %69, i64 %83
+  %92 = add i64 %14, 8
+  %93 = add i64 %25, 8
+  %94 = add i64 %14, 16
+  %95 = add i64 %25, 16
+  %96 = icmp slt i64 %13, 1
+  %97 = icmp eq i64 %13, 1
+  %98 = and i64 %13, 9223372036854775806
+  %99 = getelementptr i8, ptr %69, i64 %84
+  %100 = getelementptr i8, ptr %99, i64 8
+  %101 = and i64 %13, 1
+  %102 = icmp eq i64 %101, 0
+  %103 = icmp slt i64 %49, 1
+  %104 = icmp eq i64 %49, 1
+  %105 = and i64 %49, 1
+  %106 = icmp eq i64 %105, 0
+  %107 = getelementptr i64, ptr %69, i64 %98
+  %108 = getelementptr i64, ptr %91, i64 %98
+  br label %109
+109:
+  %110 = phi i64 [ %913, %912 ], [ 0, %81 ]
+  %111 = phi i64 [ %115, %912 ], [ 0, %81 ]
+  %112 = shl i64 %111, 3
+  %113 = getelementptr i8, ptr %51, i64 %112
+  %114 = load i64, ptr %113, align 8
+  %115 = add nuw nsw i64 %111, 1
+  %116 = icmp slt i64 %114, 0
+  %117 = select i1 %116, i64 %57, i64 0
+  %118 = add i64 %117, %114
+  %119 = mul i64 %118, %59
+  %120 = getelementptr i64, ptr %55, i64 %119
+  %121 = load i64, ptr %120, align 8
+  %122 = getelementptr i8, ptr %120, i64 8
+  %123 = load i64, ptr %122, align 8
+  %124 = getelementptr i8, ptr %120, i64 16
+  %125 = load i64, ptr %124, align 8
+  %126 = getelementptr i8, ptr %120, i64 24
+  %127 = load i64, ptr %126, align 8
+  %128 = getelementptr i8, ptr %120, i64 32
   %129 = load i64, ptr %128, align 8
-  %130 = getelementptr i8, ptr %128, i64 8
-  %131 = load i64, ptr %130, align 8
-  %132 = getelementptr i8, ptr %128, i64 16
-  %133 = load i64, ptr %132, align 8
-  %134 = getelementptr i8, ptr %128, i64 24
-  %135 = load i64, ptr %134, align 8
-  %136 = getelementptr i8, ptr %128, i64 32
-  %137 = load i64, ptr %136, align 8
-  %138 = icmp eq i64 %137, 2
-  br i1 %138, label %139, label %153
-139:
-  %140 = icmp slt i64 %129, 0
-  %141 = select i1 %140, i64 %39, i64 0
-  %142 = getelementptr i8, ptr %37, i64 %129
-  %143 = getelementptr i8, ptr %142, i64 %141
-  %144 = load i8, ptr %143, align 1
-  %145 = icmp eq i8 %144, 0
-  br i1 %145, label %923, label %146
-146:
-  %147 = icmp slt i64 %131, 0
-  %148 = select i1 %147, i64 %39, i64 0
-  %149 = getelementptr i8, ptr %37, i64 %131
-  %150 = getelementptr i8, ptr %149, i64 %148
-  %151 = load i8, ptr %150, align 1
-  %152 = icmp eq i8 %151, 0
-  br i1 %152, label %923, label %153
-153:
-  %154 = shl i64 %127, 3
-  %155 = getelementptr i8, ptr %55, i64 %154
-  store i64 -1, ptr %155, align 8
-  br label %920
-156:
-  %157 = select i1 %140, i64 %63, i64 0
-  %158 = getelementptr i8, ptr %61, i64 %129
-  %159 = getelementptr i8, ptr %158, i64 %157
-  %160 = load i8, ptr %159, align 1
-  %161 = icmp eq i8 %160, 0
-  br i1 %161, label %162, label %920
-162:
-  %163 = icmp slt i64 %131, 0
-  %164 = select i1 %163, i64 %63, i64 0
-  %165 = getelementptr i8, ptr %61, i64 %131
-  %166 = getelementptr i8, ptr %165, i64 %164
-  %167 = load i8, ptr %166, align 1
-  %168 = icmp eq i8 %167, 0
-  br i1 %168, label %169, label %920
-169:
-  store i8 1, ptr %159, align 1
-  %170 = select i1 %140, i64 %18, i64 0
-  %171 = getelementptr i64, ptr %16, i64 %129
-  %172 = getelementptr i64, ptr %171, i64 %170
-  %173 = load i64, ptr %172, align 8
-  %174 = icmp slt i64 %173, 1
-  br i1 %174, label %936, label %175
-175:
-  %176 = select i1 %140, i64 %11, i64 0
-  %177 = add i64 %176, %129
-  %178 = and i64 %173, 3
-  %179 = icmp samesign ult i64 %173, 4
-  br i1 %179, label %216, label %180
-180:
-  %181 = and i64 %173, 9223372036854775804
-  %182 = mul i64 %177, %14
-  %183 = getelementptr i8, ptr %9, i64 %182
-  %184 = getelementptr i8, ptr %183, i64 24
-  br label %185
-185:
-  %186 = phi i64 [ 0, %180 ], [ %207, %185 ]
-  %187 = shl i64 %186, 3
-  %188 = getelementptr i8, ptr %184, i64 %187
-  %189 = getelementptr i8, ptr %188, i64 -24
-  %190 = load i64, ptr %189, align 8
-  %191 = icmp slt i64 %190, 0
-  %192 = select i1 %191, i64 %63, i64 0
-  %193 = getelementptr i8, ptr %61, i64 %190
-  %194 = getelementptr i8, ptr %193, i64 %192
-  store i8 1, ptr %194, align 1
-  %195 = getelementptr i8, ptr %188, i64 -16
-  %196 = load i64, ptr %195, align 8
-  %197 = icmp slt i64 %196, 0
-  %198 = select i1 %197, i64 %63, i64 0
-  %199 = getelementptr i8, ptr %61, i64 %196
-  %200 = getelementptr i8, ptr %199, i64 %198
-  store i8 1, ptr %200, align 1
-  %201 = getelementptr i8, ptr %188, i64 -8
-  %202 = load i64, ptr %201, align 8
-  %203 = icmp slt i64 %202, 0
-  %204 = select i1 %203, i64 %63, i64 0
-  %205 = getelementptr i8, ptr %61, i64 %202
-  %206 = getelementptr i8, ptr %205, i64 %204
-  store i8 1, ptr %206, align 1
-  %207 = add nuw nsw i64 %186, 4
-  %208 = load i64, ptr %188, align 8
-  %209 = icmp slt i64 %208, 0
-  %210 = select i1 %209, i64 %63, i64 0
-  %211 = getelementptr i8, ptr %61, i64 %208
-  %212 = getelementptr i8, ptr %211, i64 %210
-  store i8 1, ptr %212, align 1
-  %213 = icmp eq i64 %181, %207
-  br i1 %213, label %214, label %185
+  %130 = icmp eq i64 %129, 2
+  br i1 %130, label %131, label %145
+131:
+  %132 = icmp slt i64 %121, 0
+  %133 = select i1 %132, i64 %39, i64 0
+  %134 = getelementptr i8, ptr %37, i64 %121
+  %135 = getelementptr i8, ptr %134, i64 %133
+  %136 = load i8, ptr %135, align 1
+  %137 = icmp eq i8 %136, 0
+  br i1 %137, label %915, label %138
+138:
+  %139 = icmp slt i64 %123, 0
+  %140 = select i1 %139, i64 %39, i64 0
+  %141 = getelementptr i8, ptr %37, i64 %123
+  %142 = getelementptr i8, ptr %141, i64 %140
+  %143 = load i8, ptr %142, align 1
+  %144 = icmp eq i8 %143, 0
+  br i1 %144, label %915, label %145
+145:
+  %146 = shl i64 %119, 3
+  %147 = getelementptr i8, ptr %55, i64 %146
+  store i64 -1, ptr %147, align 8
+  br label %912
+148:
+  %149 = select i1 %132, i64 %63, i64 0
+  %150 = getelementptr i8, ptr %61, i64 %121
+  %151 = getelementptr i8, ptr %150, i64 %149
+  %152 = load i8, ptr %151, align 1
+  %153 = icmp eq i8 %152, 0
+  br i1 %153, label %154, label %912
+154:
+  %155 = icmp slt i64 %123, 0
+  %156 = select i1 %155, i64 %63, i64 0
+  %157 = getelementptr i8, ptr %61, i64 %123
+  %158 = getelementptr i8, ptr %157, i64 %156
+  %159 = load i8, ptr %158, align 1
+  %160 = icmp eq i8 %159, 0
+  br i1 %160, label %161, label %912
+161:
+  store i8 1, ptr %151, align 1
+  %162 = select i1 %132, i64 %18, i64 0
+  %163 = getelementptr i64, ptr %16, i64 %121
+  %164 = getelementptr i64, ptr %163, i64 %162
+  %165 = load i64, ptr %164, align 8
+  %166 = icmp slt i64 %165, 1
+  br i1 %166, label %928, label %167
+167:
+  %168 = select i1 %132, i64 %11, i64 0
+  %169 = add i64 %168, %121
+  %170 = and i64 %165, 3
+  %171 = icmp samesign ult i64 %165, 4
+  br i1 %171, label %208, label %172
+172:
+  %173 = and i64 %165, 9223372036854775804
+  %174 = mul i64 %169, %14
+  %175 = getelementptr i8, ptr %9, i64 %174
+  %176 = getelementptr i8, ptr %175, i64 24
+  br label %177
+177:
+  %178 = phi i64 [ 0, %172 ], [ %199, %177 ]
+  %179 = shl i64 %178, 3
+  %180 = getelementptr i8, ptr %176, i64 %179
+  %181 = getelementptr i8, ptr %180, i64 -24
+  %182 = load i64, ptr %181, align 8
+  %183 = icmp slt i64 %182, 0
+  %184 = select i1 %183, i64 %63, i64 0
+  %185 = getelementptr i8, ptr %61, i64 %182
+  %186 = getelementptr i8, ptr %185, i64 %184
+  store i8 1, ptr %186, align 1
+  %187 = getelementptr i8, ptr %180, i64 -16
+  %188 = load i64, ptr %187, align 8
+  %189 = icmp slt i64 %188, 0
+  %190 = select i1 %189, i64 %63, i64 0
+  %191 = getelementptr i8, ptr %61, i64 %188
+  %192 = getelementptr i8, ptr %191, i64 %190
+  store i8 1, ptr %192, align 1
+  %193 = getelementptr i8, ptr %180, i64 -8
+  %194 = load i64, ptr %193, align 8
+  %195 = icmp slt i64 %194, 0
+  %196 = select i1 %195, i64 %63, i64 0
+  %197 = getelementptr i8, ptr %61, i64 %194
+  %198 = getelementptr i8, ptr %197, i64 %196
+  store i8 1, ptr %198, align 1
+  %199 = add nuw nsw i64 %178, 4
+  %200 = load i64, ptr %180, align 8
+  %201 = icmp slt i64 %200, 0
+  %202 = select i1 %201, i64 %63, i64 0
+  %203 = getelementptr i8, ptr %61, i64 %200
+  %204 = getelementptr i8, ptr %203, i64 %202
+  store i8 1, ptr %204, align 1
+  %205 = icmp eq i64 %173, %199
+  br i1 %205, label %206, label %177
+206:
+  %207 = icmp eq i64 %170, 0
+  br i1 %207, label %928, label %208
+208:
+  %209 = phi i64 [ 0, %167 ], [ %173, %206 ]
+  %210 = mul i64 %169, %13
+  %211 = add i64 %209, %210
+  %212 = shl i64 %211, 3
+  %213 = getelementptr i8, ptr %9, i64 %212
+  br label %214
 214:
-  %215 = icmp eq i64 %178, 0
-  br i1 %215, label %936, label %216
-216:
-  %217 = phi i64 [ 0, %175 ], [ %181, %214 ]
-  %218 = mul i64 %177, %13
-  %219 = add i64 %217, %218
-  %220 = shl i64 %219, 3
-  %221 = getelementptr i8, ptr %9, i64 %220
-  br label %222
-222:
-  %223 = phi i64 [ 0, %216 ], [ %231, %222 ]
-  %224 = shl i64 %223, 3
-  %225 = getelementptr i8, ptr %221, i64 %224
-  %226 = load i64, ptr %225, align 8
-  %227 = icmp slt i64 %226, 0
-  %228 = select i1 %227, i64 %63, i64 0
-  %229 = getelementptr i8, ptr %61, i64 %226
-  %230 = getelementptr i8, ptr %229, i64 %228
-  store i8 1, ptr %230, align 1
-  %231 = add i64 %223, 1
-  %232 = icmp eq i64 %178, %231
-  br i1 %232, label %936, label %222
-233:
-  %234 = select i1 %1008, i64 %18, i64 0
-  %235 = getelementptr i64, ptr %16, i64 %1006
-  %236 = getelementptr i64, ptr %235, i64 %234
-  %237 = load i64, ptr %236, align 8
-  %238 = icmp slt i64 %237, 1
-  br i1 %238, label %366, label %239
-239:
-  %240 = select i1 %1008, i64 %11, i64 0
-  %241 = add i64 %240, %1006
-  %242 = mul i64 %241, %13
-  %243 = getelementptr i64, ptr %9, i64 %242
-  %244 = select i1 %1008, i64 %4, i64 0
-  %245 = add i64 %244, %1006
-  %246 = icmp slt i64 %1007, 0
-  %247 = select i1 %246, i64 %4, i64 0
-  %248 = add i64 %247, %1007
-  %249 = mul i64 %245, %7
-  %250 = mul i64 %248, %7
-  %251 = getelementptr i8, ptr %2, i64 %249
-  %252 = getelementptr i8, ptr %251, i64 8
-  %253 = getelementptr i8, ptr %251, i64 16
-  %254 = getelementptr i8, ptr %2, i64 %250
-  %255 = getelementptr i8, ptr %254, i64 8
-  %256 = getelementptr i8, ptr %254, i64 16
-  br label %353
-257:
-  %258 = icmp ne i64 %1006, %362
-  %259 = icmp ne i64 %1007, %362
-  %260 = select i1 %258, i1 %259, i1 false
-  br i1 %260, label %261, label %350
-261:
-  %262 = icmp slt i64 %358, 0
-  %263 = select i1 %262, i64 %4, i64 0
-  %264 = add i64 %263, %358
-  %265 = mul i64 %264, %6
-  %266 = getelementptr double, ptr %2, i64 %265
-  %267 = icmp slt i64 %362, 0
-  %268 = select i1 %267, i64 %4, i64 0
-  %269 = add i64 %268, %362
-  %270 = mul i64 %269, %6
-  %271 = getelementptr double, ptr %2, i64 %270
-  %272 = getelementptr i8, ptr %266, i64 8
-  %273 = load double, ptr %272, align 8
-  %274 = getelementptr i8, ptr %266, i64 16
-  %275 = load double, ptr %274, align 8
-  %276 = getelementptr i8, ptr %271, i64 8
-  %277 = load double, ptr %276, align 8
-  %278 = getelementptr i8, ptr %271, i64 16
-  %279 = load double, ptr %278, align 8
-  %280 = load double, ptr %252, align 8
-  %281 = load double, ptr %253, align 8
-  %282 = fsub double %273, %280
-  %283 = fsub double %279, %281
-  %284 = fmul double %282, %283
-  %285 = fsub double %275, %281
-  %286 = fsub double %277, %280
-  %287 = fmul double %286, %285
-  %288 = fsub double %284, %287
-  %289 = fmul double %288, %288
-  %290 = load double, ptr %266, align 8
-  %291 = load double, ptr %271, align 8
-  %292 = load double, ptr %251, align 8
-  %293 = fsub double %290, %292
-  %294 = fmul double %286, %293
-  %295 = fsub double %291, %292
-  %296 = fmul double %282, %295
-  %297 = fsub double %294, %296
-  %298 = fmul double %297, %297
-  %299 = fadd double %289, %298
-  %300 = fmul double %285, %295
-  %301 = fmul double %283, %293
-  %302 = fsub double %300, %301
-  %303 = fmul double %302, %302
-  %304 = fadd double %303, %299
-  %305 = fcmp ogt double %304, 0.000000e+00
-  br i1 %305, label %306, label %350
-306:
-  %307 = load double, ptr %255, align 8
-  %308 = fsub double %307, %280
-  %309 = fmul double %1014, %308
-  %310 = fadd double %280, %309
-  %311 = fsub double %273, %310
-  %312 = load double, ptr %256, align 8
-  %313 = fsub double %312, %281
-  %314 = fmul double %1014, %313
-  %315 = fadd double %281, %314
-  %316 = fsub double %279, %315
-  %317 = fmul double %311, %316
-  %318 = fsub double %277, %310
-  %319 = fsub double %275, %315
-  %320 = fmul double %318, %319
-  %321 = fsub double %317, %320
-  %322 = fmul double %321, %321
-  %323 = load double, ptr %254, align 8
-  %324 = fsub double %323, %292
-  %325 = fmul double %1014, %324
-  %326 = fadd double %292, %325
-  %327 = fsub double %290, %326
-  %328 = fmul double %318, %327
-  %329 = fsub double %291, %326
-  %330 = fmul double %311, %329
-  %331 = fsub double %328, %330
-  %332 = fmul double %331, %331
-  %333 = fadd double %322, %332
-  %334 = fmul double %319, %329
-  %335 = fmul double %316, %327
-  %336 = fsub double %334, %335
-  %337 = fmul double %336, %336
-  %338 = fadd double %337, %333
-  %339 = fmul double %288, %321
-  %340 = fadd double %339, 0.000000e+00
-  %341 = fmul double %297, %331
-  %342 = fadd double %340, %341
-  %343 = fmul double %302, %336
-  %344 = fadd double %343, %342
-  %345 = fmul double %304, %338
-  %346 = tail call double @llvm.sqrt.f64(double %345)
-  %347 = fmul double %346, 5.000000e-01
-  %348 = fcmp ole double %344, %347
-  %349 = or i1 %359, %348
-  br i1 %349, label %1015, label %351
-350:
-  br i1 %359, label %366, label %351
-351:
-  %352 = add nuw i64 %354, 1
-  br label %353
-353:
-  %354 = phi i64 [ %352, %351 ], [ 1, %239 ]
-  %355 = shl i64 %354, 3
-  %356 = getelementptr i8, ptr %243, i64 %355
-  %357 = getelementptr i8, ptr %356, i64 -8
-  %358 = load i64, ptr %357, align 8
-  %359 = icmp eq i64 %237, %354
-  %360 = select i1 %359, i64 0, i64 %354
-  %361 = getelementptr i64, ptr %243, i64 %360
-  %362 = load i64, ptr %361, align 8
-  %363 = icmp ne i64 %1006, %358
-  %364 = icmp ne i64 %1007, %358
-  %365 = select i1 %363, i1 %364, i1 false
-  br i1 %365, label %257, label %350
-366:
-  %367 = icmp slt i64 %1007, 0
-  %368 = select i1 %367, i64 %18, i64 0
-  %369 = getelementptr i64, ptr %16, i64 %1007
-  %370 = getelementptr i64, ptr %369, i64 %368
-  %371 = load i64, ptr %370, align 8
-  %372 = icmp slt i64 %371, 1
-  br i1 %372, label %502, label %373
-373:
-  %374 = select i1 %367, i64 %11, i64 0
-  %375 = add i64 %374, %1007
-  %376 = mul i64 %375, %13
-  %377 = getelementptr i64, ptr %9, i64 %376
-  %378 = select i1 %367, i64 %4, i64 0
-  %379 = add i64 %378, %1007
-  %380 = select i1 %1008, i64 %4, i64 0
-  %381 = add i64 %380, %1006
-  %382 = mul i64 %379, %7
-  %383 = mul i64 %381, %7
-  %384 = getelementptr i8, ptr %2, i64 %382
-  %385 = getelementptr i8, ptr %384, i64 8
-  %386 = getelementptr i8, ptr %384, i64 16
-  %387 = getelementptr i8, ptr %2, i64 %383
-  %388 = getelementptr i8, ptr %387, i64 8
-  %389 = getelementptr i8, ptr %387, i64 16
-  br label %486
-390:
-  %391 = icmp ne i64 %1006, %495
-  %392 = icmp ne i64 %1007, %495
-  %393 = select i1 %391, i1 %392, i1 false
-  br i1 %393, label %394, label %483
-394:
-  %395 = icmp slt i64 %491, 0
-  %396 = select i1 %395, i64 %4, i64 0
-  %397 = add i64 %396, %491
-  %398 = mul i64 %397, %6
-  %399 = getelementptr double, ptr %2, i64 %398
-  %400 = icmp slt i64 %495, 0
-  %401 = select i1 %400, i64 %4, i64 0
-  %402 = add i64 %401, %495
-  %403 = mul i64 %402, %6
-  %404 = getelementptr double, ptr %2, i64 %403
-  %405 = getelementptr i8, ptr %399, i64 8
-  %406 = load double, ptr %405, align 8
-  %407 = getelementptr i8, ptr %399, i64 16
-  %408 = load double, ptr %407, align 8
-  %409 = getelementptr i8, ptr %404, i64 8
-  %410 = load double, ptr %409, align 8
-  %411 = getelementptr i8, ptr %404, i64 16
-  %412 = load double, ptr %411, align 8
-  %413 = load double, ptr %385, align 8
-  %414 = load double, ptr %386, align 8
-  %415 = fsub double %406, %413
-  %416 = fsub double %412, %414
-  %417 = fmul double %415, %416
-  %418 = fsub double %408, %414
-  %419 = fsub double %410, %413
-  %420 = fmul double %419, %418
-  %421 = fsub double %417, %420
-  %422 = fmul double %421, %421
-  %423 = load double, ptr %399, align 8
-  %424 = load double, ptr %404, align 8
-  %425 = load double, ptr %384, align 8
-  %426 = fsub double %423, %425
-  %427 = fmul double %419, %426
-  %428 = fsub double %424, %425
-  %429 = fmul double %415, %428
-  %430 = fsub double %427, %429
-  %431 = fmul double %430, %430
-  %432 = fadd double %422, %431
-  %433 = fmul double %418, %428
-  %434 = fmul double %416, %426
-  %435 = fsub double %433, %434
-  %436 = fmul double %435, %435
-  %437 = fadd double %436, %432
-  %438 = fcmp ogt double %437, 0.000000e+00
-  br i1 %438, label %439, label %483
-439:
-  %440 = load double, ptr %388, align 8
-  %441 = fsub double %413, %440
-  %442 = fmul double %1014, %441
-  %443 = fadd double %440, %442
-  %444 = fsub double %406, %443
-  %445 = load double, ptr %389, align 8
-  %446 = fsub double %414, %445
-  %447 = fmul double %1014, %446
-  %448 = fadd double %445, %447
-  %449 = fsub double %412, %448
-  %450 = fmul double %444, %449
-  %451 = fsub double %410, %443
-  %452 = fsub double %408, %448
-  %453 = fmul double %451, %452
-  %454 = fsub double %450, %453
-  %455 = fmul double %454, %454
-  %456 = load double, ptr %387, align 8
-  %457 = fsub double %425, %456
-  %458 = fmul double %1014, %457
-  %459 = fadd double %456, %458
-  %460 = fsub double %423, %459
-  %461 = fmul double %451, %460
-  %462 = fsub double %424, %459
-  %463 = fmul double %444, %462
-  %464 = fsub double %461, %463
-  %465 = fmul double %464, %464
-  %466 = fadd double %455, %465
-  %467 = fmul double %452, %462
-  %468 = fmul double %449, %460
-  %469 = fsub double %467, %468
-  %470 = fmul double %469, %469
-  %471 = fadd double %470, %466
-  %472 = fmul double %421, %454
-  %473 = fadd double %472, 0.000000e+00
-  %474 = fmul double %430, %464
-  %475 = fadd double %473, %474
-  %476 = fmul double %435, %469
-  %477 = fadd double %476, %475
-  %478 = fmul double %437, %471
-  %479 = tail call double @llvm.sqrt.f64(double %478)
-  %480 = fmul double %479, 5.000000e-01
-  %481 = fcmp ole double %477, %480
-  %482 = or i1 %492, %481
-  br i1 %482, label %1016, label %484
-483:
-  br i1 %492, label %502, label %484
-484:
-  %485 = add nuw i64 %487, 1
-  br label %486
-486:
-  %487 = phi i64 [ %485, %484 ], [ 1, %373 ]
-  %488 = shl i64 %487, 3
-  %489 = getelementptr i8, ptr %377, i64 %488
-  %490 = getelementptr i8, ptr %489, i64 -8
-  %491 = load i64, ptr %490, align 8
-  %492 = icmp eq i64 %371, %487
-  %493 = select i1 %492, i64 0, i64 %487
-  %494 = getelementptr i64, ptr %377, i64 %493
-  %495 = load i64, ptr %494, align 8
-  %496 = icmp ne i64 %1006, %491
-  %497 = icmp ne i64 %1007, %491
-  %498 = select i1 %496, i1 %497, i1 false
-  br i1 %498, label %390, label %483
-499:
-  %500 = shl i64 %127, 3
-  %501 = getelementptr i8, ptr %55, i64 %500
-  store i64 -1, ptr %501, align 8
-  br label %920
-502:
-  %503 = select i1 %1008, i64 %11, i64 0
-  %504 = add i64 %503, %1006
-  %505 = mul i64 %504, %13
-  %506 = getelementptr i64, ptr %9, i64 %505
-  %507 = load i64, ptr %506, align 8
-  %508 = icmp eq i64 %507, %1007
-  br i1 %508, label %675, label %509
-509:
-  %510 = shl i64 %505, 3
-  %511 = getelementptr i8, ptr %9, i64 %510
-  %512 = getelementptr i8, ptr %511, i64 8
-  br label %513
-513:
-  %514 = phi i64 [ %515, %513 ], [ 0, %509 ]
-  %515 = add i64 %514, 1
-  %516 = shl i64 %514, 3
-  %517 = getelementptr i8, ptr %512, i64 %516
-  %518 = load i64, ptr %517, align 8
-  %519 = icmp eq i64 %518, %1007
-  br i1 %519, label %675, label %513
-520:
-  %521 = phi i64 [ 0, %767 ], [ %522, %563 ]
-  %522 = add nuw nsw i64 %521, 1
-  %523 = shl i64 %521, 3
-  %524 = getelementptr i8, ptr %69, i64 %523
-  store i64 -1, ptr %524, align 8
-  %525 = getelementptr i8, ptr %96, i64 %523
-  store i64 0, ptr %525, align 8
-  %526 = load i64, ptr %771, align 8
-  %527 = add nsw i64 %526, -1
-  %528 = icmp slt i64 %521, %527
-  br i1 %528, label %529, label %532
+  %215 = phi i64 [ 0, %208 ], [ %223, %214 ]
+  %216 = shl i64 %215, 3
+  %217 = getelementptr i8, ptr %213, i64 %216
+  %218 = load i64, ptr %217, align 8
+  %219 = icmp slt i64 %218, 0
+  %220 = select i1 %219, i64 %63, i64 0
+  %221 = getelementptr i8, ptr %61, i64 %218
+  %222 = getelementptr i8, ptr %221, i64 %220
+  store i8 1, ptr %222, align 1
+  %223 = add i64 %215, 1
+  %224 = icmp eq i64 %170, %223
+  br i1 %224, label %928, label %214
+225:
+  %226 = select i1 %1000, i64 %18, i64 0
+  %227 = getelementptr i64, ptr %16, i64 %998
+  %228 = getelementptr i64, ptr %227, i64 %226
+  %229 = load i64, ptr %228, align 8
+  %230 = icmp slt i64 %229, 1
+  br i1 %230, label %358, label %231
+231:
+  %232 = select i1 %1000, i64 %11, i64 0
+  %233 = add i64 %232, %998
+  %234 = mul i64 %233, %13
+  %235 = getelementptr i64, ptr %9, i64 %234
+  %236 = select i1 %1000, i64 %4, i64 0
+  %237 = add i64 %236, %998
+  %238 = icmp slt i64 %999, 0
+  %239 = select i1 %238, i64 %4, i64 0
+  %240 = add i64 %239, %999
+  %241 = mul i64 %237, %7
+  %242 = mul i64 %240, %7
+  %243 = getelementptr i8, ptr %2, i64 %241
+  %244 = getelementptr i8, ptr %243, i64 8
+  %245 = getelementptr i8, ptr %243, i64 16
+  %246 = getelementptr i8, ptr %2, i64 %242
+  %247 = getelementptr i8, ptr %246, i64 8
+  %248 = getelementptr i8, ptr %246, i64 16
+  br label %345
+249:
+  %250 = icmp ne i64 %998, %354
+  %251 = icmp ne i64 %999, %354
+  %252 = select i1 %250, i1 %251, i1 false
+  br i1 %252, label %253, label %342
+253:
+  %254 = icmp slt i64 %350, 0
+  %255 = select i1 %254, i64 %4, i64 0
+  %256 = add i64 %255, %350
+  %257 = mul i64 %256, %6
+  %258 = getelementptr double, ptr %2, i64 %257
+  %259 = icmp slt i64 %354, 0
+  %260 = select i1 %259, i64 %4, i64 0
+  %261 = add i64 %260, %354
+  %262 = mul i64 %261, %6
+  %263 = getelementptr double, ptr %2, i64 %262
+  %264 = getelementptr i8, ptr %258, i64 8
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr i8, ptr %258, i64 16
+  %267 = load double, ptr %266, align 8
+  %268 = getelementptr i8, ptr %263, i64 8
+  %269 = load double, ptr %268, align 8
+  %270 = getelementptr i8, ptr %263, i64 16
+  %271 = load double, ptr %270, align 8
+  %272 = load double, ptr %244, align 8
+  %273 = load double, ptr %245, align 8
+  %274 = fsub double %265, %272
+  %275 = fsub double %271, %273
+  %276 = fmul double %274, %275
+  %277 = fsub double %267, %273
+  %278 = fsub double %269, %272
+  %279 = fmul double %278, %277
+  %280 = fsub double %276, %279
+  %281 = fmul double %280, %280
+  %282 = load double, ptr %258, align 8
+  %283 = load double, ptr %263, align 8
+  %284 = load double, ptr %243, align 8
+  %285 = fsub double %282, %284
+  %286 = fmul double %278, %285
+  %287 = fsub double %283, %284
+  %288 = fmul double %274, %287
+  %289 = fsub double %286, %288
+  %290 = fmul double %289, %289
+  %291 = fadd double %281, %290
+  %292 = fmul double %277, %287
+  %293 = fmul double %275, %285
+  %294 = fsub double %292, %293
+  %295 = fmul double %294, %294
+  %296 = fadd double %295, %291
+  %297 = fcmp ogt double %296, 0.000000e+00
+  br i1 %297, label %298, label %342
+298:
+  %299 = load double, ptr %247, align 8
+  %300 = fsub double %299, %272
+  %301 = fmul double %1006, %300
+  %302 = fadd double %272, %301
+  %303 = fsub double %265, %302
+  %304 = load double, ptr %248, align 8
+  %305 = fsub double %304, %273
+  %306 = fmul double %1006, %305
+  %307 = fadd double %273, %306
+  %308 = fsub double %271, %307
+  %309 = fmul double %303, %308
+  %310 = fsub double %269, %302
+  %311 = fsub double %267, %307
+  %312 = fmul double %310, %311
+  %313 = fsub double %309, %312
+  %314 = fmul double %313, %313
+  %315 = load double, ptr %246, align 8
+  %316 = fsub double %315, %284
+  %317 = fmul double %1006, %316
+  %318 = fadd double %284, %317
+  %319 = fsub double %282, %318
+  %320 = fmul double %310, %319
+  %321 = fsub double %283, %318
+  %322 = fmul double %303, %321
+  %323 = fsub double %320, %322
+  %324 = fmul double %323, %323
+  %325 = fadd double %314, %324
+  %326 = fmul double %311, %321
+  %327 = fmul double %308, %319
+  %328 = fsub double %326, %327
+  %329 = fmul double %328, %328
+  %330 = fadd double %329, %325
+  %331 = fmul double %280, %313
+  %332 = fadd double %331, 0.000000e+00
+  %333 = fmul double %289, %323
+  %334 = fadd double %332, %333
+  %335 = fmul double %294, %328
+  %336 = fadd double %335, %334
+  %337 = fmul double %296, %330
+  %338 = tail call double @llvm.sqrt.f64(double %337)
+  %339 = fmul double %338, 5.000000e-01
+  %340 = fcmp ole double %336, %339
+  %341 = or i1 %351, %340
+  br i1 %341, label %1007, label %343
+342:
+  br i1 %351, label %358, label %343
+343:
+  %344 = add nuw i64 %346, 1
+  br label %345
+345:
+  %346 = phi i64 [ %344, %343 ], [ 1, %231 ]
+  %347 = shl i64 %346, 3
+  %348 = getelementptr i8, ptr %235, i64 %347
+  %349 = getelementptr i8, ptr %348, i64 -8
+  %350 = load i64, ptr %349, align 8
+  %351 = icmp eq i64 %229, %346
+  %352 = select i1 %351, i64 0, i64 %346
+  %353 = getelementptr i64, ptr %235, i64 %352
+  %354 = load i64, ptr %353, align 8
+  %355 = icmp ne i64 %998, %350
+  %356 = icmp ne i64 %999, %350
+  %357 = select i1 %355, i1 %356, i1 false
+  br i1 %357, label %249, label %342
+358:
+  %359 = icmp slt i64 %999, 0
+  %360 = select i1 %359, i64 %18, i64 0
+  %361 = getelementptr i64, ptr %16, i64 %999
+  %362 = getelementptr i64, ptr %361, i64 %360
+  %363 = load i64, ptr %362, align 8
+  %364 = icmp slt i64 %363, 1
+  br i1 %364, label %494, label %365
+365:
+  %366 = select i1 %359, i64 %11, i64 0
+  %367 = add i64 %366, %999
+  %368 = mul i64 %367, %13
+  %369 = getelementptr i64, ptr %9, i64 %368
+  %370 = select i1 %359, i64 %4, i64 0
+  %371 = add i64 %370, %999
+  %372 = select i1 %1000, i64 %4, i64 0
+  %373 = add i64 %372, %998
+  %374 = mul i64 %371, %7
+  %375 = mul i64 %373, %7
+  %376 = getelementptr i8, ptr %2, i64 %374
+  %377 = getelementptr i8, ptr %376, i64 8
+  %378 = getelementptr i8, ptr %376, i64 16
+  %379 = getelementptr i8, ptr %2, i64 %375
+  %380 = getelementptr i8, ptr %379, i64 8
+  %381 = getelementptr i8, ptr %379, i64 16
+  br label %478
+382:
+  %383 = icmp ne i64 %998, %487
+  %384 = icmp ne i64 %999, %487
+  %385 = select i1 %383, i1 %384, i1 false
+  br i1 %385, label %386, label %475
+386:
+  %387 = icmp slt i64 %483, 0
+  %388 = select i1 %387, i64 %4, i64 0
+  %389 = add i64 %388, %483
+  %390 = mul i64 %389, %6
+  %391 = getelementptr double, ptr %2, i64 %390
+  %392 = icmp slt i64 %487, 0
+  %393 = select i1 %392, i64 %4, i64 0
+  %394 = add i64 %393, %487
+  %395 = mul i64 %394, %6
+  %396 = getelementptr double, ptr %2, i64 %395
+  %397 = getelementptr i8, ptr %391, i64 8
+  %398 = load double, ptr %397, align 8
+  %399 = getelementptr i8, ptr %391, i64 16
+  %400 = load double, ptr %399, align 8
+  %401 = getelementptr i8, ptr %396, i64 8
+  %402 = load double, ptr %401, align 8
+  %403 = getelementptr i8, ptr %396, i64 16
+  %404 = load double, ptr %403, align 8
+  %405 = load double, ptr %377, align 8
+  %406 = load double, ptr %378, align 8
+  %407 = fsub double %398, %405
+  %408 = fsub double %404, %406
+  %409 = fmul double %407, %408
+  %410 = fsub double %400, %406
+  %411 = fsub double %402, %405
+  %412 = fmul double %411, %410
+  %413 = fsub double %409, %412
+  %414 = fmul double %413, %413
+  %415 = load double, ptr %391, align 8
+  %416 = load double, ptr %396, align 8
+  %417 = load double, ptr %376, align 8
+  %418 = fsub double %415, %417
+  %419 = fmul double %411, %418
+  %420 = fsub double %416, %417
+  %421 = fmul double %407, %420
+  %422 = fsub double %419, %421
+  %423 = fmul double %422, %422
+  %424 = fadd double %414, %423
+  %425 = fmul double %410, %420
+  %426 = fmul double %408, %418
+  %427 = fsub double %425, %426
+  %428 = fmul double %427, %427
+  %429 = fadd double %428, %424
+  %430 = fcmp ogt double %429, 0.000000e+00
+  br i1 %430, label %431, label %475
+431:
+  %432 = load double, ptr %380, align 8
+  %433 = fsub double %405, %432
+  %434 = fmul double %1006, %433
+  %435 = fadd double %432, %434
+  %436 = fsub double %398, %435
+  %437 = load double, ptr %381, align 8
+  %438 = fsub double %406, %437
+  %439 = fmul double %1006, %438
+  %440 = fadd double %437, %439
+  %441 = fsub double %404, %440
+  %442 = fmul double %436, %441
+  %443 = fsub double %402, %435
+  %444 = fsub double %400, %440
+  %445 = fmul double %443, %444
+  %446 = fsub double %442, %445
+  %447 = fmul double %446, %446
+  %448 = load double, ptr %379, align 8
+  %449 = fsub double %417, %448
+  %450 = fmul double %1006, %449
+  %451 = fadd double %448, %450
+  %452 = fsub double %415, %451
+  %453 = fmul double %443, %452
+  %454 = fsub double %416, %451
+  %455 = fmul double %436, %454
+  %456 = fsub double %453, %455
+  %457 = fmul double %456, %456
+  %458 = fadd double %447, %457
+  %459 = fmul double %444, %454
+  %460 = fmul double %441, %452
+  %461 = fsub double %459, %460
+  %462 = fmul double %461, %461
+  %463 = fadd double %462, %458
+  %464 = fmul double %413, %446
+  %465 = fadd double %464, 0.000000e+00
+  %466 = fmul double %422, %456
+  %467 = fadd double %465, %466
+  %468 = fmul double %427, %461
+  %469 = fadd double %468, %467
+  %470 = fmul double %429, %463
+  %471 = tail call double @llvm.sqrt.f64(double %470)
+  %472 = fmul double %471, 5.000000e-01
+  %473 = fcmp ole double %469, %472
+  %474 = or i1 %484, %473
+  br i1 %474, label %1008, label %476
+475:
+  br i1 %484, label %494, label %476
+476:
+  %477 = add nuw i64 %479, 1
+  br label %478
+478:
+  %479 = phi i64 [ %477, %476 ], [ 1, %365 ]
+  %480 = shl i64 %479, 3
+  %481 = getelementptr i8, ptr %369, i64 %480
+  %482 = getelementptr i8, ptr %481, i64 -8
+  %483 = load i64, ptr %482, align 8
+  %484 = icmp eq i64 %363, %479
+  %485 = select i1 %484, i64 0, i64 %479
+  %486 = getelementptr i64, ptr %369, i64 %485
+  %487 = load i64, ptr %486, align 8
+  %488 = icmp ne i64 %998, %483
+  %489 = icmp ne i64 %999, %483
+  %490 = select i1 %488, i1 %489, i1 false
+  br i1 %490, label %382, label %475
+491:
+  %492 = shl i64 %119, 3
+  %493 = getelementptr i8, ptr %55, i64 %492
+  store i64 -1, ptr %493, align 8
+  br label %912
+494:
+  %495 = select i1 %1000, i64 %11, i64 0
+  %496 = add i64 %495, %998
+  %497 = mul i64 %496, %13
+  %498 = getelementptr i64, ptr %9, i64 %497
+  %499 = load i64, ptr %498, align 8
+  %500 = icmp eq i64 %499, %999
+  br i1 %500, label %667, label %501
+501:
+  %502 = shl i64 %497, 3
+  %503 = getelementptr i8, ptr %9, i64 %502
+  %504 = getelementptr i8, ptr %503, i64 8
+  br label %505
+505:
+  %506 = phi i64 [ %507, %505 ], [ 0, %501 ]
+  %507 = add i64 %506, 1
+  %508 = shl i64 %506, 3
+  %509 = getelementptr i8, ptr %504, i64 %508
+  %510 = load i64, ptr %509, align 8
+  %511 = icmp eq i64 %510, %999
+  br i1 %511, label %667, label %505
+512:
+  %513 = phi i64 [ 0, %759 ], [ %514, %555 ]
+  %514 = add nuw nsw i64 %513, 1
+  %515 = shl i64 %513, 3
+  %516 = getelementptr i8, ptr %69, i64 %515
+  store i64 -1, ptr %516, align 8
+  %517 = getelementptr i8, ptr %91, i64 %515
+  store i64 0, ptr %517, align 8
+  %518 = load i64, ptr %763, align 8
+  %519 = add nsw i64 %518, -1
+  %520 = icmp slt i64 %513, %519
+  br i1 %520, label %521, label %524
+521:
+  %522 = add i64 %513, %686
+  %523 = icmp eq i64 %518, 0
+  br i1 %523, label %529, label %766
+524:
+  %525 = add i64 %513, %685
+  %526 = sub i64 %525, %518
+  %527 = load i64, ptr %765, align 8
+  %528 = icmp eq i64 %527, 0
+  br i1 %528, label %529, label %789
 529:
-  %530 = add i64 %521, %694
-  %531 = icmp eq i64 %526, 0
-  br i1 %531, label %537, label %774
-532:
-  %533 = add i64 %521, %693
-  %534 = sub i64 %533, %526
-  %535 = load i64, ptr %773, align 8
-  %536 = icmp eq i64 %535, 0
-  br i1 %536, label %537, label %797
-537:
-  %538 = phi i64 [ %796, %789 ], [ 0, %529 ], [ 0, %774 ], [ %819, %812 ], [ 0, %532 ], [ 0, %797 ]
-  %539 = phi i64 [ %1006, %789 ], [ %1006, %529 ], [ %1006, %774 ], [ %1007, %812 ], [ %1007, %532 ], [ %1007, %797 ]
-  %540 = icmp slt i64 %521, %766
-  br i1 %540, label %541, label %563
-541:
-  %542 = icmp slt i64 %539, 0
-  %543 = select i1 %542, i64 %11, i64 0
-  %544 = add i64 %543, %539
-  %545 = icmp slt i64 %538, 0
-  %546 = select i1 %545, i64 %13, i64 0
-  %547 = mul i64 %544, %13
-  %548 = getelementptr i64, ptr %9, i64 %547
-  %549 = getelementptr i64, ptr %548, i64 %538
+  %530 = phi i64 [ %788, %781 ], [ 0, %521 ], [ 0, %766 ], [ %811, %804 ], [ 0, %524 ], [ 0, %789 ]
+  %531 = phi i64 [ %998, %781 ], [ %998, %521 ], [ %998, %766 ], [ %999, %804 ], [ %999, %524 ], [ %999, %789 ]
+  %532 = icmp slt i64 %513, %758
+  br i1 %532, label %533, label %555
+533:
+  %534 = icmp slt i64 %531, 0
+  %535 = select i1 %534, i64 %11, i64 0
+  %536 = add i64 %535, %531
+  %537 = icmp slt i64 %530, 0
+  %538 = select i1 %537, i64 %13, i64 0
+  %539 = mul i64 %536, %13
+  %540 = getelementptr i64, ptr %9, i64 %539
+  %541 = getelementptr i64, ptr %540, i64 %530
+  %542 = getelementptr i64, ptr %541, i64 %538
+  %543 = load i64, ptr %542, align 8
+  store i64 %543, ptr %516, align 8
+  %544 = select i1 %534, i64 %22, i64 0
+  %545 = add i64 %544, %531
+  %546 = select i1 %537, i64 %24, i64 0
+  %547 = mul i64 %545, %24
+  %548 = getelementptr i64, ptr %20, i64 %547
+  %549 = getelementptr i64, ptr %548, i64 %530
   %550 = getelementptr i64, ptr %549, i64 %546
   %551 = load i64, ptr %550, align 8
-  store i64 %551, ptr %524, align 8
-  %552 = select i1 %542, i64 %22, i64 0
-  %553 = add i64 %552, %539
-  %554 = select i1 %545, i64 %24, i64 0
-  %555 = mul i64 %553, %24
-  %556 = getelementptr i64, ptr %20, i64 %555
-  %557 = getelementptr i64, ptr %556, i64 %538
-  %558 = getelementptr i64, ptr %557, i64 %554
-  %559 = load i64, ptr %558, align 8
-  %560 = icmp eq i64 %539, %1007
-  %561 = select i1 %560, i64 %760, i64 0
-  %562 = add nsw i64 %559, %561
-  store i64 %562, ptr %525, align 8
-  br label %563
+  %552 = icmp eq i64 %531, %999
+  %553 = select i1 %552, i64 %752, i64 0
+  %554 = add nsw i64 %551, %553
+  store i64 %554, ptr %517, align 8
+  br label %555
+555:
+  %556 = icmp eq i64 %13, %514
+  br i1 %556, label %812, label %512
+557:
+  %558 = phi i64 [ %559, %665 ], [ 0, %814 ]
+  %559 = add nuw nsw i64 %558, 1
+  %560 = getelementptr i64, ptr %673, i64 %558
+  %561 = load i64, ptr %560, align 8
+  %562 = icmp eq i64 %561, %998
+  br i1 %562, label %665, label %563
 563:
-  %564 = icmp eq i64 %13, %522
-  br i1 %564, label %820, label %520
-565:
-  %566 = phi i64 [ %567, %673 ], [ 0, %822 ]
-  %567 = add nuw nsw i64 %566, 1
-  %568 = getelementptr i64, ptr %681, i64 %566
+  %564 = icmp slt i64 %561, 0
+  %565 = select i1 %564, i64 %11, i64 0
+  %566 = add i64 %565, %561
+  %567 = mul i64 %566, %13
+  %568 = getelementptr i64, ptr %9, i64 %567
   %569 = load i64, ptr %568, align 8
-  %570 = icmp eq i64 %569, %1006
-  br i1 %570, label %673, label %571
+  %570 = icmp eq i64 %569, %999
+  br i1 %570, label %817, label %571
 571:
-  %572 = icmp slt i64 %569, 0
-  %573 = select i1 %572, i64 %11, i64 0
-  %574 = add i64 %573, %569
-  %575 = mul i64 %574, %13
-  %576 = getelementptr i64, ptr %9, i64 %575
-  %577 = load i64, ptr %576, align 8
-  %578 = icmp eq i64 %577, %1007
-  br i1 %578, label %825, label %579
-579:
-  %580 = shl i64 %575, 3
-  %581 = getelementptr i8, ptr %9, i64 %580
-  %582 = getelementptr i8, ptr %581, i64 8
-  br label %583
-583:
-  %584 = phi i64 [ %585, %583 ], [ 0, %579 ]
-  %585 = add i64 %584, 1
-  %586 = shl i64 %584, 3
-  %587 = getelementptr i8, ptr %582, i64 %586
-  %588 = load i64, ptr %587, align 8
-  %589 = icmp eq i64 %588, %1007
-  br i1 %589, label %825, label %583
-590:
-  %591 = getelementptr i64, ptr %576, i64 %826
-  store i64 %1006, ptr %591, align 8
-  %592 = select i1 %572, i64 %22, i64 0
-  %593 = add i64 %592, %569
-  %594 = mul i64 %593, %24
-  %595 = getelementptr i64, ptr %20, i64 %594
-  %596 = getelementptr i64, ptr %595, i64 %826
-  %597 = load i64, ptr %596, align 8
-  %598 = sub nsw i64 %597, %760
-  store i64 %598, ptr %596, align 8
-  br label %673
-599:
-  %600 = phi i64 [ %635, %599 ], [ %860, %859 ]
-  %601 = icmp slt i64 %600, -1
-  %602 = shl i64 %600, 3
-  %603 = select i1 %601, i64 %97, i64 8
-  %604 = getelementptr i8, ptr %576, i64 %603
-  %605 = getelementptr i8, ptr %604, i64 %602
-  %606 = load i64, ptr %605, align 8
-  %607 = select i1 %601, i64 %98, i64 8
-  %608 = getelementptr i8, ptr %842, i64 %607
-  %609 = getelementptr i8, ptr %608, i64 %602
-  %610 = load i64, ptr %609, align 8
-  %611 = icmp slt i64 %600, 0
-  %612 = select i1 %611, i64 %14, i64 0
-  %613 = getelementptr i8, ptr %576, i64 %612
-  %614 = getelementptr i8, ptr %613, i64 %602
-  store i64 %606, ptr %614, align 8
-  %615 = select i1 %611, i64 %25, i64 0
-  %616 = getelementptr i8, ptr %842, i64 %615
-  %617 = getelementptr i8, ptr %616, i64 %602
-  store i64 %610, ptr %617, align 8
-  %618 = add i64 %600, 1
-  %619 = icmp slt i64 %618, -1
-  %620 = select i1 %619, i64 %99, i64 16
-  %621 = getelementptr i8, ptr %576, i64 %620
-  %622 = getelementptr i8, ptr %621, i64 %602
-  %623 = load i64, ptr %622, align 8
-  %624 = select i1 %619, i64 %100, i64 16
-  %625 = getelementptr i8, ptr %842, i64 %624
-  %626 = getelementptr i8, ptr %625, i64 %602
-  %627 = load i64, ptr %626, align 8
-  %628 = icmp slt i64 %618, 0
-  %629 = select i1 %628, i64 %97, i64 8
-  %630 = getelementptr i8, ptr %576, i64 %629
-  %631 = getelementptr i8, ptr %630, i64 %602
-  store i64 %623, ptr %631, align 8
-  %632 = select i1 %628, i64 %98, i64 8
-  %633 = getelementptr i8, ptr %842, i64 %632
-  %634 = getelementptr i8, ptr %633, i64 %602
-  store i64 %627, ptr %634, align 8
-  %635 = add i64 %600, 2
-  %636 = icmp eq i64 %635, %835
-  br i1 %636, label %637, label %599
-637:
-  %638 = shl i64 %831, 3
-  %639 = getelementptr inbounds i8, ptr %832, i64 %638
-  %640 = load i64, ptr %639, align 8
-  br label %641
-641:
-  %642 = phi i64 [ %640, %637 ], [ %835, %830 ]
-  %643 = icmp slt i64 %642, 0
-  %644 = select i1 %643, i64 %13, i64 0
-  %645 = getelementptr i64, ptr %576, i64 %642
-  %646 = getelementptr i64, ptr %645, i64 %644
+  %572 = shl i64 %567, 3
+  %573 = getelementptr i8, ptr %9, i64 %572
+  %574 = getelementptr i8, ptr %573, i64 8
+  br label %575
+575:
+  %576 = phi i64 [ %577, %575 ], [ 0, %571 ]
+  %577 = add i64 %576, 1
+  %578 = shl i64 %576, 3
+  %579 = getelementptr i8, ptr %574, i64 %578
+  %580 = load i64, ptr %579, align 8
+  %581 = icmp eq i64 %580, %999
+  br i1 %581, label %817, label %575
+582:
+  %583 = getelementptr i64, ptr %568, i64 %818
+  store i64 %998, ptr %583, align 8
+  %584 = select i1 %564, i64 %22, i64 0
+  %585 = add i64 %584, %561
+  %586 = mul i64 %585, %24
+  %587 = getelementptr i64, ptr %20, i64 %586
+  %588 = getelementptr i64, ptr %587, i64 %818
+  %589 = load i64, ptr %588, align 8
+  %590 = sub nsw i64 %589, %752
+  store i64 %590, ptr %588, align 8
+  br label %665
+591:
+  %592 = phi i64 [ %627, %591 ], [ %852, %851 ]
+  %593 = icmp slt i64 %592, -1
+  %594 = shl i64 %592, 3
+  %595 = select i1 %593, i64 %92, i64 8
+  %596 = getelementptr i8, ptr %568, i64 %595
+  %597 = getelementptr i8, ptr %596, i64 %594
+  %598 = load i64, ptr %597, align 8
+  %599 = select i1 %593, i64 %93, i64 8
+  %600 = getelementptr i8, ptr %834, i64 %599
+  %601 = getelementptr i8, ptr %600, i64 %594
+  %602 = load i64, ptr %601, align 8
+  %603 = icmp slt i64 %592, 0
+  %604 = select i1 %603, i64 %14, i64 0
+  %605 = getelementptr i8, ptr %568, i64 %604
+  %606 = getelementptr i8, ptr %605, i64 %594
+  store i64 %598, ptr %606, align 8
+  %607 = select i1 %603, i64 %25, i64 0
+  %608 = getelementptr i8, ptr %834, i64 %607
+  %609 = getelementptr i8, ptr %608, i64 %594
+  store i64 %602, ptr %609, align 8
+  %610 = add i64 %592, 1
+  %611 = icmp slt i64 %610, -1
+  %612 = select i1 %611, i64 %94, i64 16
+  %613 = getelementptr i8, ptr %568, i64 %612
+  %614 = getelementptr i8, ptr %613, i64 %594
+  %615 = load i64, ptr %614, align 8
+  %616 = select i1 %611, i64 %95, i64 16
+  %617 = getelementptr i8, ptr %834, i64 %616
+  %618 = getelementptr i8, ptr %617, i64 %594
+  %619 = load i64, ptr %618, align 8
+  %620 = icmp slt i64 %610, 0
+  %621 = select i1 %620, i64 %92, i64 8
+  %622 = getelementptr i8, ptr %568, i64 %621
+  %623 = getelementptr i8, ptr %622, i64 %594
+  store i64 %615, ptr %623, align 8
+  %624 = select i1 %620, i64 %93, i64 8
+  %625 = getelementptr i8, ptr %834, i64 %624
+  %626 = getelementptr i8, ptr %625, i64 %594
+  store i64 %619, ptr %626, align 8
+  %627 = add i64 %592, 2
+  %628 = icmp eq i64 %627, %827
+  br i1 %628, label %629, label %591
+629:
+  %630 = shl i64 %823, 3
+  %631 = getelementptr inbounds i8, ptr %824, i64 %630
+  %632 = load i64, ptr %631, align 8
+  br label %633
+633:
+  %634 = phi i64 [ %632, %629 ], [ %827, %822 ]
+  %635 = icmp slt i64 %634, 0
+  %636 = select i1 %635, i64 %13, i64 0
+  %637 = getelementptr i64, ptr %568, i64 %634
+  %638 = getelementptr i64, ptr %637, i64 %636
+  store i64 -1, ptr %638, align 8
+  br label %665
+639:
+  %640 = phi i64 [ 0, %856 ], [ %653, %639 ]
+  %641 = shl i64 %640, 3
+  %642 = getelementptr i8, ptr %69, i64 %641
+  %643 = load i64, ptr %642, align 8
+  %644 = getelementptr i8, ptr %859, i64 %641
+  %645 = getelementptr i8, ptr %644, i64 -8
+  store i64 %643, ptr %645, align 8
+  %646 = getelementptr i8, ptr %862, i64 %641
+  %647 = getelementptr i8, ptr %646, i64 -8
+  store i64 -1, ptr %647, align 8
+  %648 = getelementptr i8, ptr %100, i64 %641
+  %649 = getelementptr i8, ptr %648, i64 -8
+  %650 = load i64, ptr %649, align 8
+  %651 = getelementptr i8, ptr %865, i64 %641
+  %652 = getelementptr i8, ptr %651, i64 -8
+  store i64 %650, ptr %652, align 8
+  %653 = add nuw i64 %640, 2
+  %654 = getelementptr i8, ptr %642, i64 8
+  %655 = load i64, ptr %654, align 8
+  store i64 %655, ptr %644, align 8
   store i64 -1, ptr %646, align 8
-  br label %673
-647:
-  %648 = phi i64 [ 0, %864 ], [ %661, %647 ]
-  %649 = shl i64 %648, 3
-  %650 = getelementptr i8, ptr %69, i64 %649
-  %651 = load i64, ptr %650, align 8
-  %652 = getelementptr i8, ptr %867, i64 %649
-  %653 = getelementptr i8, ptr %652, i64 -8
-  store i64 %651, ptr %653, align 8
-  %654 = getelementptr i8, ptr %870, i64 %649
-  %655 = getelementptr i8, ptr %654, i64 -8
-  store i64 -1, ptr %655, align 8
-  %656 = getelementptr i8, ptr %105, i64 %649
-  %657 = getelementptr i8, ptr %656, i64 -8
-  %658 = load i64, ptr %657, align 8
-  %659 = getelementptr i8, ptr %873, i64 %649
-  %660 = getelementptr i8, ptr %659, i64 -8
-  store i64 %658, ptr %660, align 8
-  %661 = add nuw i64 %648, 2
-  %662 = getelementptr i8, ptr %650, i64 8
-  %663 = load i64, ptr %662, align 8
-  store i64 %663, ptr %652, align 8
-  store i64 -1, ptr %654, align 8
-  %664 = load i64, ptr %656, align 8
-  store i64 %664, ptr %659, align 8
-  %665 = icmp eq i64 %103, %661
-  br i1 %665, label %666, label %647
-666:
-  br i1 %107, label %874, label %667
+  %656 = load i64, ptr %648, align 8
+  store i64 %656, ptr %651, align 8
+  %657 = icmp eq i64 %98, %653
+  br i1 %657, label %658, label %639
+658:
+  br i1 %102, label %866, label %659
+659:
+  %660 = load i64, ptr %107, align 8
+  %661 = getelementptr i64, ptr %498, i64 %98
+  store i64 %660, ptr %661, align 8
+  %662 = getelementptr i64, ptr %673, i64 %98
+  store i64 -1, ptr %662, align 8
+  %663 = load i64, ptr %108, align 8
+  %664 = getelementptr i64, ptr %750, i64 %98
+  store i64 %663, ptr %664, align 8
+  br label %866
+665:
+  %666 = icmp eq i64 %559, %815
+  br i1 %666, label %854, label %557
 667:
-  %668 = load i64, ptr %115, align 8
-  %669 = getelementptr i64, ptr %506, i64 %103
-  store i64 %668, ptr %669, align 8
-  %670 = getelementptr i64, ptr %681, i64 %103
-  store i64 -1, ptr %670, align 8
-  %671 = load i64, ptr %116, align 8
-  %672 = getelementptr i64, ptr %758, i64 %103
-  store i64 %671, ptr %672, align 8
-  br label %874
-673:
-  %674 = icmp eq i64 %567, %823
-  br i1 %674, label %862, label %565
-675:
-  %676 = phi i64 [ 0, %502 ], [ %515, %513 ]
-  %677 = icmp slt i64 %1007, 0
-  %678 = select i1 %677, i64 %11, i64 0
-  %679 = add i64 %678, %1007
-  %680 = mul i64 %679, %13
-  %681 = getelementptr i64, ptr %9, i64 %680
-  %682 = load i64, ptr %681, align 8
-  %683 = icmp eq i64 %682, %1006
-  br i1 %683, label %692, label %684
+  %668 = phi i64 [ 0, %494 ], [ %507, %505 ]
+  %669 = icmp slt i64 %999, 0
+  %670 = select i1 %669, i64 %11, i64 0
+  %671 = add i64 %670, %999
+  %672 = mul i64 %671, %13
+  %673 = getelementptr i64, ptr %9, i64 %672
+  %674 = load i64, ptr %673, align 8
+  %675 = icmp eq i64 %674, %998
+  br i1 %675, label %684, label %676
+676:
+  %677 = phi i64 [ %683, %676 ], [ 3, %667 ]
+  %678 = shl i64 %677, 3
+  %679 = getelementptr i8, ptr %673, i64 %678
+  %680 = getelementptr i8, ptr %679, i64 -16
+  %681 = load i64, ptr %680, align 8
+  %682 = icmp eq i64 %681, %998
+  %683 = add i64 %677, 1
+  br i1 %682, label %684, label %676
 684:
-  %685 = phi i64 [ %691, %684 ], [ 3, %675 ]
-  %686 = shl i64 %685, 3
-  %687 = getelementptr i8, ptr %681, i64 %686
-  %688 = getelementptr i8, ptr %687, i64 -16
-  %689 = load i64, ptr %688, align 8
-  %690 = icmp eq i64 %689, %1006
-  %691 = add i64 %685, 1
-  br i1 %690, label %692, label %684
+  %685 = phi i64 [ 3, %667 ], [ %683, %676 ]
+  %686 = add i64 %668, 1
+  %687 = select i1 %1000, i64 %18, i64 0
+  %688 = getelementptr i64, ptr %16, i64 %998
+  %689 = getelementptr i64, ptr %688, i64 %687
+  %690 = load i64, ptr %689, align 8
+  %691 = icmp eq i64 %690, 0
+  br i1 %691, label %744, label %692
 692:
-  %693 = phi i64 [ 3, %675 ], [ %691, %684 ]
-  %694 = add i64 %676, 1
-  %695 = select i1 %1008, i64 %18, i64 0
-  %696 = getelementptr i64, ptr %16, i64 %1006
-  %697 = getelementptr i64, ptr %696, i64 %695
-  %698 = load i64, ptr %697, align 8
-  %699 = icmp eq i64 %698, 0
-  br i1 %699, label %752, label %700
+  %693 = or i64 %690, %686
+  %694 = icmp ult i64 %693, 4294967296
+  br i1 %694, label %695, label %700
+695:
+  %696 = trunc nuw i64 %690 to i32
+  %697 = trunc nuw i64 %686 to i32
+  %698 = urem i32 %697, %696
+  %699 = zext i32 %698 to i64
+  br label %702
 700:
-  %701 = or i64 %698, %694
-  %702 = icmp ult i64 %701, 4294967296
-  br i1 %702, label %703, label %708
-703:
-  %704 = trunc nuw i64 %698 to i32
-  %705 = trunc nuw i64 %694 to i32
-  %706 = urem i32 %705, %704
-  %707 = zext i32 %706 to i64
-  br label %710
-708:
-  %709 = srem i64 %694, %698
-  br label %710
-710:
-  %711 = phi i64 [ %707, %703 ], [ %709, %708 ]
-  %712 = xor i64 %711, %698
-  %713 = icmp slt i64 %712, 0
-  %714 = icmp ne i64 %711, 0
-  %715 = and i1 %714, %713
-  %716 = select i1 %715, i64 %698, i64 0
-  %717 = add i64 %716, %711
-  %718 = freeze i64 %717
-  %719 = icmp slt i64 %718, 0
-  %720 = select i1 %719, i64 %13, i64 0
-  %721 = getelementptr i64, ptr %506, i64 %718
-  %722 = getelementptr i64, ptr %721, i64 %720
-  %723 = load i64, ptr %722, align 8
-  %724 = add nsw i64 %676, -1
-  %725 = icmp ne i64 %724, -9223372036854775808
-  %726 = icmp ne i64 %698, -1
-  %727 = or i1 %725, %726
-  br i1 %727, label %728, label %752
+  %701 = srem i64 %686, %690
+  br label %702
+702:
+  %703 = phi i64 [ %699, %695 ], [ %701, %700 ]
+  %704 = xor i64 %703, %690
+  %705 = icmp slt i64 %704, 0
+  %706 = icmp ne i64 %703, 0
+  %707 = and i1 %706, %705
+  %708 = select i1 %707, i64 %690, i64 0
+  %709 = add i64 %708, %703
+  %710 = freeze i64 %709
+  %711 = icmp slt i64 %710, 0
+  %712 = select i1 %711, i64 %13, i64 0
+  %713 = getelementptr i64, ptr %498, i64 %710
+  %714 = getelementptr i64, ptr %713, i64 %712
+  %715 = load i64, ptr %714, align 8
+  %716 = add nsw i64 %668, -1
+  %717 = icmp ne i64 %716, -9223372036854775808
+  %718 = icmp ne i64 %690, -1
+  %719 = or i1 %717, %718
+  br i1 %719, label %720, label %744
+720:
+  %721 = or i64 %690, %716
+  %722 = icmp ult i64 %721, 4294967296
+  br i1 %722, label %723, label %728
+723:
+  %724 = trunc nuw i64 %690 to i32
+  %725 = trunc nuw i64 %716 to i32
+  %726 = urem i32 %725, %724
+  %727 = zext i32 %726 to i64
+  br label %730
 728:
-  %729 = or i64 %698, %724
-  %730 = icmp ult i64 %729, 4294967296
-  br i1 %730, label %731, label %736
-731:
-  %732 = trunc nuw i64 %698 to i32
-  %733 = trunc nuw i64 %724 to i32
-  %734 = urem i32 %733, %732
-  %735 = zext i32 %734 to i64
-  br label %738
-736:
-  %737 = srem i64 %724, %698
-  br label %738
-738:
-  %739 = phi i64 [ %735, %731 ], [ %737, %736 ]
-  %740 = xor i64 %739, %698
-  %741 = icmp slt i64 %740, 0
-  %742 = icmp ne i64 %739, 0
-  %743 = and i1 %742, %741
-  %744 = select i1 %743, i64 %698, i64 0
-  %745 = add i64 %744, %739
-  %746 = freeze i64 %745
-  %747 = icmp slt i64 %746, 0
-  %748 = select i1 %747, i64 %13, i64 0
-  %749 = getelementptr i64, ptr %506, i64 %748
-  %750 = getelementptr i64, ptr %749, i64 %746
-  %751 = load i64, ptr %750, align 8
-  br label %752
-752:
-  %753 = phi i64 [ %507, %710 ], [ %751, %738 ], [ %507, %692 ]
-  %754 = phi i64 [ %723, %710 ], [ %723, %738 ], [ %507, %692 ]
-  %755 = select i1 %1008, i64 %22, i64 0
-  %756 = add i64 %755, %1006
-  %757 = mul i64 %756, %24
-  %758 = getelementptr i64, ptr %20, i64 %757
-  %759 = getelementptr i64, ptr %758, i64 %676
-  %760 = load i64, ptr %759, align 8
-  %761 = select i1 %677, i64 %18, i64 0
-  %762 = getelementptr i64, ptr %16, i64 %1007
-  %763 = getelementptr i64, ptr %762, i64 %761
-  %764 = load i64, ptr %763, align 8
-  %765 = add i64 %698, -4
-  %766 = add i64 %765, %764
-  br i1 %95, label %767, label %822
-767:
-  %768 = xor i64 %693, -9223372036854775808
-  %769 = add i64 %676, 9223372036854775807
-  %770 = shl i64 %695, 3
-  %771 = getelementptr i8, ptr %696, i64 %770
-  %772 = shl i64 %761, 3
-  %773 = getelementptr i8, ptr %762, i64 %772
-  br label %520
+  %729 = srem i64 %716, %690
+  br label %730
+730:
+  %731 = phi i64 [ %727, %723 ], [ %729, %728 ]
+  %732 = xor i64 %731, %690
+  %733 = icmp slt i64 %732, 0
+  %734 = icmp ne i64 %731, 0
+  %735 = and i1 %734, %733
+  %736 = select i1 %735, i64 %690, i64 0
+  %737 = add i64 %736, %731
+  %738 = freeze i64 %737
+  %739 = icmp slt i64 %738, 0
+  %740 = select i1 %739, i64 %13, i64 0
+  %741 = getelementptr i64, ptr %498, i64 %740
+  %742 = getelementptr i64, ptr %741, i64 %738
+  %743 = load i64, ptr %742, align 8
+  br label %744
+744:
+  %745 = phi i64 [ %499, %702 ], [ %743, %730 ], [ %499, %684 ]
+  %746 = phi i64 [ %715, %702 ], [ %715, %730 ], [ %499, %684 ]
+  %747 = select i1 %1000, i64 %22, i64 0
+  %748 = add i64 %747, %998
+  %749 = mul i64 %748, %24
+  %750 = getelementptr i64, ptr %20, i64 %749
+  %751 = getelementptr i64, ptr %750, i64 %668
+  %752 = load i64, ptr %751, align 8
+  %753 = select i1 %669, i64 %18, i64 0
+  %754 = getelementptr i64, ptr %16, i64 %999
+  %755 = getelementptr i64, ptr %754, i64 %753
+  %756 = load i64, ptr %755, align 8
+  %757 = add i64 %690, -4
+  %758 = add i64 %757, %756
+  br i1 %90, label %759, label %814
+759:
+  %760 = xor i64 %685, -9223372036854775808
+  %761 = add i64 %668, 9223372036854775807
+  %762 = shl i64 %687, 3
+  %763 = getelementptr i8, ptr %688, i64 %762
+  %764 = shl i64 %753, 3
+  %765 = getelementptr i8, ptr %754, i64 %764
+  br label %512
+766:
+  %767 = add i64 %761, %513
+  %768 = icmp ne i64 %767, -2
+  %769 = icmp ne i64 %518, -1
+  %770 = or i1 %768, %769
+  br i1 %770, label %771, label %529
+771:
+  %772 = or i64 %518, %522
+  %773 = icmp ult i64 %772, 4294967296
+  br i1 %773, label %774, label %779
 774:
-  %775 = add i64 %769, %521
-  %776 = icmp ne i64 %775, -2
-  %777 = icmp ne i64 %526, -1
-  %778 = or i1 %776, %777
-  br i1 %778, label %779, label %537
+  %775 = trunc nuw i64 %518 to i32
+  %776 = trunc nuw i64 %522 to i32
+  %777 = urem i32 %776, %775
+  %778 = zext i32 %777 to i64
+  br label %781
 779:
-  %780 = or i64 %526, %530
-  %781 = icmp ult i64 %780, 4294967296
-  br i1 %781, label %782, label %787
-782:
-  %783 = trunc nuw i64 %526 to i32
-  %784 = trunc nuw i64 %530 to i32
-  %785 = urem i32 %784, %783
-  %786 = zext i32 %785 to i64
-  br label %789
-787:
-  %788 = srem i64 %530, %526
-  br label %789
+  %780 = srem i64 %522, %518
+  br label %781
+781:
+  %782 = phi i64 [ %778, %774 ], [ %780, %779 ]
+  %783 = xor i64 %782, %518
+  %784 = icmp slt i64 %783, 0
+  %785 = icmp ne i64 %782, 0
+  %786 = and i1 %785, %784
+  %787 = select i1 %786, i64 %518, i64 0
+  %788 = add i64 %787, %782
+  br label %529
 789:
-  %790 = phi i64 [ %786, %782 ], [ %788, %787 ]
-  %791 = xor i64 %790, %526
-  %792 = icmp slt i64 %791, 0
-  %793 = icmp ne i64 %790, 0
-  %794 = and i1 %793, %792
-  %795 = select i1 %794, i64 %526, i64 0
-  %796 = add i64 %795, %790
-  br label %537
+  %790 = add i64 %513, %760
+  %791 = icmp ne i64 %790, %518
+  %792 = icmp ne i64 %527, -1
+  %793 = or i1 %791, %792
+  br i1 %793, label %794, label %529
+794:
+  %795 = or i64 %527, %526
+  %796 = icmp ult i64 %795, 4294967296
+  br i1 %796, label %797, label %802
 797:
-  %798 = add i64 %521, %768
-  %799 = icmp ne i64 %798, %526
-  %800 = icmp ne i64 %535, -1
-  %801 = or i1 %799, %800
-  br i1 %801, label %802, label %537
+  %798 = trunc nuw i64 %527 to i32
+  %799 = trunc nuw i64 %526 to i32
+  %800 = urem i32 %799, %798
+  %801 = zext i32 %800 to i64
+  br label %804
 802:
-  %803 = or i64 %535, %534
-  %804 = icmp ult i64 %803, 4294967296
-  br i1 %804, label %805, label %810
-805:
-  %806 = trunc nuw i64 %535 to i32
-  %807 = trunc nuw i64 %534 to i32
-  %808 = urem i32 %807, %806
-  %809 = zext i32 %808 to i64
-  br label %812
-810:
-  %811 = srem i64 %534, %535
-  br label %812
+  %803 = srem i64 %526, %527
+  br label %804
+804:
+  %805 = phi i64 [ %801, %797 ], [ %803, %802 ]
+  %806 = xor i64 %805, %527
+  %807 = icmp slt i64 %806, 0
+  %808 = icmp ne i64 %805, 0
+  %809 = and i1 %808, %807
+  %810 = select i1 %809, i64 %527, i64 0
+  %811 = add i64 %810, %805
+  br label %529
 812:
-  %813 = phi i64 [ %809, %805 ], [ %811, %810 ]
-  %814 = xor i64 %813, %535
-  %815 = icmp slt i64 %814, 0
-  %816 = icmp ne i64 %813, 0
-  %817 = and i1 %816, %815
-  %818 = select i1 %817, i64 %535, i64 0
-  %819 = add i64 %818, %813
-  br label %537
-820:
-  %821 = load i64, ptr %773, align 8
-  br label %822
+  %813 = load i64, ptr %765, align 8
+  br label %814
+814:
+  %815 = phi i64 [ %813, %812 ], [ %756, %744 ]
+  %816 = icmp slt i64 %815, 1
+  br i1 %816, label %854, label %557
+817:
+  %818 = phi i64 [ 0, %563 ], [ %577, %575 ]
+  %819 = icmp ne i64 %561, %746
+  %820 = icmp ne i64 %561, %745
+  %821 = select i1 %819, i1 %820, i1 false
+  br i1 %821, label %582, label %822
 822:
-  %823 = phi i64 [ %821, %820 ], [ %764, %752 ]
-  %824 = icmp slt i64 %823, 1
-  br i1 %824, label %862, label %565
-825:
-  %826 = phi i64 [ 0, %571 ], [ %585, %583 ]
-  %827 = icmp ne i64 %569, %754
-  %828 = icmp ne i64 %569, %753
-  %829 = select i1 %827, i1 %828, i1 false
-  br i1 %829, label %590, label %830
+  %823 = select i1 %564, i64 %18, i64 0
+  %824 = getelementptr i64, ptr %16, i64 %561
+  %825 = getelementptr i64, ptr %824, i64 %823
+  %826 = load i64, ptr %825, align 8
+  %827 = add nsw i64 %826, -1
+  store i64 %827, ptr %825, align 8
+  %828 = sub i64 %827, %818
+  %829 = icmp slt i64 %828, 1
+  br i1 %829, label %633, label %830
 830:
-  %831 = select i1 %572, i64 %18, i64 0
-  %832 = getelementptr i64, ptr %16, i64 %569
-  %833 = getelementptr i64, ptr %832, i64 %831
-  %834 = load i64, ptr %833, align 8
-  %835 = add nsw i64 %834, -1
-  store i64 %835, ptr %833, align 8
-  %836 = sub i64 %835, %826
-  %837 = icmp slt i64 %836, 1
-  br i1 %837, label %641, label %838
+  %831 = select i1 %564, i64 %22, i64 0
+  %832 = add i64 %831, %561
+  %833 = mul i64 %832, %24
+  %834 = getelementptr i64, ptr %20, i64 %833
+  %835 = add i64 %826, -2
+  %836 = and i64 %828, 1
+  %837 = icmp eq i64 %836, 0
+  br i1 %837, label %851, label %838
 838:
-  %839 = select i1 %572, i64 %22, i64 0
-  %840 = add i64 %839, %569
-  %841 = mul i64 %840, %24
-  %842 = getelementptr i64, ptr %20, i64 %841
-  %843 = add i64 %834, -2
-  %844 = and i64 %836, 1
-  %845 = icmp eq i64 %844, 0
-  br i1 %845, label %859, label %846
-846:
-  %847 = add i64 %826, 1
-  %848 = icmp slt i64 %826, -1
-  %849 = select i1 %848, i64 %13, i64 0
-  %850 = getelementptr i64, ptr %576, i64 %847
-  %851 = getelementptr i64, ptr %850, i64 %849
-  %852 = load i64, ptr %851, align 8
-  %853 = select i1 %848, i64 %24, i64 0
-  %854 = getelementptr i64, ptr %842, i64 %847
-  %855 = getelementptr i64, ptr %854, i64 %853
-  %856 = load i64, ptr %855, align 8
-  %857 = getelementptr i64, ptr %576, i64 %826
-  store i64 %852, ptr %857, align 8
-  %858 = getelementptr i64, ptr %842, i64 %826
-  store i64 %856, ptr %858, align 8
-  br label %859
-859:
-  %860 = phi i64 [ %826, %838 ], [ %847, %846 ]
-  %861 = icmp eq i64 %843, %826
-  br i1 %861, label %637, label %599
-862:
-  br i1 %101, label %874, label %863
-863:
-  br i1 %102, label %667, label %864
-864:
-  %865 = shl i64 %505, 3
-  %866 = getelementptr i8, ptr %9, i64 %865
-  %867 = getelementptr i8, ptr %866, i64 8
-  %868 = shl i64 %680, 3
-  %869 = getelementptr i8, ptr %9, i64 %868
-  %870 = getelementptr i8, ptr %869, i64 8
-  %871 = shl i64 %757, 3
-  %872 = getelementptr i8, ptr %20, i64 %871
-  %873 = getelementptr i8, ptr %872, i64 8
-  br label %647
-874:
-  %875 = shl i64 %695, 3
-  %876 = getelementptr i8, ptr %696, i64 %875
-  store i64 %766, ptr %876, align 8
-  %877 = shl i64 %761, 3
-  %878 = getelementptr i8, ptr %762, i64 %877
-  store i64 0, ptr %878, align 8
-  %879 = icmp slt i64 %118, 0
-  %880 = select i1 %879, i64 %73, i64 0
-  %881 = add i64 %880, %118
-  %882 = mul i64 %881, %75
-  %883 = getelementptr i64, ptr %71, i64 %882
-  store i64 %1006, ptr %883, align 8
-  %884 = getelementptr i8, ptr %883, i64 8
-  store i64 %1007, ptr %884, align 8
-  %885 = select i1 %879, i64 %79, i64 0
-  %886 = getelementptr double, ptr %77, i64 %118
-  %887 = getelementptr double, ptr %886, i64 %885
-  store double %1014, ptr %887, align 8
-  %888 = select i1 %1008, i64 %4, i64 0
-  %889 = add i64 %888, %1006
-  %890 = mul i64 %889, %6
-  %891 = getelementptr double, ptr %2, i64 %890
-  %892 = select i1 %677, i64 %4, i64 0
-  %893 = add i64 %892, %1007
-  %894 = mul i64 %893, %6
-  %895 = getelementptr double, ptr %2, i64 %894
-  %896 = load double, ptr %891, align 8
-  %897 = load double, ptr %895, align 8
-  %898 = fsub double %897, %896
-  %899 = fmul double %1014, %898
-  %900 = fadd double %896, %899
-  store double %900, ptr %891, align 8
-  %901 = getelementptr i8, ptr %891, i64 8
-  %902 = load double, ptr %901, align 8
-  %903 = getelementptr i8, ptr %895, i64 8
-  %904 = load double, ptr %903, align 8
-  %905 = fsub double %904, %902
-  %906 = fmul double %1014, %905
-  %907 = fadd double %902, %906
-  store double %907, ptr %901, align 8
-  %908 = getelementptr i8, ptr %891, i64 16
-  %909 = load double, ptr %908, align 8
-  %910 = getelementptr i8, ptr %895, i64 16
-  %911 = load double, ptr %910, align 8
-  %912 = fsub double %911, %909
-  %913 = fmul double %1014, %912
-  %914 = fadd double %909, %913
-  store double %914, ptr %908, align 8
-  %915 = select i1 %677, i64 %35, i64 0
-  %916 = getelementptr i8, ptr %33, i64 %1007
-  %917 = getelementptr i8, ptr %916, i64 %915
-  %918 = load i8, ptr %917, align 1
-  %919 = icmp eq i8 %918, 0
-  br i1 %919, label %1060, label %1017
-920:
-  %921 = phi i64 [ %118, %153 ], [ %1233, %1232 ], [ %118, %499 ], [ %118, %156 ], [ %118, %162 ]
-  %922 = icmp eq i64 %123, %53
-  br i1 %922, label %1234, label %117
-923:
-  %924 = icmp slt i64 %133, 0
-  %925 = select i1 %924, i64 %18, i64 0
-  %926 = getelementptr i64, ptr %16, i64 %133
-  %927 = getelementptr i64, ptr %926, i64 %925
-  %928 = load i64, ptr %927, align 8
-  %929 = icmp slt i64 %135, 0
-  %930 = select i1 %929, i64 %18, i64 0
-  %931 = getelementptr i64, ptr %16, i64 %135
-  %932 = getelementptr i64, ptr %931, i64 %930
-  %933 = load i64, ptr %932, align 8
-  %934 = tail call i64 @llvm.smin.i64(i64 %933, i64 %928)
-  %935 = icmp slt i64 %934, 4
-  br i1 %935, label %153, label %156
-936:
-  store i8 1, ptr %166, align 1
-  %937 = select i1 %163, i64 %18, i64 0
-  %938 = getelementptr i64, ptr %16, i64 %131
-  %939 = getelementptr i64, ptr %938, i64 %937
-  %940 = load i64, ptr %939, align 8
-  %941 = icmp slt i64 %940, 1
-  br i1 %941, label %1000, label %942
-942:
-  %943 = select i1 %163, i64 %11, i64 0
-  %944 = add i64 %943, %131
-  %945 = and i64 %940, 3
-  %946 = icmp samesign ult i64 %940, 4
-  br i1 %946, label %983, label %947
-947:
-  %948 = and i64 %940, 9223372036854775804
-  %949 = mul i64 %944, %14
-  %950 = getelementptr i8, ptr %9, i64 %949
-  %951 = getelementptr i8, ptr %950, i64 24
-  br label %952
-952:
-  %953 = phi i64 [ 0, %947 ], [ %974, %952 ]
-  %954 = shl i64 %953, 3
-  %955 = getelementptr i8, ptr %951, i64 %954
-  %956 = getelementptr i8, ptr %955, i64 -24
-  %957 = load i64, ptr %956, align 8
-  %958 = icmp slt i64 %957, 0
-  %959 = select i1 %958, i64 %63, i64 0
-  %960 = getelementptr i8, ptr %61, i64 %957
-  %961 = getelementptr i8, ptr %960, i64 %959
-  store i8 1, ptr %961, align 1
-  %962 = getelementptr i8, ptr %955, i64 -16
-  %963 = load i64, ptr %962, align 8
-  %964 = icmp slt i64 %963, 0
-  %965 = select i1 %964, i64 %63, i64 0
-  %966 = getelementptr i8, ptr %61, i64 %963
-  %967 = getelementptr i8, ptr %966, i64 %965
-  store i8 1, ptr %967, align 1
-  %968 = getelementptr i8, ptr %955, i64 -8
-  %969 = load i64, ptr %968, align 8
-  %970 = icmp slt i64 %969, 0
-  %971 = select i1 %970, i64 %63, i64 0
-  %972 = getelementptr i8, ptr %61, i64 %969
-  %973 = getelementptr i8, ptr %972, i64 %971
-  store i8 1, ptr %973, align 1
-  %974 = add nuw nsw i64 %953, 4
-  %975 = load i64, ptr %955, align 8
-  %976 = icmp slt i64 %975, 0
-  %977 = select i1 %976, i64 %63, i64 0
-  %978 = getelementptr i8, ptr %61, i64 %975
-  %979 = getelementptr i8, ptr %978, i64 %977
-  store i8 1, ptr %979, align 1
-  %980 = icmp eq i64 %948, %974
-  br i1 %980, label %981, label %952
+  %839 = add i64 %818, 1
+  %840 = icmp slt i64 %818, -1
+  %841 = select i1 %840, i64 %13, i64 0
+  %842 = getelementptr i64, ptr %568, i64 %839
+  %843 = getelementptr i64, ptr %842, i64 %841
+  %844 = load i64, ptr %843, align 8
+  %845 = select i1 %840, i64 %24, i64 0
+  %846 = getelementptr i64, ptr %834, i64 %839
+  %847 = getelementptr i64, ptr %846, i64 %845
+  %848 = load i64, ptr %847, align 8
+  %849 = getelementptr i64, ptr %568, i64 %818
+  store i64 %844, ptr %849, align 8
+  %850 = getelementptr i64, ptr %834, i64 %818
+  store i64 %848, ptr %850, align 8
+  br label %851
+851:
+  %852 = phi i64 [ %818, %830 ], [ %839, %838 ]
+  %853 = icmp eq i64 %835, %818
+  br i1 %853, label %629, label %591
+854:
+  br i1 %96, label %866, label %855
+855:
+  br i1 %97, label %659, label %856
+856:
+  %857 = shl i64 %497, 3
+  %858 = getelementptr i8, ptr %9, i64 %857
+  %859 = getelementptr i8, ptr %858, i64 8
+  %860 = shl i64 %672, 3
+  %861 = getelementptr i8, ptr %9, i64 %860
+  %862 = getelementptr i8, ptr %861, i64 8
+  %863 = shl i64 %749, 3
+  %864 = getelementptr i8, ptr %20, i64 %863
+  %865 = getelementptr i8, ptr %864, i64 8
+  br label %639
+866:
+  %867 = shl i64 %687, 3
+  %868 = getelementptr i8, ptr %688, i64 %867
+  store i64 %758, ptr %868, align 8
+  %869 = shl i64 %753, 3
+  %870 = getelementptr i8, ptr %754, i64 %869
+  store i64 0, ptr %870, align 8
+  %871 = icmp slt i64 %110, 0
+  %872 = select i1 %871, i64 %73, i64 0
+  %873 = add i64 %872, %110
+  %874 = mul i64 %873, %75
+  %875 = getelementptr i64, ptr %71, i64 %874
+  store i64 %998, ptr %875, align 8
+  %876 = getelementptr i8, ptr %875, i64 8
+  store i64 %999, ptr %876, align 8
+  %877 = select i1 %871, i64 %79, i64 0
+  %878 = getelementptr double, ptr %77, i64 %110
+  %879 = getelementptr double, ptr %878, i64 %877
+  store double %1006, ptr %879, align 8
+  %880 = select i1 %1000, i64 %4, i64 0
+  %881 = add i64 %880, %998
+  %882 = mul i64 %881, %6
+  %883 = getelementptr double, ptr %2, i64 %882
+  %884 = select i1 %669, i64 %4, i64 0
+  %885 = add i64 %884, %999
+  %886 = mul i64 %885, %6
+  %887 = getelementptr double, ptr %2, i64 %886
+  %888 = load double, ptr %883, align 8
+  %889 = load double, ptr %887, align 8
+  %890 = fsub double %889, %888
+  %891 = fmul double %1006, %890
+  %892 = fadd double %888, %891
+  store double %892, ptr %883, align 8
+  %893 = getelementptr i8, ptr %883, i64 8
+  %894 = load double, ptr %893, align 8
+  %895 = getelementptr i8, ptr %887, i64 8
+  %896 = load double, ptr %895, align 8
+  %897 = fsub double %896, %894
+  %898 = fmul double %1006, %897
+  %899 = fadd double %894, %898
+  store double %899, ptr %893, align 8
+  %900 = getelementptr i8, ptr %883, i64 16
+  %901 = load double, ptr %900, align 8
+  %902 = getelementptr i8, ptr %887, i64 16
+  %903 = load double, ptr %902, align 8
+  %904 = fsub double %903, %901
+  %905 = fmul double %1006, %904
+  %906 = fadd double %901, %905
+  store double %906, ptr %900, align 8
+  %907 = select i1 %669, i64 %35, i64 0
+  %908 = getelementptr i8, ptr %33, i64 %999
+  %909 = getelementptr i8, ptr %908, i64 %907
+  %910 = load i8, ptr %909, align 1
+  %911 = icmp eq i8 %910, 0
+  br i1 %911, label %1056, label %1009
+912:
+  %913 = phi i64 [ %110, %145 ], [ %1195, %1194 ], [ %110, %491 ], [ %110, %148 ], [ %110, %154 ]
+  %914 = icmp eq i64 %115, %53
+  br i1 %914, label %1196, label %109
+915:
+  %916 = icmp slt i64 %125, 0
+  %917 = select i1 %916, i64 %18, i64 0
+  %918 = getelementptr i64, ptr %16, i64 %125
+  %919 = getelementptr i64, ptr %918, i64 %917
+  %920 = load i64, ptr %919, align 8
+  %921 = icmp slt i64 %127, 0
+  %922 = select i1 %921, i64 %18, i64 0
+  %923 = getelementptr i64, ptr %16, i64 %127
+  %924 = getelementptr i64, ptr %923, i64 %922
+  %925 = load i64, ptr %924, align 8
+  %926 = tail call i64 @llvm.smin.i64(i64 %925, i64 %920)
+  %927 = icmp slt i64 %926, 4
+  br i1 %927, label %145, label %148
+928:
+  store i8 1, ptr %158, align 1
+  %929 = select i1 %155, i64 %18, i64 0
+  %930 = getelementptr i64, ptr %16, i64 %123
+  %931 = getelementptr i64, ptr %930, i64 %929
+  %932 = load i64, ptr %931, align 8
+  %933 = icmp slt i64 %932, 1
+  br i1 %933, label %992, label %934
+934:
+  %935 = select i1 %155, i64 %11, i64 0
+  %936 = add i64 %935, %123
+  %937 = and i64 %932, 3
+  %938 = icmp samesign ult i64 %932, 4
+  br i1 %938, label %975, label %939
+939:
+  %940 = and i64 %932, 9223372036854775804
+  %941 = mul i64 %936, %14
+  %942 = getelementptr i8, ptr %9, i64 %941
+  %943 = getelementptr i8, ptr %942, i64 24
+  br label %944
+944:
+  %945 = phi i64 [ 0, %939 ], [ %966, %944 ]
+  %946 = shl i64 %945, 3
+  %947 = getelementptr i8, ptr %943, i64 %946
+  %948 = getelementptr i8, ptr %947, i64 -24
+  %949 = load i64, ptr %948, align 8
+  %950 = icmp slt i64 %949, 0
+  %951 = select i1 %950, i64 %63, i64 0
+  %952 = getelementptr i8, ptr %61, i64 %949
+  %953 = getelementptr i8, ptr %952, i64 %951
+  store i8 1, ptr %953, align 1
+  %954 = getelementptr i8, ptr %947, i64 -16
+  %955 = load i64, ptr %954, align 8
+  %956 = icmp slt i64 %955, 0
+  %957 = select i1 %956, i64 %63, i64 0
+  %958 = getelementptr i8, ptr %61, i64 %955
+  %959 = getelementptr i8, ptr %958, i64 %957
+  store i8 1, ptr %959, align 1
+  %960 = getelementptr i8, ptr %947, i64 -8
+  %961 = load i64, ptr %960, align 8
+  %962 = icmp slt i64 %961, 0
+  %963 = select i1 %962, i64 %63, i64 0
+  %964 = getelementptr i8, ptr %61, i64 %961
+  %965 = getelementptr i8, ptr %964, i64 %963
+  store i8 1, ptr %965, align 1
+  %966 = add nuw nsw i64 %945, 4
+  %967 = load i64, ptr %947, align 8
+  %968 = icmp slt i64 %967, 0
+  %969 = select i1 %968, i64 %63, i64 0
+  %970 = getelementptr i8, ptr %61, i64 %967
+  %971 = getelementptr i8, ptr %970, i64 %969
+  store i8 1, ptr %971, align 1
+  %972 = icmp eq i64 %940, %966
+  br i1 %972, label %973, label %944
+973:
+  %974 = icmp eq i64 %937, 0
+  br i1 %974, label %992, label %975
+975:
+  %976 = phi i64 [ 0, %934 ], [ %940, %973 ]
+  %977 = mul i64 %936, %13
+  %978 = add i64 %976, %977
+  %979 = shl i64 %978, 3
+  %980 = getelementptr i8, ptr %9, i64 %979
+  br label %981
 981:
-  %982 = icmp eq i64 %945, 0
-  br i1 %982, label %1000, label %983
-983:
-  %984 = phi i64 [ 0, %942 ], [ %948, %981 ]
-  %985 = mul i64 %944, %13
-  %986 = add i64 %984, %985
-  %987 = shl i64 %986, 3
-  %988 = getelementptr i8, ptr %9, i64 %987
-  br label %989
-989:
-  %990 = phi i64 [ 0, %983 ], [ %998, %989 ]
-  %991 = shl i64 %990, 3
-  %992 = getelementptr i8, ptr %988, i64 %991
-  %993 = load i64, ptr %992, align 8
-  %994 = icmp slt i64 %993, 0
-  %995 = select i1 %994, i64 %63, i64 0
-  %996 = getelementptr i8, ptr %61, i64 %993
-  %997 = getelementptr i8, ptr %996, i64 %995
-  store i8 1, ptr %997, align 1
-  %998 = add i64 %990, 1
-  %999 = icmp eq i64 %945, %998
-  br i1 %999, label %1000, label %989
-1000:
-  %1001 = select i1 %163, i64 %39, i64 0
-  %1002 = getelementptr i8, ptr %37, i64 %131
+  %982 = phi i64 [ 0, %975 ], [ %990, %981 ]
+  %983 = shl i64 %982, 3
+  %984 = getelementptr i8, ptr %980, i64 %983
+  %985 = load i64, ptr %984, align 8
+  %986 = icmp slt i64 %985, 0
+  %987 = select i1 %986, i64 %63, i64 0
+  %988 = getelementptr i8, ptr %61, i64 %985
+  %989 = getelementptr i8, ptr %988, i64 %987
+  store i8 1, ptr %989, align 1
+  %990 = add i64 %982, 1
+  %991 = icmp eq i64 %937, %990
+  br i1 %991, label %992, label %981
+992:
+  %993 = select i1 %155, i64 %39, i64 0
+  %994 = getelementptr i8, ptr %37, i64 %123
+  %995 = getelementptr i8, ptr %994, i64 %993
+  %996 = load i8, ptr %995, align 1
+  %997 = icmp eq i8 %996, 0
+  %998 = select i1 %997, i64 %121, i64 %123
+  %999 = select i1 %997, i64 %123, i64 %121
+  %1000 = icmp slt i64 %998, 0
+  %1001 = select i1 %1000, i64 %39, i64 0
+  %1002 = getelementptr i8, ptr %37, i64 %998
   %1003 = getelementptr i8, ptr %1002, i64 %1001
   %1004 = load i8, ptr %1003, align 1
   %1005 = icmp eq i8 %1004, 0
-  %1006 = select i1 %1005, i64 %129, i64 %131
-  %1007 = select i1 %1005, i64 %131, i64 %129
-  %1008 = icmp slt i64 %1006, 0
-  %1009 = select i1 %1008, i64 %39, i64 0
-  %1010 = getelementptr i8, ptr %37, i64 %1006
-  %1011 = getelementptr i8, ptr %1010, i64 %1009
-  %1012 = load i8, ptr %1011, align 1
-  %1013 = icmp eq i8 %1012, 0
-  %1014 = select i1 %1013, double 5.000000e-01, double 0.000000e+00
-  br i1 %94, label %502, label %233
-1015:
-  br i1 %348, label %499, label %366
-1016:
-  br i1 %481, label %499, label %502
-1017:
-  %1018 = select i1 %677, i64 %29, i64 0
-  %1019 = add i64 %1018, %1007
-  %1020 = mul i64 %1019, %31
-  %1021 = getelementptr double, ptr %27, i64 %1020
-  %1022 = load double, ptr %1021, align 8
-  %1023 = fsub double %1022, %900
-  %1024 = fmul double %1023, %1023
-  %1025 = getelementptr i8, ptr %1021, i64 8
-  %1026 = load double, ptr %1025, align 8
-  %1027 = fsub double %1026, %907
-  %1028 = fmul double %1027, %1027
-  %1029 = fadd double %1024, %1028
-  %1030 = getelementptr i8, ptr %1021, i64 16
-  %1031 = load double, ptr %1030, align 8
-  %1032 = fsub double %1031, %914
-  %1033 = fmul double %1032, %1032
-  %1034 = fadd double %1029, %1033
-  %1035 = tail call double @llvm.sqrt.f64(double %1034)
-  br label %1060
-1036:
-  br i1 %112, label %1037, label %1052
-1037:
-  %1038 = phi i64 [ 0, %1123 ], [ %1157, %1036 ]
-  %1039 = shl i64 %1038, 3
-  %1040 = getelementptr i8, ptr %1126, i64 %1039
-  %1041 = getelementptr i8, ptr %1040, i64 -8
-  %1042 = load double, ptr %1041, align 8
-  %1043 = getelementptr i8, ptr %1129, i64 %1039
-  %1044 = getelementptr i8, ptr %1043, i64 -8
-  %1045 = load double, ptr %1044, align 8
-  %1046 = fadd double %1042, %1045
-  %1047 = fmul double %1046, 5.000000e-01
-  store double %1047, ptr %1041, align 8
-  %1048 = load double, ptr %1040, align 8
-  %1049 = load double, ptr %1043, align 8
-  %1050 = fadd double %1048, %1049
-  %1051 = fmul double %1050, 5.000000e-01
-  store double %1051, ptr %1040, align 8
-  br label %1052
-1052:
-  br i1 %114, label %1164, label %1053
-1053:
-  %1054 = getelementptr double, ptr %88, i64 %1119
-  %1055 = load double, ptr %1054, align 8
-  %1056 = getelementptr double, ptr %88, i64 %1122
-  %1057 = load double, ptr %1056, align 8
-  %1058 = fadd double %1055, %1057
-  %1059 = fmul double %1058, 5.000000e-01
-  store double %1059, ptr %1054, align 8
-  br label %1164
-1060:
-  %1061 = phi double [ %1035, %1017 ], [ 0x7FF0000000000000, %874 ]
-  %1062 = select i1 %1008, i64 %35, i64 0
-  %1063 = getelementptr i8, ptr %33, i64 %1006
-  %1064 = getelementptr i8, ptr %1063, i64 %1062
-  %1065 = load i8, ptr %1064, align 1
-  %1066 = icmp eq i8 %1065, 0
-  br i1 %1066, label %1086, label %1067
-1067:
-  %1068 = select i1 %1008, i64 %29, i64 0
-  %1069 = add i64 %1068, %1006
-  %1070 = mul i64 %1069, %31
-  %1071 = getelementptr double, ptr %27, i64 %1070
+  %1006 = select i1 %1005, double 5.000000e-01, double 0.000000e+00
+  br i1 %89, label %494, label %225
+1007:
+  br i1 %340, label %491, label %358
+1008:
+  br i1 %473, label %491, label %494
+1009:
+  %1010 = select i1 %669, i64 %29, i64 0
+  %1011 = add i64 %1010, %999
+  %1012 = mul i64 %1011, %31
+  %1013 = getelementptr double, ptr %27, i64 %1012
+  %1014 = load double, ptr %1013, align 8
+  %1015 = fsub double %1014, %892
+  %1016 = fmul double %1015, %1015
+  %1017 = getelementptr i8, ptr %1013, i64 8
+  %1018 = load double, ptr %1017, align 8
+  %1019 = fsub double %1018, %899
+  %1020 = fmul double %1019, %1019
+  %1021 = fadd double %1016, %1020
+  %1022 = getelementptr i8, ptr %1013, i64 16
+  %1023 = load double, ptr %1022, align 8
+  %1024 = fsub double %1023, %906
+  %1025 = fmul double %1024, %1024
+  %1026 = fadd double %1021, %1025
+  %1027 = tail call double @llvm.sqrt.f64(double %1026)
+  br label %1056
+1028:
+  %1029 = phi i64 [ 0, %1119 ], [ %1040, %1028 ]
+  %1030 = shl i64 %1029, 3
+  %1031 = getelementptr i8, ptr %1122, i64 %1030
+  %1032 = getelementptr i8, ptr %1031, i64 -8
+  %1033 = load double, ptr %1032, align 8
+  %1034 = getelementptr i8, ptr %1125, i64 %1030
+  %1035 = getelementptr i8, ptr %1034, i64 -8
+  %1036 = load double, ptr %1035, align 8
+  %1037 = fsub double %1036, %1033
+  %1038 = fmul double %1006, %1037
+  %1039 = fadd double %1033, %1038
+  store double %1039, ptr %1032, align 8
+  %1040 = add nuw i64 %1029, 2
+  %1041 = load double, ptr %1031, align 8
+  %1042 = load double, ptr %1034, align 8
+  %1043 = fsub double %1042, %1041
+  %1044 = fmul double %1006, %1043
+  %1045 = fadd double %1041, %1044
+  store double %1045, ptr %1031, align 8
+  %1046 = icmp eq i64 %87, %1040
+  br i1 %1046, label %1047, label %1028
+1047:
+  br i1 %106, label %1126, label %1048
+1048:
+  %1049 = getelementptr double, ptr %88, i64 %1115
+  %1050 = load double, ptr %1049, align 8
+  %1051 = getelementptr double, ptr %88, i64 %1118
+  %1052 = load double, ptr %1051, align 8
+  %1053 = fsub double %1052, %1050
+  %1054 = fmul double %1006, %1053
+  %1055 = fadd double %1050, %1054
+  store double %1055, ptr %1049, align 8
+  br label %1126
+1056:
+  %1057 = phi double [ %1027, %1009 ], [ 0x7FF0000000000000, %866 ]
+  %1058 = select i1 %1000, i64 %35, i64 0
+  %1059 = getelementptr i8, ptr %33, i64 %998
+  %1060 = getelementptr i8, ptr %1059, i64 %1058
+  %1061 = load i8, ptr %1060, align 1
+  %1062 = icmp eq i8 %1061, 0
+  br i1 %1062, label %1082, label %1063
+1063:
+  %1064 = select i1 %1000, i64 %29, i64 0
+  %1065 = add i64 %1064, %998
+  %1066 = mul i64 %1065, %31
+  %1067 = getelementptr double, ptr %27, i64 %1066
+  %1068 = load double, ptr %1067, align 8
+  %1069 = fsub double %1068, %892
+  %1070 = fmul double %1069, %1069
+  %1071 = getelementptr i8, ptr %1067, i64 8
   %1072 = load double, ptr %1071, align 8
-  %1073 = fsub double %1072, %900
+  %1073 = fsub double %1072, %899
   %1074 = fmul double %1073, %1073
-  %1075 = getelementptr i8, ptr %1071, i64 8
-  %1076 = load double, ptr %1075, align 8
-  %1077 = fsub double %1076, %907
-  %1078 = fmul double %1077, %1077
-  %1079 = fadd double %1074, %1078
-  %1080 = getelementptr i8, ptr %1071, i64 16
-  %1081 = load double, ptr %1080, align 8
-  %1082 = fsub double %1081, %914
-  %1083 = fmul double %1082, %1082
-  %1084 = fadd double %1079, %1083
-  %1085 = tail call double @llvm.sqrt.f64(double %1084)
-  br label %1086
-1086:
-  %1087 = phi double [ %1085, %1067 ], [ 0x7FF0000000000000, %1060 ]
-  %1088 = fcmp olt double %1061, %1087
-  br i1 %1088, label %1089, label %1105
-1089:
-  store i8 1, ptr %1064, align 1
-  %1090 = select i1 %677, i64 %29, i64 0
-  %1091 = add i64 %1090, %1007
+  %1075 = fadd double %1070, %1074
+  %1076 = getelementptr i8, ptr %1067, i64 16
+  %1077 = load double, ptr %1076, align 8
+  %1078 = fsub double %1077, %906
+  %1079 = fmul double %1078, %1078
+  %1080 = fadd double %1075, %1079
+  %1081 = tail call double @llvm.sqrt.f64(double %1080)
+  br label %1082
+1082:
+  %1083 = phi double [ %1081, %1063 ], [ 0x7FF0000000000000, %1056 ]
+  %1084 = fcmp olt double %1057, %1083
+  br i1 %1084, label %1085, label %1101
+1085:
+  store i8 1, ptr %1060, align 1
+  %1086 = select i1 %669, i64 %29, i64 0
+  %1087 = add i64 %1086, %999
+  %1088 = mul i64 %1087, %31
+  %1089 = getelementptr double, ptr %27, i64 %1088
+  %1090 = select i1 %1000, i64 %29, i64 0
+  %1091 = add i64 %1090, %998
   %1092 = mul i64 %1091, %31
   %1093 = getelementptr double, ptr %27, i64 %1092
-  %1094 = select i1 %1008, i64 %29, i64 0
-  %1095 = add i64 %1094, %1006
-  %1096 = mul i64 %1095, %31
-  %1097 = getelementptr double, ptr %27, i64 %1096
-  %1098 = load double, ptr %1093, align 8
-  store double %1098, ptr %1097, align 8
-  %1099 = getelementptr i8, ptr %1093, i64 8
-  %1100 = load double, ptr %1099, align 8
-  %1101 = getelementptr i8, ptr %1097, i64 8
-  store double %1100, ptr %1101, align 8
-  %1102 = getelementptr i8, ptr %1093, i64 16
-  %1103 = load double, ptr %1102, align 8
-  %1104 = getelementptr i8, ptr %1097, i64 16
-  store double %1103, ptr %1104, align 8
-  br label %1105
-1105:
-  %1106 = select i1 %1008, i64 %43, i64 0
-  %1107 = getelementptr double, ptr %41, i64 %1006
+  %1094 = load double, ptr %1089, align 8
+  store double %1094, ptr %1093, align 8
+  %1095 = getelementptr i8, ptr %1089, i64 8
+  %1096 = load double, ptr %1095, align 8
+  %1097 = getelementptr i8, ptr %1093, i64 8
+  store double %1096, ptr %1097, align 8
+  %1098 = getelementptr i8, ptr %1089, i64 16
+  %1099 = load double, ptr %1098, align 8
+  %1100 = getelementptr i8, ptr %1093, i64 16
+  store double %1099, ptr %1100, align 8
+  br label %1101
+1101:
+  %1102 = select i1 %1000, i64 %43, i64 0
+  %1103 = getelementptr double, ptr %41, i64 %998
+  %1104 = getelementptr double, ptr %1103, i64 %1102
+  %1105 = load double, ptr %1104, align 8
+  %1106 = select i1 %669, i64 %43, i64 0
+  %1107 = getelementptr double, ptr %41, i64 %999
   %1108 = getelementptr double, ptr %1107, i64 %1106
   %1109 = load double, ptr %1108, align 8
-  %1110 = select i1 %677, i64 %43, i64 0
-  %1111 = getelementptr double, ptr %41, i64 %1007
-  %1112 = getelementptr double, ptr %1111, i64 %1110
-  %1113 = load double, ptr %1112, align 8
-  %1114 = fcmp olt double %1113, %1109
-  %1115 = select i1 %1114, double %1113, double %1109
-  store double %1115, ptr %1108, align 8
-  br i1 %108, label %1164, label %1116
-1116:
-  %1117 = select i1 %1008, i64 %47, i64 0
-  %1118 = add i64 %1117, %1006
-  %1119 = mul i64 %1118, %49
-  %1120 = select i1 %677, i64 %47, i64 0
-  %1121 = add i64 %1120, %1007
-  %1122 = mul i64 %1121, %49
-  br i1 %109, label %1053, label %1123
-1123:
-  %1124 = shl i64 %1119, 3
-  %1125 = getelementptr i8, ptr %45, i64 %1124
-  %1126 = getelementptr i8, ptr %1125, i64 8
-  %1127 = shl i64 %1122, 3
-  %1128 = getelementptr i8, ptr %45, i64 %1127
-  %1129 = getelementptr i8, ptr %1128, i64 8
-  br i1 %110, label %1037, label %1130
-1130:
-  %1131 = getelementptr i8, ptr %93, i64 %1124
-  %1132 = getelementptr i8, ptr %93, i64 %1127
-  br label %1133
-1133:
-  %1134 = phi i64 [ %92, %1130 ], [ %1162, %1133 ]
-  %1135 = phi i64 [ 0, %1130 ], [ %1157, %1133 ]
-  %1136 = shl i64 %1135, 3
-  %1137 = getelementptr i8, ptr %1131, i64 %1136
-  %1138 = getelementptr i8, ptr %1137, i64 -16
-  %1139 = getelementptr i8, ptr %1137, i64 -24
-  %1140 = load double, ptr %1139, align 8
-  %1141 = getelementptr i8, ptr %1132, i64 %1136
-  %1142 = getelementptr i8, ptr %1141, i64 -16
-  %1143 = getelementptr i8, ptr %1141, i64 -24
-  %1144 = load double, ptr %1143, align 8
-  %1145 = fadd double %1140, %1144
-  %1146 = fmul double %1145, 5.000000e-01
-  store double %1146, ptr %1139, align 8
-  %1147 = load double, ptr %1138, align 8
-  %1148 = load double, ptr %1142, align 8
-  %1149 = fadd double %1147, %1148
-  %1150 = fmul double %1149, 5.000000e-01
-  store double %1150, ptr %1138, align 8
-  %1151 = getelementptr i8, ptr %1137, i64 -8
-  %1152 = load double, ptr %1151, align 8
-  %1153 = getelementptr i8, ptr %1141, i64 -8
-  %1154 = load double, ptr %1153, align 8
-  %1155 = fadd double %1152, %1154
-  %1156 = fmul double %1155, 5.000000e-01
-  store double %1156, ptr %1151, align 8
-  %1157 = add i64 %1135, 4
-  %1158 = load double, ptr %1137, align 8
-  %1159 = load double, ptr %1141, align 8
-  %1160 = fadd double %1158, %1159
-  %1161 = fmul double %1160, 5.000000e-01
-  store double %1161, ptr %1137, align 8
-  %1162 = add i64 %1134, -2
-  %1163 = icmp eq i64 %1162, 0
-  br i1 %1163, label %1036, label %1133
-1164:
-  %1165 = zext i1 %1088 to i64
-  %1166 = shl i64 %882, 3
-  %1167 = getelementptr i8, ptr %71, i64 %1166
-  %1168 = getelementptr i8, ptr %1167, i64 16
-  store i64 %1165, ptr %1168, align 8
-  %1169 = select i1 %677, i64 %67, i64 0
-  %1170 = getelementptr i8, ptr %65, i64 %1007
-  %1171 = getelementptr i8, ptr %1170, i64 %1169
-  store i8 1, ptr %1171, align 1
-  %1172 = select i1 %1008, i64 %67, i64 0
-  %1173 = getelementptr i8, ptr %65, i64 %1006
+  %1110 = fcmp olt double %1109, %1105
+  %1111 = select i1 %1110, double %1109, double %1105
+  store double %1111, ptr %1104, align 8
+  br i1 %103, label %1126, label %1112
+1112:
+  %1113 = select i1 %1000, i64 %47, i64 0
+  %1114 = add i64 %1113, %998
+  %1115 = mul i64 %1114, %49
+  %1116 = select i1 %669, i64 %47, i64 0
+  %1117 = add i64 %1116, %999
+  %1118 = mul i64 %1117, %49
+  br i1 %104, label %1048, label %1119
+1119:
+  %1120 = shl i64 %1115, 3
+  %1121 = getelementptr i8, ptr %45, i64 %1120
+  %1122 = getelementptr i8, ptr %1121, i64 8
+  %1123 = shl i64 %1118, 3
+  %1124 = getelementptr i8, ptr %45, i64 %1123
+  %1125 = getelementptr i8, ptr %1124, i64 8
+  br label %1028
+1126:
+  %1127 = zext i1 %1084 to i64
+  %1128 = shl i64 %874, 3
+  %1129 = getelementptr i8, ptr %71, i64 %1128
+  %1130 = getelementptr i8, ptr %1129, i64 16
+  store i64 %1127, ptr %1130, align 8
+  %1131 = select i1 %669, i64 %67, i64 0
+  %1132 = getelementptr i8, ptr %65, i64 %999
+  %1133 = getelementptr i8, ptr %1132, i64 %1131
+  store i8 1, ptr %1133, align 1
+  %1134 = select i1 %1000, i64 %67, i64 0
+  %1135 = getelementptr i8, ptr %65, i64 %998
+  %1136 = getelementptr i8, ptr %1135, i64 %1134
+  store i8 1, ptr %1136, align 1
+  %1137 = load i64, ptr %689, align 8
+  %1138 = icmp slt i64 %1137, 1
+  br i1 %1138, label %1194, label %1139
+1139:
+  %1140 = and i64 %1137, 3
+  %1141 = icmp samesign ult i64 %1137, 4
+  br i1 %1141, label %1178, label %1142
+1142:
+  %1143 = and i64 %1137, 9223372036854775804
+  %1144 = mul i64 %496, %14
+  %1145 = getelementptr i8, ptr %9, i64 %1144
+  %1146 = getelementptr i8, ptr %1145, i64 24
+  br label %1147
+1147:
+  %1148 = phi i64 [ 0, %1142 ], [ %1169, %1147 ]
+  %1149 = shl i64 %1148, 3
+  %1150 = getelementptr i8, ptr %1146, i64 %1149
+  %1151 = getelementptr i8, ptr %1150, i64 -24
+  %1152 = load i64, ptr %1151, align 8
+  %1153 = icmp slt i64 %1152, 0
+  %1154 = select i1 %1153, i64 %67, i64 0
+  %1155 = getelementptr i8, ptr %65, i64 %1152
+  %1156 = getelementptr i8, ptr %1155, i64 %1154
+  store i8 1, ptr %1156, align 1
+  %1157 = getelementptr i8, ptr %1150, i64 -16
+  %1158 = load i64, ptr %1157, align 8
+  %1159 = icmp slt i64 %1158, 0
+  %1160 = select i1 %1159, i64 %67, i64 0
+  %1161 = getelementptr i8, ptr %65, i64 %1158
+  %1162 = getelementptr i8, ptr %1161, i64 %1160
+  store i8 1, ptr %1162, align 1
+  %1163 = getelementptr i8, ptr %1150, i64 -8
+  %1164 = load i64, ptr %1163, align 8
+  %1165 = icmp slt i64 %1164, 0
+  %1166 = select i1 %1165, i64 %67, i64 0
+  %1167 = getelementptr i8, ptr %65, i64 %1164
+  %1168 = getelementptr i8, ptr %1167, i64 %1166
+  store i8 1, ptr %1168, align 1
+  %1169 = add nuw nsw i64 %1148, 4
+  %1170 = load i64, ptr %1150, align 8
+  %1171 = icmp slt i64 %1170, 0
+  %1172 = select i1 %1171, i64 %67, i64 0
+  %1173 = getelementptr i8, ptr %65, i64 %1170
   %1174 = getelementptr i8, ptr %1173, i64 %1172
   store i8 1, ptr %1174, align 1
-  %1175 = load i64, ptr %697, align 8
-  %1176 = icmp slt i64 %1175, 1
-  br i1 %1176, label %1232, label %1177
-1177:
-  %1178 = and i64 %1175, 3
-  %1179 = icmp samesign ult i64 %1175, 4
-  br i1 %1179, label %1216, label %1180
-1180:
-  %1181 = and i64 %1175, 9223372036854775804
-  %1182 = mul i64 %504, %14
-  %1183 = getelementptr i8, ptr %9, i64 %1182
-  %1184 = getelementptr i8, ptr %1183, i64 24
-  br label %1185
-1185:
-  %1186 = phi i64 [ 0, %1180 ], [ %1207, %1185 ]
-  %1187 = shl i64 %1186, 3
-  %1188 = getelementptr i8, ptr %1184, i64 %1187
-  %1189 = getelementptr i8, ptr %1188, i64 -24
-  %1190 = load i64, ptr %1189, align 8
-  %1191 = icmp slt i64 %1190, 0
-  %1192 = select i1 %1191, i64 %67, i64 0
-  %1193 = getelementptr i8, ptr %65, i64 %1190
-  %1194 = getelementptr i8, ptr %1193, i64 %1192
-  store i8 1, ptr %1194, align 1
-  %1195 = getelementptr i8, ptr %1188, i64 -16
-  %1196 = load i64, ptr %1195, align 8
-  %1197 = icmp slt i64 %1196, 0
-  %1198 = select i1 %1197, i64 %67, i64 0
-  %1199 = getelementptr i8, ptr %65, i64 %1196
-  %1200 = getelementptr i8, ptr %1199, i64 %1198
-  store i8 1, ptr %1200, align 1
-  %1201 = getelementptr i8, ptr %1188, i64 -8
-  %1202 = load i64, ptr %1201, align 8
-  %1203 = icmp slt i64 %1202, 0
-  %1204 = select i1 %1203, i64 %67, i64 0
-  %1205 = getelementptr i8, ptr %65, i64 %1202
-  %1206 = getelementptr i8, ptr %1205, i64 %1204
-  store i8 1, ptr %1206, align 1
-  %1207 = add nuw nsw i64 %1186, 4
-  %1208 = load i64, ptr %1188, align 8
-  %1209 = icmp slt i64 %1208, 0
-  %1210 = select i1 %1209, i64 %67, i64 0
-  %1211 = getelementptr i8, ptr %65, i64 %1208
-  %1212 = getelementptr i8, ptr %1211, i64 %1210
-  store i8 1, ptr %1212, align 1
-  %1213 = icmp eq i64 %1181, %1207
-  br i1 %1213, label %1214, label %1185
-1214:
-  %1215 = icmp eq i64 %1178, 0
-  br i1 %1215, label %1232, label %1216
-1216:
-  %1217 = phi i64 [ 0, %1177 ], [ %1181, %1214 ]
-  %1218 = add i64 %1217, %505
-  %1219 = shl i64 %1218, 3
-  %1220 = getelementptr i8, ptr %9, i64 %1219
-  br label %1221
-1221:
-  %1222 = phi i64 [ 0, %1216 ], [ %1230, %1221 ]
-  %1223 = shl i64 %1222, 3
-  %1224 = getelementptr i8, ptr %1220, i64 %1223
-  %1225 = load i64, ptr %1224, align 8
-  %1226 = icmp slt i64 %1225, 0
-  %1227 = select i1 %1226, i64 %67, i64 0
-  %1228 = getelementptr i8, ptr %65, i64 %1225
-  %1229 = getelementptr i8, ptr %1228, i64 %1227
-  store i8 1, ptr %1229, align 1
-  %1230 = add i64 %1222, 1
-  %1231 = icmp eq i64 %1178, %1230
-  br i1 %1231, label %1232, label %1221
-1232:
-  %1233 = add nsw i64 %118, 1
-  br label %920
-1234:
-  %1235 = phi i64 [ 0, %1 ], [ %921, %920 ]
-  ret i64 %1235
+  %1175 = icmp eq i64 %1143, %1169
+  br i1 %1175, label %1176, label %1147
+1176:
+  %1177 = icmp eq i64 %1140, 0
+  br i1 %1177, label %1194, label %1178
+1178:
+  %1179 = phi i64 [ 0, %1139 ], [ %1143, %1176 ]
+  %1180 = add i64 %1179, %497
+  %1181 = shl i64 %1180, 3
+  %1182 = getelementptr i8, ptr %9, i64 %1181
+  br label %1183
+1183:
+  %1184 = phi i64 [ 0, %1178 ], [ %1192, %1183 ]
+  %1185 = shl i64 %1184, 3
+  %1186 = getelementptr i8, ptr %1182, i64 %1185
+  %1187 = load i64, ptr %1186, align 8
+  %1188 = icmp slt i64 %1187, 0
+  %1189 = select i1 %1188, i64 %67, i64 0
+  %1190 = getelementptr i8, ptr %65, i64 %1187
+  %1191 = getelementptr i8, ptr %1190, i64 %1189
+  store i8 1, ptr %1191, align 1
+  %1192 = add i64 %1184, 1
+  %1193 = icmp eq i64 %1140, %1192
+  br i1 %1193, label %1194, label %1183
+1194:
+  %1195 = add nsw i64 %110, 1
+  br label %912
+1196:
+  %1197 = phi i64 [ 0, %1 ], [ %913, %912 ]
+  ret i64 %1197
 }
 define noundef i64 @msf_jax.meso.kernels.cut(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8

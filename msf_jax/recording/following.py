@@ -1,20 +1,18 @@
 """Record the binding of a finished curve to its mesh, so that the curve can follow moving vertices.
 
-A node follows the cross-sections of its limb, in whose middle centring put it. Their corners are stored as fractions of
-mesh edges, so a section moves, turns and bulges with the surface. A node without a section has a cloud instead: the
-vertices that belong to it and its neighbours. The centroids c of both, with weights w (those of `centring`, and small
-ones for clouds), are smoothed along the curve:
+A node follows the cross-sections of its limb, whose corners are stored as fractions of mesh edges. A node without a
+section has a cloud instead: the vertices that belong to it and its neighbours. The centroids c of both, with weights w
+(those of `centring`, and small ones for clouds), are smoothed along the curve:
 
     minimise  sum_i w_i |x_i - c_i|^2  +  sum_ij mu_ij |x_i - x_j|^2,   mu = (REACH size / h)^2
 
-for neighbours h apart in a limb of that size. So x = a c with a constant matrix a, whose rows sum to one. The remainder
-o = x - a c at the recorded mesh is carried in a frame of each node: the affine map F that best fits how the corners of
-the sections around it have moved. F o is linear in the vertices, F = C / S with
+for neighbours h apart in a limb of that size: x = a c with a constant matrix a, whose rows sum to one. The remainder
+o = x - a c at the recorded mesh is turned by the affine map F that best fits how the corners of the sections around the
+node have moved. F o is linear in the vertices, b V:
 
-    C = sum_k a_k (p_k - p_mean) (q_k - q_mean)^T,   S = the same with p = q,   q the recorded corners,
+    F = C / S,   C = sum_k a_k (p_k - p_mean) (q_k - q_mean)^T,   S = the same with p = q,   q the recorded corners.
 
-so it is a matrix b times the vertices. Both a and b reproduce every affine map of the mesh exactly. A pinned node has
-only the mean of its pins, as its row of b.
+Both a and b reproduce every affine map of the mesh exactly. A pinned node has the mean of its pins, as its row of b.
 """
 
 from typing import Any, NamedTuple
@@ -143,8 +141,8 @@ def _sections(
     radii: np.ndarray,
     nearest: np.ndarray,
 ) -> tuple[BoundCorners, np.ndarray]:
-    """The sections that count in `centring`, and the size (N,) of the limb at every node. Sections that the lid of an
-    opening cuts off are left out."""
+    """The sections that count in `centring`, without those that the lid of an opening cuts off, and the size (N,) of
+    the limb at every node."""
     shape = solid.shape
     if not paths:
         none = np.zeros(0, dtype=np.int64)
@@ -178,8 +176,7 @@ def _with_clouds(surface: BoundSurface, edges: np.ndarray, loops: BoundCorners, 
 def _smoothing(
     x: np.ndarray, edges: np.ndarray, size: np.ndarray, corners: BoundCorners, is_held: np.ndarray
 ) -> sparse.csr_array:
-    """The matrix a (N, S) from centroids to the nodes that minimise the energy in the module's docstring. Small entries
-    are left out, and rows scaled to a sum of one; those of nodes ``is_held`` (N,) are empty."""
+    """The matrix a (N, S), see the module, without small entries; rows of nodes ``is_held`` (N,) are empty."""
     num, (tail, head) = len(x), edges.T
     size = np.maximum(size, 1e-3)  # diagonals: a thinner limb is as stiff as one of that size
     gap = np.maximum(np.linalg.norm(x[tail] - x[head], axis=1), 1e-9)  # diagonals: nodes in one place

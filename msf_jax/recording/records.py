@@ -1,10 +1,8 @@
 """The records of a run's decisions, and the tape of a component that is made of them on request, for `device.playback`.
 
-The edits before and after the iterations are linear in the positions, with known shares, and are recorded as one sparse
-matrix each. In an iteration, collapses are linear in the positions: after all collapses of an iteration, a vertex is a
-weighted sum of others, with shares that are powers of one half. So they are recorded as a group and a share for each
-row, however many rounds there were. A split is not linear: its place, the projection of an apex, is computed anew; its
-three rows are recorded.
+The edits before and after the iterations are linear in positions and weights, with known shares, recorded as one
+sparse matrix each. So are all collapses of an iteration, as a group and a share for each row, however many rounds there
+were. A split is not linear: its place, the projection of an apex, is computed anew; its three rows are recorded.
 """
 
 from itertools import pairwise, zip_longest
@@ -25,11 +23,8 @@ LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product,
 
 
 class FoundPoles(NamedTuple):
-    """Poles of a surface of n vertices.
-
-    kept: the filter from its vertices to the sites (n, 3). poles: (n, 3). tetrahedron: (n, 4) the sites whose
-    circumcentre the pole is. is_inside: (n,) whether the pole pulls.
-    """
+    """Poles (n, 3) of a surface: kept is the filter from its vertices to the sites (n, 3), tetrahedron (n, 4) the sites
+    whose circumcentre the pole is, is_inside (n,) whether it pulls."""
 
     kept: LowPass | None
     sites: np.ndarray
@@ -50,8 +45,8 @@ class Step(NamedTuple):
     """One iteration on a surface of m vertices, and the edits after it.
 
     order: (m,) the vertex in each packed row; the other arrays are by rows. positions: (m, 3) float32, before the
-    iteration. rings: (m, K), see `packing.pack`. degree, free, pull: (m,). left: (2, m, 3) residuals of the two
-    solves, divided by the norms of their right-hand sides. factor: on w_L.
+    iteration. rings: (m, K), see `packing.pack`. degree, free, pull: (m,). left: (2, m, 3), of `cg.SolveReport`.
+    factor: on w_L.
     """
 
     order: np.ndarray
@@ -88,22 +83,18 @@ class ComponentRecord(NamedTuple):
 
 
 class Recording(NamedTuple):
-    """A run's components, and the caller's mesh.
-
-    input_of_vertex: the caller's vertex for each checked vertex; for those of ``is_made``, one near it.
-    """
+    """A run's components, and the caller's mesh. is_joined: whether repair made vertices."""
 
     components: tuple[ComponentRecord, ...]
     vertices: np.ndarray
     faces: np.ndarray
-    input_of_vertex: np.ndarray
-    is_made: np.ndarray
+    is_joined: bool
 
 
 def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]:
     """The tape of a component, and the layouts of its stretches."""
     start, steps, num = record.start, record.steps, len(record.vertices)
-    place, blend = edit_matrices(start.edits, num)
+    place = edit_matrix(start.edits, num)
     plan = layouts_of(steps)
     order, capacity = (steps[0].order, plan[0][2].capacity) if steps else (np.arange(place.shape[0]), place.shape[0])
     row = site = np.argsort(order)  # of each vertex: its row, and the row of the first stretch whose pole it has
@@ -127,15 +118,17 @@ def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]
         vertex_of_input=record.vertex_of_input.astype(np.int32),
         is_pin=np.isin(np.arange(num), record.pins),
         mesh_filter=mesh_filter,
-        gather=entries(place[order], blend[order]),
+        gather=entries(place[order]),
         site_filter=site_filter,
         **record_poles(start.found, order, capacity),
         stretches=tuple(stretches),
         meso_row=row.astype(np.int32),
-        nodes=entries(*2 * [means @ edit_matrices(record.thinning, record.num_meso)[0]]),
-        pin_node=record.node_of_pin.astype(np.int32),
-        pin_input=record.vertex_of_input[record.pins].astype(np.int32),
-        pin_share=1.0 / num_pins[record.node_of_pin],
+        nodes=entries(means @ edit_matrix(record.thinning, record.num_meso)),
+        pins=Mixing(
+            record.node_of_pin.astype(np.int32),
+            record.vertex_of_input[record.pins].astype(np.int32),
+            1.0 / num_pins[record.node_of_pin],
+        ),
         is_held=num_pins > 0,
         centre=record.frame.centre,
         diagonal=np.asarray(record.frame.diagonal),
@@ -145,8 +138,8 @@ def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]
 
 
 def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
-    """One or two layouts for the iterations, whichever have fewer slots, each after its first one and the first beyond
-    it. Each takes seconds to compile, but with one for all, the late iterations would consist mostly of padding."""
+    """One or two layouts for the iterations, whichever have fewer slots, each after its first iteration and the first
+    one beyond. Each takes seconds to compile; with one for all, late iterations would be mostly padding."""
 
     def planned(*bounds: int) -> list[tuple[int, int, Layout]]:
         plan = []
@@ -176,9 +169,8 @@ def record_stretch(
     for step, rounds in zip(steps, cuts, strict=True):
         rank, num_rows = np.argsort(step.order), len(step.order)
         row_before, pole = row, in_rows(site[step.order], dtype=np.int32)
-        group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
-        # Edits have ids of vertices. Here they become rows: of the buffers, and, for new vertices, of the workspace.
-        # A new vertex has no pole that pulls.
+        group, share = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
+        # Ids of vertices become rows of the buffers, and those of new ones, which have no pole, of the workspace.
         fresh = np.zeros(sum(len(done.new) for done in rounds), dtype=np.int64)
         row, site = np.concatenate([rank, fresh]), np.concatenate([site, fresh])
         cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
@@ -200,7 +192,6 @@ def record_stretch(
             factor=np.asarray(step.factor),
             group=np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
             share=in_rows(share[step.order], 1.0),
-            blend=in_rows(blend[step.order], 1.0),
             cut=cut,
         )
         lines.append(line)
@@ -212,47 +203,40 @@ def record_stretch(
     return Stretch(rings=rings, **stacked), row, site
 
 
-def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The row (n,) that each row is merged into in ``rounds``, its share of that row's position, and of its weights."""
-    group, share, mean = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray]:
+    """The row (n,) that each row is merged into in ``rounds``, and its share of that."""
+    group, share = np.arange(num_rows), np.ones(num_rows)
     for done in rounds:
-        target, keeps, halves = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+        target, keeps = np.arange(num_rows), np.ones(num_rows)
         target[done.removed] = done.survivor
         keeps[done.survivor], keeps[done.removed] = 1 - done.fraction, done.fraction
-        halves[done.survivor] = halves[done.removed] = 0.5
         share *= keeps[group]
-        mean *= halves[group]
         group = target[group]
-    return group, share, mean
+    return group, share
 
 
-def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
-    """The effect of ``edits`` with known fractions on positions and on weights: sparse matrices (rows after, before).
-
-    They differ at a fixed vertex: in a collapse it keeps its position, but gets the mean of the weights.
-    """
-    both: list[Any] = [sparse.csr_matrix(sparse.identity(num_rows)) for _ in range(2)]
+def edit_matrix(edits: list[Any], num_rows: int) -> Any:
+    """The effect of ``edits`` with known fractions: a sparse matrix (rows after, before)."""
+    matrix: Any = sparse.csr_matrix(sparse.identity(num_rows))
     for edit in edits:
-        row = np.arange(both[0].shape[0])
+        row = np.arange(matrix.shape[0])
         if isinstance(edit, CollapseRound):
-            group, *shares = merged([edit], len(row))
-            steps = [sparse.csr_matrix((share, (group, row)), shape=(len(row), len(row))) for share in shares]
-            both = [step @ matrix for step, matrix in zip(steps, both, strict=True)]
+            group, share = merged([edit], len(row))
+            matrix = sparse.csr_matrix((share, (group, row)), shape=(len(row), len(row))) @ matrix
         elif isinstance(edit, SplitRound):
             fresh, ends = np.arange(len(edit.a)), np.r_[edit.a, edit.b]
             shares = np.r_[1 - edit.fraction, edit.fraction]
             cut = sparse.csr_matrix((shares, (np.r_[fresh, fresh], ends)), shape=(len(fresh), len(row)))
-            both = [sparse.vstack([matrix, cut @ matrix], format="csr") for matrix in both]
+            matrix = sparse.vstack([matrix, cut @ matrix], format="csr")
         elif isinstance(edit, Compaction):
-            both = [matrix[edit.live] for matrix in both]
-    return both[0], both[1]
+            matrix = matrix[edit.live]
+    return matrix
 
 
-def entries(place: Any, blend: Any) -> Mixing:
-    """The entries of two matrices that one or the other has."""
-    row, column = (abs(place) + abs(blend)).nonzero()
-    shares = [np.asarray(matrix[row, column]).ravel() for matrix in (place, blend)]
-    return Mixing(row.astype(np.int32), column.astype(np.int32), *shares)
+def entries(matrix: Any) -> Mixing:
+    """The entries of a sparse ``matrix`` that are not 0."""
+    row, column, share = sparse.find(matrix)
+    return Mixing(row.astype(np.int32), column.astype(np.int32), share)
 
 
 def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> Basis | Polynomial:

@@ -19,7 +19,7 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.gradients import losses
 from msf_jax.gradients.losses import norm
-from msf_jax.gradients.tape import Tape
+from msf_jax.gradients.replay import Tape
 from msf_jax.meshes import reading
 from msf_jax.skeleton.skeleton import Skeleton
 

@@ -22,8 +22,7 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
 from msf_jax.flow.loop import checked_options
 from msf_jax.flow.state import Flow
-from msf_jax.gradients.replay import replay_meso
-from msf_jax.gradients.tape import Tape
+from msf_jax.gradients.replay import Tape, replay_meso
 from msf_jax.meshes import checking, reading
 from msf_jax.tuning.objectives import Objective, as_objective, of_skeleton, of_surface
 

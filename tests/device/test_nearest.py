@@ -91,6 +91,24 @@ def test_slopes_are_those_of_the_nearest_triangle():
     )  # moved together, nothing changes
 
 
+def test_points_and_runs_are_looked_at_some_at_a_time(monkeypatch):
+    """In blocks and windows of 8 as all together; each mesh of a batch as alone, though two lie on each other."""
+    skeletons = [flow_of(name).skeleton for name in ("y_coarse", "straight_coarse", "y_coarse")]
+    batch = msf_jax.stack(skeletons)
+    points, vertices = np.array(batch.rest), np.array(batch.vertices)
+    points[:] = about(vertices[np.asarray(batch.vertex_mask)], len(points))
+    expected = np.asarray(nearest.nearest_faces(batch, points, vertices))
+    parts = [msf_jax.stack([each]) for each in skeletons]
+    start = np.cumsum([0, *batch.live.faces])
+    for number, (part, rows) in enumerate(zip(parts, batch.split(points), strict=True)):
+        own = np.zeros((len(part.rest), 3))
+        own[: len(rows)] = rows
+        alone = np.asarray(nearest.nearest_faces(part, own, part.vertices))[: len(rows)]
+        np.testing.assert_array_equal(start[number] + alone, batch.split(expected)[number])
+    monkeypatch.setattr(nearest, "TOGETHER", 8)
+    np.testing.assert_array_equal(nearest.nearest_faces(batch, points, vertices), expected)
+
+
 @pytest.mark.slow
 def test_where_a_surface_runs_through_itself_sides_are_as_recorded():
     """Two bars that cross: in one the nearest wall may be the other's, seen from outside."""

@@ -1,6 +1,7 @@
 """The tape and its replay: equal to the run, the same whatever the padding, pickled and refused. Its derivatives
 are in test_transformations."""
 
+import dataclasses
 import pickle
 from functools import partial
 
@@ -14,7 +15,8 @@ from test_transformations import recorded
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, PreprocessingOptions, Weights
 from msf_jax.base.layout import layout_for
-from msf_jax.gradients import replay, tape
+from msf_jax.device import playback
+from msf_jax.gradients import replay
 from msf_jax.recording import records
 
 pytestmark = pytest.mark.usefixtures("few_rows")
@@ -79,15 +81,11 @@ def test_it_equals_the_run(name):
     bound = 1e-9 * mesh.scale
     assert np.abs(nodes - flow.curve.vertices).max() < bound
     assert np.abs(msf_jax.replay_meso(flow.tape, flow.weights) - flow.meso_skeleton[0]).max() < bound
-    radii = np.asarray(msf_jax.replay_radii(flow.tape, nodes))
-    is_inside = flow.curve.radii > 0
-    assert np.abs(radii - flow.curve.radii)[is_inside].max() < bound
-    assert (radii[~is_inside] <= bound).all()
 
 
 @pytest.mark.slow  # that a step's layout does not show is in test_padding
 def test_padding_does_not_matter(flow, monkeypatch):
-    """In a larger layout, and in two stretches instead of one: the same nodes."""
+    """In a larger layout, and in two stretches instead of one: the same nodes. Of few kinds of tapes programs stay."""
 
     def other_plan(steps, *_):
         beyond = [4] * 20
@@ -95,9 +93,11 @@ def test_padding_does_not_matter(flow, monkeypatch):
 
     nodes = msf_jax.replay(flow.tape, flow.weights)
     monkeypatch.setattr(records, "layouts_of", other_plan)
-    again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
+    again = replay.record(flow.recording, flow.weights, flow.config, flow.source.areas)
     assert again.layouts != flow.tape.layouts
+    monkeypatch.setattr(replay, "MOST_KINDS", 1)
     np.testing.assert_allclose(msf_jax.replay(again, flow.weights), nodes, atol=1e-10)
+    assert playback.replay_part._cache_size() == len(replay._kinds) == 1
 
 
 @pytest.mark.slow  # traces a gradient of its own
@@ -114,28 +114,42 @@ def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
     assert kept < 1.5 * states + 2 * of_tape
 
 
-def test_radii_are_distances_to_the_recorded_triangle(flow):
-    """By the solid's own measure for small moves; negative, with an unbroken slope, through the surface."""
-    tape, nodes = flow.tape, flow.curve.vertices
-    moved = nodes + 1e-7 * np.random.default_rng(2).normal(size=nodes.shape)
-    radii = np.maximum(jax.jit(msf_jax.replay_radii)(tape, moved), 0.0)  # the solid's own are 0 outside
-    np.testing.assert_allclose(radii, flow.source.solid.radii(moved), atol=1e-8)
-    triangle = tape.vertices[tape.triangles[0]]
-    normal = np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0])
-    normal /= np.linalg.norm(normal)
-    both = jax.jit(jax.value_and_grad(lambda x: msf_jax.replay_radii(tape, x)[0]))
-    for height in (-0.01, -1e-9, 1e-9, 0.01):
-        placed = nodes.copy()
-        placed[0] = triangle.mean(axis=0) + height * normal
-        radius, slope = both(placed)
-        np.testing.assert_allclose(radius, -height, atol=1e-12)
-        np.testing.assert_allclose(slope[0], -normal, atol=1e-9)
-
-
 @pytest.mark.slow  # so is a derivative, in test_second_derivatives
 def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     monkeypatch.setattr(replay, "MOST_STEPS", 2)
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
+
+
+DERIVATIVES = {
+    "grad": jax.grad,
+    "grad of jit": lambda f: jax.grad(jax.jit(f)),
+    "jvp": lambda f: lambda x: jax.jvp(f, (x,), (x,)),
+    "linearize": lambda f: lambda x: jax.linearize(f, x)[0],
+    "hessian": jax.hessian,
+    "vmap of grad": lambda f: lambda x: jax.vmap(jax.grad(f))(x[None]),
+    "grad of vmap": lambda f: jax.grad(lambda x: jax.vmap(f)(x[None]).sum()),
+    "grad of checkpoint": lambda f: jax.grad(jax.checkpoint(f)),
+    "grad of scan": lambda f: jax.grad(lambda x: jax.lax.scan(lambda sum, _: (sum + f(x), None), 0.0, length=2)[0]),
+}
+
+
+@pytest.mark.parametrize("name", DERIVATIVES)
+def test_a_derivative_in_float32_is_refused_when_it_is_traced(flow, name):
+    """By the weights and by the vertices; the value is not, nor one whose arguments are held fixed."""
+    of_weights = lambda x: msf_jax.replay(flow.tape, Weights(*x)).sum()  # noqa: E731
+    of_vertices = lambda x: msf_jax.replay_meso(flow.tape, flow.weights, x).sum()  # noqa: E731
+    with jax.enable_x64(False):
+        for function, at in ((of_weights, np.ones(4, np.float32)), (of_vertices, np.float32(flow.tape.vertices))):
+            with pytest.raises(ConfigError, match=r"in float32.*jax_enable_x64.*or msf_jax\.follow"):
+                jax.eval_shape(DERIVATIVES[name](function), at)
+            assert jax.eval_shape(jax.jit(function), at).dtype == np.float32
+            jax.eval_shape(DERIVATIVES[name](lambda x, f=function: f(jax.lax.stop_gradient(x))), at)
+
+
+def test_one_program_serves_all_tolerances(flow, compilations):
+    first = np.asarray(msf_jax.replay(flow.tape, flow.weights, tolerance=1e-3))
+    compilations.clear()
+    assert np.abs(np.asarray(msf_jax.replay(flow.tape, flow.weights)) - first).max() > 0 and not compilations
 
 
 @pytest.mark.parametrize(
@@ -156,7 +170,7 @@ def test_wrong_arguments(flow, arguments, error, says):
         msf_jax.replay(*arguments(flow.tape))
     with pytest.raises(ConfigError, match="tolerance is 0: expected a number above 0"):
         msf_jax.replay(flow.tape, flow.weights, tolerance=0)
-    with pytest.raises(ConfigError, match=r"nodes has shape \(2, 3\)"):
-        msf_jax.replay_radii(flow.tape, np.zeros((2, 3)))
+    with pytest.raises(ConfigError, match="need a factorisation, which a replay has not"):
+        msf_jax.replay(dataclasses.replace(flow.tape, config=Config.au2008()), flow.weights)
     with pytest.raises(ConfigError, match=r"w_M has shape \(3,\): expected a number, or \(162,\)"):
         msf_jax.contract(ellipsoid(), Weights(w_M=np.ones(3)))

@@ -132,7 +132,6 @@ def test_the_tape_of_joined_parts_knows_the_run():
     tape = run.tape
     nodes = np.asarray(msf_jax.replay(tape, weights))
     assert np.abs(nodes - run.curve.vertices).max() < 1e-9
-    np.testing.assert_allclose(np.asarray(msf_jax.replay_radii(tape, nodes)), run.curve.radii, atol=1e-9)
     with pytest.raises(MeshError, match="repair made vertices where it joined parts"):
         msf_jax.replay(tape, weights, vertices)
 
