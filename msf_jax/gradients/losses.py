@@ -43,7 +43,7 @@ def near(found: Any, binding: Binding, target: Any, mesh: Any = None) -> jax.Arr
     Differentiable in: nodes, target, with the nearest points held fixed.
     """
     nodes = _nodes(found, binding)
-    target = numbers_of("target", target, ConfigError)
+    target = jnp.asarray(numbers_of("target", target, ConfigError))
     if target.ndim != 2 or target.shape[1] != 3:
         raise ConfigError(f"target has shape {target.shape}: expected points (P, 3)")
     if mesh is None and jnp.ndim(binding.diagonal):

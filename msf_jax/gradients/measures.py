@@ -52,7 +52,7 @@ def integrals(found: Any, binding: Binding, values: Any) -> jax.Array:
 
     Differentiable in: nodes, values.
     """
-    nodes, values = checked(found, binding), numbers_of("values", values, ConfigError)
+    nodes, values = checked(found, binding), jnp.asarray(numbers_of("values", values, ConfigError))
     if values.shape != (len(nodes),):
         raise ConfigError(f"values has shape {values.shape}: expected ({len(nodes)},), a number for each row of nodes")
     a, b = binding.edges.T

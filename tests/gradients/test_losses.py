@@ -67,6 +67,9 @@ def test_near_is_the_mean_of_squares_in_both_directions(monkeypatch):
     assert near(filled(LINE[:4], RADII[:4]), three, TARGET) == pytest.approx(expected)
     far = np.concatenate([TARGET, [[9.0, 9, 9]]])
     assert near(filled(LINE[:4], RADII[:4]), three, far, np.array([0, 0, 0, -1])) == pytest.approx(expected)
+    assert jax.jit(lambda found: losses.near(found, three, TARGET))(filled(LINE[:4], RADII[:4])) == near(
+        filled(LINE[:4], RADII[:4]), three, TARGET
+    )
     value, slope = jax.jit(jax.value_and_grad(losses.near))(filled(), bound(), TARGET, np.full(3, -1))
     assert value == 0 and not any(np.asarray(part).any() for part in slope)
     # A short edge that is far off counts little.
