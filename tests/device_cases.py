@@ -11,6 +11,7 @@ import scipy.sparse as sp
 from scipy.spatial import ConvexHull
 
 from msf_jax.base.layout import Layout, Level, fits, layout_for
+from msf_jax.base.options import SolverOptions
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, relaxed, smoothing
@@ -21,11 +22,9 @@ TIGHT = 1e-13  # relative residual of solves that are compared with direct ones
 MANY = 5000  # CG steps that no test needs
 
 
-class Solver(NamedTuple):
-    """What a solve asks of `SolverOptions`, here also of numbers that JAX traces."""
-
-    tolerance: Any
-    max_steps: Any
+def Solver(tolerance: Any, max_steps: Any) -> SolverOptions:
+    """Options of numbers that JAX may trace."""
+    return SolverOptions(tolerance=tolerance, max_steps=max_steps)
 
 
 class Case(NamedTuple):

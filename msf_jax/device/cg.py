@@ -7,6 +7,7 @@ solve each. Under a `jax.checkpoint` with the policy `keeps_solutions`, the back
 
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
     from jaxopt import loop
 
-from msf_jax.base.options import SolverOptions
+from msf_jax.base.options import SolverOptions, is_traced
 
 Map = Callable[[jax.Array], jax.Array]  # of vectors (n, c)
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
@@ -119,6 +120,8 @@ def solve(
     """
     is_short = isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE  # a traced one may be tight
     operator, b, smallest, left = _together((operator, b, smallest, left))
+    if is_traced(solver.tolerance):
+        solver = replace(solver, tolerance=_together((solver.tolerance, b))[0])
     size = norm(b)
     right = b if left is None else b - size * left
     own_size, own_smallest = lax.stop_gradient((size, smallest))
