@@ -204,7 +204,8 @@ def _target(arguments: argparse.Namespace, suffix: str) -> Path:
     Raises:
         ConfigError: it cannot be written; before the run, not after it.
     """
-    target = Path(arguments.mesh).with_suffix(suffix) if arguments.output is None else Path(arguments.output)
+    mesh = Path(arguments.mesh)
+    target = mesh.parent / (mesh.stem + suffix) if arguments.output is None else Path(arguments.output)
     folder = Path(os.path.realpath(target)).parent  # of its target, if it is a link
     if arguments.output is None and target.exists():
         raise ConfigError(f"{str(target)!r} exists already: name a file with -o, this one to overwrite it")

@@ -140,7 +140,7 @@ def shrinking_balls(
     # Points without a normal keep the first radius.
     active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
     grows = np.ones(num, dtype=bool)
-    while len(active):  # a ball that shrinks has one more point outside
+    while len(active):  # a ball that shrinks has one more point outside, and one that grows doubles
         v, n, r = points[active], normals[active], radius[active]
         away, found = tree.query(v - r[:, None] * n, k=2, distance_upper_bound=float(r.max()))
         away, found = np.asarray(away), np.asarray(found)
@@ -153,7 +153,7 @@ def shrinking_balls(
         is_hit &= (depth > 0) & (length2 > 0)
         smaller = length2 / np.where(is_hit, 2 * depth, 1.0)
         # n . (q - c) / r is the cosine of the angle between v and q at the new centre.
-        is_hit &= 1 - depth / np.where(is_hit, smaller, 1.0) < NOISE
+        is_hit &= (1 - depth / np.where(is_hit, smaller, 1.0) < NOISE) & (smaller < (1 - ROUNDING) * r)
         radius[active[is_hit]], touching[active[is_hit]] = smaller[is_hit], found[is_hit]
         grows[active[is_hit]] = False
         is_open = ~is_hit & grows[active] & (r < largest[active])

@@ -1,6 +1,7 @@
 """Geodesic distances on a surface: a compiled loop that moves a front from triangle to triangle."""
 
 from collections.abc import Callable
+from functools import partial
 from math import inf, sqrt
 from typing import NamedTuple
 
@@ -116,12 +117,11 @@ def distances(shape: Enclosure) -> Callable[[np.ndarray], np.ndarray]:
     length = np.linalg.norm(side, axis=2)
     foot = np.einsum("fki,fki->fk", side, across) / np.maximum(length, 1e-300)
     height = np.sqrt(np.maximum(np.einsum("fki,fki->fk", across, across) - foot**2, 0.0))
-    surface = FrontSurface(faces, first, around, np.hstack([length, foot, height]))
-    vertex, key = np.empty(num + 1, dtype=np.int64), np.empty(num + 1)
+    return partial(_spread_from, FrontSurface(faces, first, around, np.hstack([length, foot, height])))
 
-    def spread_from(sources: np.ndarray) -> np.ndarray:
-        found = np.full(num, np.inf)
-        spread(surface, Front(found, vertex, key, np.full(num, -1)), sources)
-        return found
 
-    return spread_from
+def _spread_from(surface: FrontSurface, sources: np.ndarray) -> np.ndarray:
+    num = len(surface.first) - 1
+    distance, vertex, key = np.full(num, np.inf), np.empty(num + 1, dtype=np.int64), np.empty(num + 1)
+    spread(surface, Front(distance, vertex, key, np.full(num, -1)), sources)
+    return distance

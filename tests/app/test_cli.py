@@ -96,20 +96,23 @@ BAD = {
     "open.off": (open_box(), "open"),
     "flat.off": (trimesh.creation.box((1, 1, 0)), "no volume"),
     "limb\ud800.off": (None, "no bytes for the name"),
+    "": (None, "is no file"),
 }
 
 
 @pytest.mark.parametrize("name", BAD)
-def test_bad_input_is_one_clear_line_and_exit_2(name, tmp_path, capsys):
+def test_bad_input_is_one_clear_line_and_exit_2(name, tmp_path, capsys, monkeypatch):
     content, message = BAD[name]
+    monkeypatch.chdir(tmp_path)
     if isinstance(content, bytes):
         (tmp_path / name).write_bytes(content)
     elif content is not None:
         content.export(tmp_path / name)
-    assert main(["skeletonize", str(tmp_path / name), "-o", str(tmp_path / "out.swc")]) == 2
-    err = capsys.readouterr().err
-    assert err.startswith("msf-jax: ") and err.count("\n") == 1 and message in err
-    assert not (tmp_path / "out.swc").exists()
+    for output in (["-o", "out.swc"], []):
+        assert main(["skeletonize", name, *output]) == 2
+        err = capsys.readouterr().err
+        assert err.startswith("msf-jax: ") and err.count("\n") == 1 and message in err
+    assert not list(tmp_path.glob("*.swc"))
 
 
 @pytest.mark.parametrize(

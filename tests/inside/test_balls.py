@@ -48,3 +48,13 @@ def test_balls_replay_to_the_run():
     assert np.abs(np.asarray(msf_jax.replay(run.tape, run.weights)) - run.curve.vertices).max() < 1e-9
     with pytest.raises(ConfigError, match="poles is 'ball': expected"):
         Config(preprocessing=PreprocessingOptions(poles="ball"))
+
+
+def test_a_ball_ends_where_rounding_finds_the_same_one_again():
+    rng = np.random.default_rng(0)
+    for apart in 10 ** rng.uniform(-9.5, -6, 60):
+        points = rng.uniform(-0.5, 0.5, (2, 3))
+        normal = unit(rng.normal(size=3))
+        points[1] = points[0] + apart * unit(rng.normal(size=3) - 2 * normal)
+        found = balls.shrinking_balls(points[:1], normal[None], spatial.KDTree(points), 0.01, 1.0, np.arange(1))
+        assert 0 < found.radius[0] <= 1.0
