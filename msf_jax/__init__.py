@@ -13,7 +13,7 @@ from msf_jax.base import version
 # The public modules, and the public names of others. A module is imported when it is used first: a program that needs
 # no JAX does not import it. Editors and type checkers read `__init__.pyi`.
 _PATHS = ["app.batch", "guide", "metrics", "shapes", "view"]
-_PATHS += ["gradients.losses", "gradients.measures", "gradients.torch", "tuning.objectives"]
+_PATHS += ["gradients.losses", "gradients.measures", "gradients.torch"]
 _NAMES = {
     "base.binding": "Binding",
     "base.errors": "ConfigError FlowError Interrupted MeshError",

@@ -42,7 +42,6 @@ from msf_jax.skeleton.framing import Frame as Frame
 from msf_jax.skeleton.report import Report as Report
 from msf_jax.skeleton.rigging.rig import Rig as Rig
 from msf_jax.skeleton.skeleton import Skeleton as Skeleton
-from msf_jax.tuning import objectives as objectives
 from msf_jax.tuning.tuner import Tuned as Tuned
 from msf_jax.tuning.tuner import tune as tune
 

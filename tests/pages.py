@@ -25,7 +25,7 @@ import pdoc.render
 ROOT = Path(__file__).parents[1]
 GUIDE = Path(msf_jax.__file__).parent / "guide"
 PUBLIC = ["msf_jax", "msf_jax.app.batch", "msf_jax.gradients.losses", "msf_jax.gradients.measures"]
-PUBLIC += ["msf_jax.gradients.torch", "msf_jax.tuning.objectives", "!msf_jax.guide"]  # its pages stand for the guide
+PUBLIC += ["msf_jax.gradients.torch", "!msf_jax.guide"]  # its pages stand for the guide
 LINK = re.compile(r"""(?P<before>\]\(|src=")(?P<path>[^)"\s:#]+\.(?:md|ipynb|png))(?P<after>[)"#])""")
 
 

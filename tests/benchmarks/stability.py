@@ -1,7 +1,7 @@
 """Is the curve the shape's, or the mesh's: the same solid in other triangles, with noise, and turned.
 
     python -m tests.benchmarks.stability [--only NAME,..] [--rotations N] [--methods NAME,..] [--meshes FOLDER]
-        [--limit SECONDS] [--output FILE]
+        [--limit SECONDS] [--output FILE] [--bars FOLDER]
 
 Run from the project's root. No true curve is needed: each shape's own, in the triangles that it came in, is compared
 with that of every variant:
@@ -11,11 +11,16 @@ with that of every variant:
 
 Distances are means over both curves to the other, in median radii of the first: of balls inside the mesh, for peers,
 too. A peer is CGAL, where it is installed; others by --methods, as in `tests.benchmarks.curves`.
+
+With --bars: how much a curve moves for no reason. Each shape's own is compared with that in float32, with those of
+noise of 0.01 % of the diagonal, and with those that other environments have kept in FOLDER, where it is kept, too.
 """
 
 import argparse
+import platform
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -124,6 +129,49 @@ def row_of(method: str, name: str, mesh: Mesh, wanted: argparse.Namespace) -> di
     return {"tips": len(frame.ends(own)), "far": far, "same": np.array(same)}
 
 
+def bars(wanted: argparse.Namespace) -> Iterator[str]:
+    """A row for each other curve of a shape, and a line for each kind of them."""
+    import jax
+
+    from msf_jax import metrics
+
+    frame.configure_jax()
+    label = f"Python {platform.python_version()}, JAX {jax.__version__}"
+    wanted.bars.mkdir(parents=True, exist_ok=True)
+    yield frame.opening(f"How much curves move for no reason: {label}")
+    yield frame.head(["shape", "beside", "ends", "junctions", "apart, thousandths of the diagonal"])
+    rows: dict[str, list[list[float]]] = {}
+    for name, mesh in shapes(wanted):
+        (x, faces), size, random, still = mesh, frame.diagonal(mesh[0]), np.random.default_rng(11), Rotation.identity()
+        others = [Variant("noise", (x + random.normal(0, 1e-4 * size, x.shape), faces), still) for _ in range(3)]
+        own = curve_of(curves.OURS, name, Variant("as it is", mesh, still), wanted)
+        found = [(each.kind, curve_of(curves.OURS, name, each, wanted)) for each in others]
+        frame.configure_jax(float32=True)
+        found += [("float32", curve_of(curves.OURS, name, Variant("float32", mesh, still), wanted))]
+        frame.configure_jax()
+        kept = wanted.bars / f"{name} {label}.npz"
+        if own is None:
+            continue
+        np.savez(kept, vertices=own[0], edges=own[1])
+        for path in sorted(wanted.bars.glob(f"{name} Python*.npz")):
+            if path != kept:
+                with np.load(path) as file:
+                    found += [(path.stem.removeprefix(f"{name} "), (file["vertices"], file["edges"]))]
+        for kind, other in found:
+            if other is not None:
+                counts = [[len(part(curve)) for curve in (own, other)] for part in (frame.ends, frame.junctions)]
+                pairs = ((frame.sampled(own, STEP * size), other), (frame.sampled(other, STEP * size), own))
+                far = 1e3 * float(np.mean([metrics.curve_distance(x, *curve).mean() for x, curve in pairs])) / size
+                rows.setdefault(kind, []).append([*(float(a == b) for a, b in counts), far])
+                yield frame.line([name, kind, *(f"{a}, {b}" for a, b in counts), f"{far:.3f}"])
+    for kind, done in rows.items():
+        ends, forks, far = np.array(done).T
+        yield (
+            f"\n{kind}: of {len(done)} curves {ends.mean():.0%} have the same ends, {forks.mean():.0%} the same "
+            f"junctions; apart {np.median(far):.3f} in the median, at most {far.max():.3f}.\n"
+        )
+
+
 def report(wanted: argparse.Namespace) -> Iterator[str]:
     frame.configure_jax()
     methods = curves.installed(wanted.methods)
@@ -151,8 +199,9 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
 def main() -> None:
     parser = curves.parser_for("stability", __doc__, [curves.OURS, "cgal"])
     parser.add_argument("--rotations", type=int, default=10)
+    parser.add_argument("--bars", type=Path, help="folder of curves of other environments")
     wanted = parser.parse_args()
-    frame.publish(report(wanted), wanted.output)
+    frame.publish(bars(wanted) if wanted.bars else report(wanted), wanted.output)
 
 
 if __name__ == "__main__":
