@@ -19,7 +19,7 @@ from msf_jax.flow.state import Flow, Iteration, State, stage_at
 from msf_jax.limbs import one_branch
 from msf_jax.meshes.checking import Surface
 from msf_jax.recording.records import ComponentRecord, Recording
-from msf_jax.skeleton.report import Report, assessed, loops_of
+from msf_jax.skeleton.report import Report, assessed, bare_ends, loops_of
 from msf_jax.skeleton.skeleton import Skeleton, Source
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
@@ -167,6 +167,7 @@ def _skeleton(
         curve = solid.shape, solid.enter(vertices), edges, node_of_vertex
         is_joined = report.joined_handles is not None
         found = assessed(*curve, lambda: skeleton.branches, is_joined) if is_finished else loops_of(*curve)
+        found["notes"] = (*report.notes, *(bare_ends(*curve[:3]) if is_finished else ()))
     # The frozen skeleton has no other reader yet, and keeps what it knows of its leaves.
     vars(skeleton)["report"] = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return skeleton

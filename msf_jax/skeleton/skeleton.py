@@ -200,9 +200,7 @@ class Skeleton:
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends, pins and
-        openings stay.
-
-        An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
+        openings stay. An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
 
         Raises:
             ConfigError: ``spacing`` is not above 0, or would give more than ten million nodes.
@@ -216,10 +214,8 @@ class Skeleton:
         return changed(self, *resampling.resample(self.vertices, self.edges, _held(self), stops_of))
 
     def simplify(self, tolerance: float) -> "Skeleton":
-        """A new skeleton with few nodes, within ``tolerance`` of this one, a length. Ends and pins stay.
-
-        Unlike `resample`, it keeps nodes where a branch bends (Douglas and Peucker 1973). Edges may leave the solid by
-        up to ``tolerance``.
+        """A new skeleton with few nodes, where branches bend (Douglas and Peucker 1973), within ``tolerance`` of this
+        one, a length. Ends, pins and roots stay. Edges may leave the solid by up to ``tolerance``.
 
         Raises:
             ConfigError: ``tolerance`` is not above 0.
@@ -288,9 +284,8 @@ class Skeleton:
         return Soma(node, radius, contrast, is_sure)
 
     def heal(self, reach: float = np.inf) -> "Skeleton":
-        """A new skeleton with fewer pieces: edges between nearest nodes join pieces over gaps of up to ``reach``.
-
-        It makes no loop. ``reach`` is in the caller's units. ``report.notes`` gives the largest gap.
+        """A new skeleton with fewer pieces: edges between nearest nodes join pieces over gaps of up to ``reach``, a
+        length, and make no loop. ``report.notes`` gives the largest gap.
 
         Raises:
             ConfigError: ``reach`` is not above 0.
@@ -397,10 +392,9 @@ class Skeleton:
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
-        A branch with the root of `to_tree` within has two rows. The table is a dictionary of arrays, as
-        `pandas.DataFrame` takes it. ``save("x.csv")``, ``save("x.nodes.csv")``, ``.axes.csv`` and ``.cylinders.csv``
-        write the same tables. Lengths are in the caller's units, angles in degrees; unknown values are NaN. Branches
-        are directed away from the root of `to_tree`, or from the tip of the thickest limb.
+        The table is a dictionary of arrays, as `pandas.DataFrame` takes it; `save` writes the same. Lengths are in the
+        caller's units, angles in degrees; unknown values are NaN. Branches are directed away from the root of
+        `to_tree`, or from the tip of the thickest limb; one with that root within has two rows.
 
         - "branches": start and end nodes; parent, the branch before it, or -1; is_tip; length, chord, tortuosity
           (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
@@ -408,14 +402,14 @@ class Skeleton:
           slenderness and surface, as in `Branch`.
         - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
-        - "axes": of a plant: an axis goes on through forks with the branch that is thick, straight and leads far.
-          parent axis, or -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent;
+        - "axes" of a plant, which go on through forks with the branch that is thick, straight and leads far: parent
+          axis, or -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent;
           internode, the length of the parent since the axis before; angle to the parent's direction below the fork;
           length, chord, radii and volume.
         - "cylinders": along each edge outside of the parent axis, by the names of TreeQSM and rTwig, numbered from 1.
 
         Raises:
-            ConfigError: ``of`` is neither.
+            ConfigError: ``of`` is none of these.
         """
         tables = {
             "branches": centrelines.branch_columns,
@@ -430,17 +424,15 @@ class Skeleton:
     def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None, label: int | None = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
+        - ``.npz``: everything, with the surface. `msf_jax.read_curve` reads this and the next two.
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
           number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.
-        - ``.obj`` (line elements), ``.polylines.txt`` (CGAL's).
-        - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``,
-          ``.axes.csv``, ``.cylinders.csv``: its tables.
-        - ``.npz``: everything, with the surface.
+        - ``.polylines.txt`` (CGAL's), ``.obj`` (line elements).
+        - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``, ``.axes.csv``,
+          ``.cylinders.csv``: its tables.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
           where it has none), on the bones of ``rig()``. For another rig use ``rig(...).save(path, mesh)``.
-
-        `msf_jax.read_curve` reads ``.npz``, ``.swc`` and ``.polylines.txt``.
 
         Raises:
             ConfigError: the suffix is none of these, there is no mesh for a ``.glb``, or a label for another format.
@@ -454,10 +446,9 @@ class Skeleton:
     def rig(self, mesh: "MeshLike | None" = None, names: str | None = None) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
-        Joints are where limbs begin, where the curve bends most, and at regular distances along a long limb; both sides
-        of a symmetric shape have the same. The root is the pelvis of a body, on two legs or four, or the thickest
-        junction. Loops are cut where they are thinnest. Weights, of at most four bones for each vertex, are computed by
-        heat diffusion over the surface. For fewer bones, `prune` the curve before.
+        Joints are where limbs begin, where they bend most, and at regular distances along a long limb; both sides of a
+        symmetric shape have the same. The root is the pelvis of a body, on two legs or four, or the thickest junction.
+        Loops are cut where they are thinnest. A vertex has at most four bones. For fewer bones, `prune` before.
 
         Args:
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
@@ -474,12 +465,11 @@ class Skeleton:
 
     def frame(self, tolerance: float | None = None) -> "Frame":
         """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.
-
-        Joints whose balls are nearer than ``tolerance`` become one. Branches are cut where they bend by more than it.
         Ends without a joint are carried to the end face.
 
         Args:
-            tolerance: a length in the mesh's units; the median radius of the curve if not given.
+            tolerance: a length in the mesh's units, the curve's median radius if not given. Joints whose balls are
+                nearer become one, and branches are cut where they bend by more.
 
         Raises:
             ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no cross-section, or the
@@ -510,8 +500,8 @@ class Skeleton:
         return page.view(self, mesh, path)
 
     def plot(self, mesh: "MeshLike | None" = None) -> "Figure":
-        """A matplotlib figure, for papers: the mesh translucent, if it is given, as `skeletonize` takes it; the curve
-        coloured by radius. `view.panels` has a choice of the camera."""
+        """A matplotlib figure: the mesh, if it is given, translucent, and the curve coloured by radius; see
+        `view.panels`."""
         from msf_jax import view
 
         return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)

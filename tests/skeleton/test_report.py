@@ -14,7 +14,7 @@ from loop_cases import cycle
 import msf_jax
 from msf_jax import Config, metrics
 from msf_jax.skeleton import skeleton as skeletons
-from msf_jax.skeleton.report import assessed, loops_of
+from msf_jax.skeleton.report import assessed, bare_ends, loops_of
 from msf_jax.solid.enclosure import Enclosure
 
 
@@ -63,6 +63,23 @@ def test_a_curve_that_runs_out_and_back_is_in_doubt(aside):
 def test_a_narrow_corner_of_a_solid_is_not_in_doubt(angle):
     axis = zigzag(angle, 2, 12.0)
     assert not folds(as_shape(mitred(axis), 1.0), *through(*axis))
+
+
+@pytest.mark.parametrize(
+    ("radius", "length", "bore", "top", "is_told"),
+    [(1.0, 6.0, 0, 1.0, True), (1.0, 6.0, 0, 2.7, False), (2.0, 0.6, 0, 0.0, False), (1.5, 6.0, 0.8, -0.4, False)],
+)
+def test_a_flat_end_without_a_branch_is_told(radius, length, bore, top, is_told):
+    """Not one that has a branch, nor a seat that is thin for its radius, nor the floor of a bore."""
+    mesh = trimesh.creation.cylinder(radius, length, sections=32)
+    if bore:
+        hole = trimesh.creation.cylinder(bore, 4.0, sections=32).apply_translation([0, 0, 3.0])
+        mesh = trimesh.boolean.difference([mesh, hole])
+    mesh = mesh.subdivide_to_size(0.3)
+    solid = Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
+    x, edges = through((0, 0, 0.3 - length / 2), (0, 0, top), (0.3, 0, top))
+    notes = bare_ends(solid, x, edges)
+    assert len(notes) == is_told and all("beside node" in note for note in notes)
 
 
 def test_a_plane_that_cuts_off_the_side_of_a_trunk_is_in_no_sheet():
