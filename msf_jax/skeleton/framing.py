@@ -1,12 +1,10 @@
 """`Frame`: a solid of bars as beams for structural analysis, and its files, for Abaqus and CalculiX.
 
 The graph comes first. Joints whose balls are nearer than the tolerance are one, and a branch that ends nearer to a
-joint's ball is no member. A branch is cut where it bends, such that the members between (Douglas and Peucker 1973) are
-within the tolerance of it. Near a joint it bends towards the middle of the joint, and is left out.
-
-Then lines. The axis of a member is the line nearest to the centroids of its limb's cross-sections in its middle half. A
-joint is where the axes of its members meet, as junctions of a curve are (see `curve.junctions`). The end of
-a member without a joint is where its axis leaves the solid.
+joint's ball is no member. A branch is cut where it bends (Douglas and Peucker 1973), but not near a joint, where it
+bends towards its middle. The axis of a member is the line nearest to the centroids of its limb's cross-sections in its
+middle half. A joint is where the axes of its members meet, as junctions of a curve are (see `curve.junctions`), and an
+end without one where the axis leaves the solid.
 
 The torsion constant is Saint-Venant's estimate from the area A and the second moments, exact for an ellipse,
 
@@ -71,11 +69,9 @@ class Frame:
         return np.linalg.norm(self.joints[self.members[:, 1]] - self.joints[self.members[:, 0]], axis=1)
 
     def save(self, path: str | os.PathLike[str], solver: str = "abaqus") -> None:
-        """Write the frame, atomically.
-
-        ``.inp``: nodes, a beam element and a section for each member, without loads. For "abaqus" elements are B31,
-        with general sections. For "calculix" they are U1, whose torsion constant is the sum of the second moments. The
-        elastic constants are those of steel in newtons and millimetres: change them.
+        """Write the frame as ``.inp``, atomically: nodes, a beam element and a section for each member, without loads.
+        For "abaqus" elements are B31, with general sections, for "calculix" U1, whose torsion constant is the sum of
+        the second moments. The elastic constants are those of steel in newtons and millimetres: change them.
 
         Raises:
             ConfigError: the suffix or the ``solver`` is another.

@@ -214,9 +214,8 @@ def loops_of(
         if len(closing) > MOST_NAMED:
             doubts.append(f"so do {len(closing) - MOST_NAMED} more")
     if found.unproved:
-        doubts.append(
-            f"the loops were not proved: {found.unproved} handles are too many for a curve of {len(edges)} edges"
-        )
+        many = f"{found.unproved} handles are too many for a curve of {len(edges)} edges"
+        doubts.append(f"the loops were not proved: {many}")
     return {"loops": None if found.unproved else found.rank, "doubts": tuple(doubts)}
 
 
@@ -228,11 +227,8 @@ def assessed(
     branches_of: Callable[[], list[Branch]] = list,
     is_joined: bool = False,
 ) -> dict[str, Any]:
-    """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`.
-
-    ``branches_of`` returns its branches; they are only asked for where many of them end. ``is_joined`` says whether the
-    solid's parts were joined, which is not advised then.
-    """
+    """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`. Its branches
+    are only asked for where many of them end. Where the solid's parts were joined, ``is_joined``, that is no advice."""
     about = loops_of(shape, vertices, edges, node_of_vertex)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
     doubts = []

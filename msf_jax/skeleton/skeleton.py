@@ -48,10 +48,8 @@ THICK = 4.0  # least ratio of a soma's radius to the median radius
 
 
 class Stage(NamedTuple):
-    """The surface after some iterations of the flow, in the caller's units, for pictures.
-
-    iteration: their number. vertices: (n, 3). faces: (m, 3) int32. is_fixed: (n,).
-    """
+    """The surface after some iterations of the flow, in the caller's units, for pictures. iteration: their number.
+    vertices: (n, 3). faces: (m, 3) int32. is_fixed: (n,)."""
 
     iteration: int
     vertices: np.ndarray
@@ -61,11 +59,9 @@ class Stage(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """The data that a curve was made from.
-
-    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place;
-    the first of several welded vertices. stages: a few surfaces of the contraction, from first to last.
-    input_of_vertex: (v,) the input vertex of each vertex of the solid; None if repair has added vertices.
+    """The data that a curve was made from. areas: (V,) share of the surface's area that belongs to each input vertex.
+    pins: (k,) input vertices held in place; the first of several welded vertices. stages: a few surfaces of the
+    contraction, from first to last. input_of_vertex: (v,) of each vertex of the solid; None if repair has added some.
     """
 
     solid: Solid
@@ -229,14 +225,13 @@ class Skeleton:
     def to_tree(self, root: Any = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
 
+        Nodes and map are the same. ``report.cut`` counts the loops; ``report.notes`` says where they were cut, and
+        whether the soma is sure.
+
         Args:
             root: id of the node that is the root of its component, or a point (x, y, z) for the node nearest to it; for
                 the tip if that node is within two radii of one. Or "soma" (see `soma`). The default is the thickest
                 node, as in the other components. See ``roots``.
-
-        Returns:
-            The same nodes and map, with fewer edges. ``report.cut`` counts the loops; ``report.notes`` says where they
-            were cut, and whether the soma is sure.
 
         Raises:
             ConfigError: the curve has no such node.
@@ -424,7 +419,7 @@ class Skeleton:
     def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None, label: int | None = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
-        - ``.npz``: everything, with the surface. `msf_jax.read_curve` reads this and the next two.
+        - ``.npz``: everything, with the surface. `msf_jax.read_curve` reads this, SWC and polylines.
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
           number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.
@@ -482,14 +477,11 @@ class Skeleton:
         return framing.frame_of(self, float(np.median(self.radii)) if tolerance is None else float(tolerance))
 
     def view(self, mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
-        """An interactive page: the curve in its surface, with a slider for the flow's iterations.
+        """A plotly figure, which a notebook shows inline: the curve in its surface, with a slider for the iterations.
 
         Args:
             mesh: the mesh that the curve was made from, as `skeletonize` took it; by default the repaired surface.
             path: an ``.html`` file to write, which needs no network.
-
-        Returns:
-            A plotly figure; a notebook shows it inline.
 
         Raises:
             ConfigError: ``path`` has another suffix.

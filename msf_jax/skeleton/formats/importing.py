@@ -31,10 +31,9 @@ Curve = dict[str, Any]  # attributes of a skeleton by name
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.swc`` or ``.polylines.txt``.
 
-    Returns:
-        A skeleton. That of an ``.npz`` has all but the stages of the flow, so that it can be pruned, resampled and
-        followed. Others have an empty map, and a report with counts only. SWC has radii, and of files of this program
-        the units; edges that it cut are joined again. In polylines radii are 0, and coincident ends become one node.
+    That of an ``.npz`` has all but the stages of the flow. Others have an empty map, and a report with counts only. SWC
+    has radii, and of files of this program the units; edges that it cut are joined again. In polylines radii are 0, and
+    coincident ends become one node.
 
     Raises:
         ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was
@@ -68,7 +67,7 @@ def report_lines(path: str | os.PathLike[str]) -> list[str]:
     name, suffix = Path(path).name, Path(path).suffix.lower()
     if suffix not in (".npz", ".swc"):
         raise ConfigError(f"{name!r} has no report: expected an .npz or .swc file that msf_jax has written")
-    lines = str(read_curve(path).report).splitlines()  # also of SWC: a report of a curve that is damaged says nothing
+    lines = str(read_curve(path).report).splitlines()  # also of SWC: a damaged curve has no report
     if suffix == ".swc":
         lines = [line.removeprefix(REPORT).strip() for line in _lines_of(path) if line.startswith(REPORT)]
     if not lines:

@@ -69,14 +69,12 @@ SIDE_SUFFIXES = {1: ".L", -1: ".R", 0: ""}
 
 @dataclass
 class BonePath:
-    """A branch directed away from the root.
-
-    nodes: (n,) from the junction on. part: (n,) the place of each node on the line: 0 at its start, 1 at its end, and
-    negative within the ball of the junction. line: (201, 3) its points at `STOPS`, and size: (201,) the limb's radii.
-    is_limb: whether it ends in a tip. cuts: places where its bones begin, and where the last ends. image: the number of
-    the path that is its mirror image, -1 without one. side: 1 on the left, -1 on the right, 0 else. roles: of its
-    bones, if they are a biped's, see `NAMES`. is_spine: from the pelvis towards the shoulders.
-    """
+    """A branch directed away from the root. nodes: (n,) from the junction on. part: (n,) the place of each node on the
+    line: 0 at its start, 1 at its end, and negative within the ball of the junction. line: (201, 3) its points at
+    `STOPS`, and size: (201,) the limb's radii. is_limb: whether it ends in a tip. cuts: places where its bones begin,
+    and where the last ends. image: the number of the path that is its mirror image, -1 without one. side: 1 on the
+    left, -1 on the right, 0 else. roles: of its bones, if they are a biped's, see `NAMES`. is_spine: from the pelvis
+    towards the shoulders."""
 
     nodes: np.ndarray
     part: np.ndarray
@@ -137,9 +135,9 @@ class Mirror(NamedTuple):
 def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mirror | None:
     """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` with ends ``tips`` (T,).
 
-    Tried are planes across the coordinate axes, and across the principal axes of the curve, as a plane of symmetry is
-    across one of these. Each is moved to half-way between tips and their images, then to where it fits best, and counts
-    by the length that has a mirror image; at least two tips must be each other's image.
+    Tried are planes across the coordinate axes, and across the principal axes of the curve. Each is moved to half-way
+    between tips and their images, then to where it fits best, and counts by the length that has a mirror image; at
+    least two tips must be each other's image.
     """
     if len(tips) < 2:
         return None
@@ -341,11 +339,9 @@ def _find_ankle(path: BonePath) -> float:
 
 
 class Bones(NamedTuple):
-    """B bones, parents before children.
-
-    joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end. parents: (B,) -1 for a root. names:
-    of each. of_node: (N,) the bone of every node of the curve. notes: what is not known of a body.
-    """
+    """B bones, parents before children. joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end.
+    parents: (B,) -1 for a root. names: of each. of_node: (N,) the bone of every node of the curve. notes: what is not
+    known of a body."""
 
     joints: np.ndarray
     tails: np.ndarray

@@ -103,9 +103,8 @@ class Rig:
             raise ConfigError(f"vertices has shape {points.shape}: expected ({self.num_vertices}, 3)")
         for name, turn in turns.items():
             if name not in self.names or np.shape(turn) != (3, 3):
-                raise ConfigError(
-                    f"turns has {name!r} with shape {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)"
-                )
+                found = f"turns has {name!r} with shape {np.shape(turn)}"
+                raise ConfigError(f"{found}: expected a bone's name, and a matrix (3, 3)")
         moved = np.tile(np.eye(4), (len(self.joints), 1, 1))  # of each bone, in homogeneous coordinates
         for bone, (name, above) in enumerate(zip(self.names, self.parents, strict=True)):
             moved[bone, :3, :3] = turns.get(name, np.eye(3))
@@ -147,11 +146,8 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
 
 
 def _sizes(skeleton: "Skeleton", away: np.ndarray) -> np.ndarray:
-    """(N,) the size of the limb at each node: the larger of its ball's radius and the mean distance of its vertices
-    ``away`` (V,) from it.
-
-    In a sheet the ball has half its thickness, but bones should be as long as the sheet is wide. The mean is over the
-    node's neighbours along the curve, too.
+    """(N,) the size of the limb at each node: the larger of its ball's radius and the mean distance ``away`` (V,) of
+    its vertices and its neighbours'. In a sheet the ball has half the thickness, but bones are as long as it is wide.
     """
     num, node = len(skeleton.vertices), skeleton.mesh_map
     ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
@@ -202,8 +198,8 @@ def reduce_along_tree(weights: np.ndarray, parents: np.ndarray) -> np.ndarray:
 def subtract_rest(weights: np.ndarray) -> np.ndarray:
     """Reduce each row (n, B) to at most `INFLUENCES` weights with sum 1: subtract the largest weight that is left out.
 
-    It needs no tree of bones, and a tree cannot follow the loops of a surface. Weights stay continuous here, too, but
-    they change quickly where many of them are similar.
+    It needs no tree of bones, which cannot follow the loops of a surface. Weights stay continuous here, too, but they
+    change quickly where many of them are similar.
     """
     if weights.shape[1] <= INFLUENCES:
         return weights
