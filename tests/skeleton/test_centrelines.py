@@ -113,12 +113,12 @@ def test_tables_are_written_and_are_columns_of_arrays(tmp_path):
         skeleton.save(tmp_path / f"y{suffix}")
         with open(tmp_path / f"y{suffix}", newline="") as file:
             rows = list(csv.DictReader(file))
-        table = pandas.DataFrame(skeleton.columns(of))
+        columns = skeleton.columns(of)
+        table = pandas.DataFrame(columns)
         assert list(rows[0]) == list(table.columns) and len(rows) == len(table)
         for name in table.columns:
             written = [np.nan if row[name] == "" else row[name] for row in rows]
             assert [str(value) for value in table[name].tolist()] == [str(value) for value in written]
-        columns = skeleton.columns(of)
         assert type(columns) is dict and list(columns) == list(table.columns)
         assert all(isinstance(values, np.ndarray) and len(values) == len(rows) for values in columns.values())
     with pytest.raises(ConfigError, match="no table of 'edges': expected one of 'branches', 'nodes'"):

@@ -154,14 +154,14 @@ def test_a_graph_is_read_as_it_was_saved(lollipop, tmp_path):
 
 @pytest.mark.parametrize("suffix", [".swc", ".polylines.txt"])
 def test_what_was_saved_is_read_again(hand, saved, suffix):
-    skeleton, mesh = hand
+    skeleton, _ = hand
     found = msf_jax.read_curve(saved(suffix))
     assert (len(found.vertices), len(found.edges)) == (len(skeleton.vertices), len(skeleton.edges))
     assert (found.report.cycles, found.report.components) == (1, 1)
     if suffix == ".swc":
         np.testing.assert_array_equal(np.sort(found.radii), np.sort(skeleton.radii))
-    ours, theirs = (msf_jax.metrics.evaluate(mesh, curve) for curve in (skeleton, found))
-    assert theirs == pytest.approx(ours, rel=1e-6, nan_ok=True)
+    np.testing.assert_array_equal(np.unique(found.vertices, axis=0), np.unique(skeleton.vertices, axis=0))
+    assert found.length == pytest.approx(skeleton.length)
 
 
 ROOT = "1 1 0 0 0 1 -1\n"
