@@ -7,18 +7,16 @@ another point q of the surface is inside, the ball through v and q that touches 
 
     r = |q - v|^2 / (2 n . (v - q)).
 
-With q the point nearest to c, the ball shrinks until it is empty, after four to seven queries of a k-d tree. Queries
-are fast for small balls, so balls start small, and double while they are empty. A point q that is close to v as seen
-from the centre is noise, and does not count (Peters 2018).
+With q the point nearest to c, the ball shrinks until it is empty. Queries are fast for small balls, so balls start
+small, and double while they are empty. A point q that is close to v as seen from the centre is noise, and does not
+count (Peters 2018).
 
-A Voronoi pole is a point of the medial axis for a vertex (article 3.1.2; Amenta et al. 2001). The Voronoi vertices of
-the sites' diagram are the circumcentres of its Delaunay tetrahedra. The pole of a vertex v with outward normal n is the
-Voronoi vertex w of its cell, inside the bounding box, with the most negative <n, w - v>.
+A Voronoi pole is a point of the medial axis for a vertex (article 3.1.2; Amenta et al. 2001): of a vertex v with
+outward normal n the vertex w of its Voronoi cell, inside the bounding box, with the most negative <n, w - v>.
 
-The lengths of the flow adapt to the thickness of the solid at each vertex. Lengths are fractions of the diagonal, and a
-wire, a vessel or a neurite is thin compared with that. The ball at a vertex gives the thickness. But at a sharp edge, a
-bump or a dent balls are small on every solid. So the thickness comes from the largest nearby ball: at a distance d from
-a ball of radius r, it is at least r - SLOPE d.
+The lengths of the flow adapt to the thickness of the solid at each vertex, as a wire, a vessel or a neurite is thin
+compared with the diagonal. At a sharp edge, a bump or a dent balls are small on every solid. So the thickness comes
+from the largest nearby ball: at a distance d from a ball of radius r, it is at least r - SLOPE d.
 """
 
 from typing import NamedTuple
@@ -61,8 +59,7 @@ def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
     """Circumcentres (T, 3) of the tetrahedra; not finite for a tetrahedron without volume.
 
     Lifted to the paraboloid z = |x|^2, a tetrahedron spans the hyperplane n . x + m z + c = 0, and its circumcentre is
-    -n / 2m. Qhull computes one hyperplane for all tetrahedra of the same empty ball (cospherical sites, common on
-    symmetric meshes). The formula in the four corners would divide rounding errors for flat tetrahedra.
+    -n / 2m. Qhull computes one for all tetrahedra of the same empty ball, of which some may be flat.
     """
     plane = diagram.equations
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -70,10 +67,8 @@ def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
 
 
 def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
-    """The pole of every vertex of the closed mesh ``(sites, faces)``.
-
-    Poles must be inside the bounding box of the points ``box`` (P, 3), by default of the sites. A vertex has no pole if
-    its cell has no Voronoi vertex behind the surface and inside the box.
+    """The pole of every vertex of the closed mesh ``(sites, faces)``; none if its cell has no Voronoi vertex behind the
+    surface and inside the bounding box of the points ``box`` (P, 3), by default of the sites.
 
     Raises:
         FlowError: the vertices span no volume, or have non-finite values.
@@ -111,14 +106,6 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None =
     return Poles(position, corners, np.linalg.norm(position - sites, axis=1))
 
 
-class Balls(NamedTuple):
-    """radius: (P,) of the ball at each point. touching: (P,) the other point that it touches; -1 if it touches none: it
-    has the largest radius, or the point has no normal and its ball the first radius."""
-
-    radius: np.ndarray
-    touching: np.ndarray
-
-
 def shrinking_balls(
     points: np.ndarray,
     normals: np.ndarray,
@@ -126,11 +113,14 @@ def shrinking_balls(
     first: float | np.ndarray,
     largest: float | np.ndarray,
     own: np.ndarray | None = None,
-) -> Balls:
+) -> tuple[np.ndarray, np.ndarray]:
     """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
 
     Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
     the tree, because a point is not its own hit. Leave it out if the points are not in the tree.
+
+    Returns the radii (P,), and the other point (P,) that each ball touches; -1 if it touches none, because it has the
+    largest radius, or the point has no normal and its ball the first radius.
     """
     num = len(points)
     largest = np.broadcast_to(largest, num)
@@ -159,7 +149,7 @@ def shrinking_balls(
         is_open = ~is_hit & grows[active] & (r < largest[active])
         radius[active[is_open]] = np.minimum(2 * r, largest[active])[is_open]
         active = active[is_hit | is_open]
-    return Balls(radius, touching)
+    return radius, touching
 
 
 def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
@@ -168,31 +158,21 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
     Instead of a tetrahedron, it has the two vertices that the ball touches, each twice. A pole outside the bounding box
     of the points ``box`` (by default ``sites``) counts as not found.
     """
-    normals = unit(vertex_normals(sites, faces))
-    extent = float(np.ptp(sites, axis=0).max())
-    every = np.arange(len(sites))
-    found = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, extent, every)
-    centre = sites - found.radius[:, None] * normals
-    box = sites if box is None else box
-    is_found = (found.touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
-    pair = np.stack([every, found.touching, every, found.touching], axis=1)
-    return Poles(
-        np.where(is_found[:, None], centre, sites),
-        np.where(is_found[:, None], pair, -1),
-        np.where(is_found, found.radius, 0.0),
-    )
+    normals, every = unit(vertex_normals(sites, faces)), np.arange(len(sites))
+    extent, box = float(np.ptp(sites, axis=0).max()), sites if box is None else box
+    radius, touching = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, extent, every)
+    centre = sites - radius[:, None] * normals
+    is_found = (touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
+    pair = np.where(is_found, [every, touching, every, touching], -1).T
+    return Poles(np.where(is_found[:, None], centre, sites), pair, np.where(is_found, radius, 0.0))
 
 
 def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
-    """(V,) the limb's radius at each vertex over `THIN`, at most 1; None if it is 1 nearly everywhere.
-
-    Args:
-        vertices: (V, 3), of diagonal 1.
-        faces: (F, 3), closed and oriented.
-    """
+    """(V,) the limb's radius at each vertex over `THIN`, at most 1; None if it is 1 nearly everywhere. ``vertices``
+    (V, 3) are of diagonal 1, ``faces`` (F, 3) closed and oriented."""
     normals, tree = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices)
     every = np.arange(len(vertices))
-    radius = shrinking_balls(vertices, normals, tree, 2 * THIN, 2 * THIN, every).radius
+    radius = shrinking_balls(vertices, normals, tree, 2 * THIN, 2 * THIN, every)[0]
     if (radius < THIN).mean() > FEW:
         pairs = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
         radius = limb_radii(vertices, pairs, every, radius, 2 * THIN)
@@ -215,7 +195,7 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
         enough, radius = np.zeros((2, len(samples)))
         np.maximum.at(enough, near, longest[left, None] + SLOPE * away)
         asked = np.flatnonzero(enough)
-        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked).radius
+        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
         limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
     return limit
 

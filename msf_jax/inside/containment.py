@@ -1,11 +1,11 @@
 """Keep the curve inside the solid: nodes off the surface, and edges that do not cross it.
 
-A node outside is moved into the solid behind its nearest triangle, to the middle of the limb there. An edge that leaves
-the solid gets a search of its own: for a short path with a large clearance over balls inside, in a window around it.
-The nodes of that graph are the ends of the edge, and centres of balls that touch the surface from inside, one for each
-place and size. If two balls overlap, the segment between their centres is inside. Where that joins no path, segments
-between near balls of different parts are tested, the shortest for their balls first. Only an edge without a path in its
-windows is searched for in the whole solid, whose balls are then kept. All searches for a curve together have a bound.
+A node outside is moved into the solid behind its nearest triangle, to the middle of the limb there. For an edge that
+leaves the solid a short path with a large clearance is sought, in a window around it. The nodes of that graph are the
+ends of the edge, and centres of balls that touch the surface from inside, one for each place and size. If two balls
+overlap, the segment between their centres is inside. Where that joins no path, segments between near balls of different
+parts are tested, the shortest for their balls first. Only an edge without a path in its windows is searched for in the
+whole solid, whose balls are then kept. All searches for a curve together have a bound.
 
 Loops around handles that have none are shortest paths over all balls, with all segments tested.
 """
@@ -253,7 +253,7 @@ def balls_behind(shape: Enclosure, points: np.ndarray, normals: np.ndarray) -> t
     plate of two triangles: none reaches beyond half of the chord behind its point.
     """
     points = points - TOUCHING / 2 * normals
-    radius = balls.shrinking_balls(points, normals, shape.samples.tree, balls.FIRST, 1.0).radius
+    radius = balls.shrinking_balls(points, normals, shape.samples.tree, balls.FIRST, 1.0)[0]
     centre = points - shape.ray_lengths(points, -normals, 2 * radius)[:, None] / 2 * normals
     return centre, shape.clearance(centre)
 
@@ -267,8 +267,7 @@ def contain(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Move the curve ``(vertices, edges)`` into a solid of diagonal 1: returns its nodes, new ones last, and its edges.
 
-    ``roadmap`` is that of the solid, if there is one already. Nodes of ``is_held`` do not move. An edge for which no
-    path inside is found stays as it is.
+    Nodes of ``is_held`` do not move. An edge for which no path inside is found stays as it is.
     """
     x, edges = vertices.copy(), edges.copy()
     radii = shape.clearance(x)

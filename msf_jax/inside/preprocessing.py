@@ -16,7 +16,7 @@ def reconstruct(mesh: "MeshLike", k: int = 400) -> trimesh.Trimesh:
     """The mesh without its small details: V' = Phi Phi^T V with ``k`` eigenvectors (article 3.1.1).
 
     Args:
-        mesh: a path, a `trimesh.Trimesh` or ``(vertices, faces)``, as `skeletonize` takes it; it is not changed.
+        mesh: as `skeletonize` takes it; it is not changed.
         k: eigenvectors of the uniform graph Laplacian to keep, 4 or more; the number of vertices or more keeps all.
 
     Returns:
@@ -41,7 +41,7 @@ def voronoi_poles(mesh: "MeshLike") -> np.ndarray:
     """The Voronoi pole of every vertex of the unfiltered mesh (article 3.1.2; Amenta et al. 2001).
 
     Args:
-        mesh: a path, a `trimesh.Trimesh` or ``(vertices, faces)``, as `skeletonize` takes it; it is not changed.
+        mesh: as `skeletonize` takes it; it is not changed.
 
     Returns:
         (V, 3), in the caller's units: one pole for each vertex of the repaired mesh, NaN if a vertex has none. The

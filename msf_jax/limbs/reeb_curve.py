@@ -45,11 +45,11 @@ def reeb_curve(shape: Enclosure, only_thin: bool = True) -> ReebCurve | None:
     np.maximum.at(longest, np.r_[tail, head], np.r_[length, length])
     asked, every = (x, unit(vertex_normals(x, faces)), spatial.KDTree(x)), np.arange(len(x))
     # Balls as large as their vertex's longest edge: on a fine surface nearly all are empty, and found at once.
-    reach = balls.shrinking_balls(*asked, longest, longest, every).radius
+    reach = balls.shrinking_balls(*asked, longest, longest, every)[0]
     reach = np.minimum(reach[tail], reach[head])
     if 2 * length[length > reach].sum() <= length.sum():
         return None
-    radius = balls.shrinking_balls(*asked, balls.FIRST, 1.0, every).radius
+    radius = balls.shrinking_balls(*asked, balls.FIRST, 1.0, every)[0]
     step = float(np.median(radius))
     is_thin = step < balls.THIN
     if not is_thin and (only_thin or 2 * length[length > FRAME * reach].sum() <= length.sum()):

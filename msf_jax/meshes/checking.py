@@ -52,16 +52,12 @@ class Surface:
 
     vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
     components: its parts, whose vertices are ``vertices[members[c]]``, and their cavities' ``vertices[linings[c]]``.
-    vertex_of_input: (V_in,) the vertex for each vertex of the caller's mesh; -1 if it is in no face, or was inside
-        after parts were joined.
-    input_of_vertex: (V,) the caller's vertex for each vertex; the first of several welded ones. For a vertex made where
-        parts were joined it is the nearest one, for a vertex of an extruded rim the one of the rim.
-    is_made: (V,) vertices that repair made.
+    vertex_of_input: (V_in,) the vertex for each of the caller's; -1 if it is in no face, or inside joined parts.
+    input_of_vertex: (V,) the caller's vertex for each; the first of several welded ones, and for one that ``is_made``
+        (V,) by repair the nearest one, or that of the extruded rim.
     strays: (S, 3) the caller's vertices without a vertex here, in the caller's order.
-    repairs: the changes, one sentence each.
-    given: vertices and faces of the caller's mesh.
-    rims: the caller's vertices around each filled hole.
-    num_left_out: pieces beyond ``Repair.most_parts``.
+    repairs: the changes, one sentence each. given: vertices and faces of the caller's mesh.
+    rims: the caller's vertices around each filled hole. num_left_out: pieces beyond ``Repair.most_parts``.
     joined_handles: handles that the solid has and the parts that were joined had not; None if none were to be joined.
     """
 

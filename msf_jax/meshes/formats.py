@@ -1,9 +1,8 @@
 """Reading of OFF, OBJ, PLY and STL: polygons of any number of corners, with or without colours.
 
 Sizes are compared with the file's before memory is allocated, and a file that is cut off is refused. Trimesh's readers
-cut polygons into fans, expect one face a line in OFF, and count negative indices of OBJ from the end
-of the file. Here polygons are cut into triangles: a quad by the shorter of the diagonals that do not fold it, a polygon
-of more corners by ear clipping.
+cut polygons into fans, and count negative indices of OBJ from the end of the file. Here polygons are cut into
+triangles: a quad by the shorter of the diagonals that do not fold it, a polygon of more corners by ear clipping.
 """
 
 import re
@@ -42,18 +41,18 @@ def decoded(content: bytes) -> str:
         return content.decode("latin-1")  # only comments and names can differ: numbers are ASCII
 
 
-def lines_of(text: str) -> list[str]:
-    """The lines of ``text``. `str.splitlines` would also split at characters that may be in a comment or a name."""
-    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+def lines_of(content: bytes) -> list[str]:
+    """The lines of a text. `str.splitlines` would also split at characters that may be in a comment or a name."""
+    return re.split(r"\r\n|\r|\n", decoded(content))
 
 
-def of_off(text: str) -> MeshArrays:
-    """Vertices (V, 3) and triangles (F, 3) of an OFF file's text.
+def of_off(content: bytes) -> MeshArrays:
+    """Vertices (V, 3) and triangles (F, 3) of an OFF file.
 
     Raises:
         ValueError: the text is no OFF file; the message says what it has instead.
     """
-    lines = [words for words in (line.split("#")[0].split() for line in lines_of(text)) if words]
+    lines = [words for words in (line.split("#")[0].split() for line in lines_of(content)) if words]
     first = " ".join(lines[0]) if lines else ""
     header = OFF_HEADER.match(" ".join(word for line in lines[:2] for word in line))
     if header is None:
@@ -68,33 +67,30 @@ def of_off(text: str) -> MeshArrays:
         raise ValueError(f"it counts {num} vertices and {num_faces} faces")
     rows, sides = lines[1 : num + 1], lines[num + 1 : num + 1 + num_faces]
     is_by_line = (len(rows), len(sides)) == (num, num_faces) and all(len(row) >= 3 for row in rows)
-    if not (is_by_line and all(len(side) > int(side[0]) for side in sides)):
-        rows, sides = _by_word([word for line in lines[1:] for word in line], num, num_faces)
+    if not (
+        is_by_line and all(len(side) > int(side[0]) for side in sides)
+    ):  # line breaks have no meaning, or it is cut
+        words, sides = [word for line in lines[1:] for word in line], []
+        rows = [words[start : start + 3] for start in range(0, min(3 * num, len(words)), 3)]
+        start = 3 * num
+        while len(sides) < num_faces and start < len(words):
+            sides.append(words[start : start + 1 + max(int(words[start]), 0)])
+            start += len(sides[-1])
+        if len(sides) < num_faces or start != len(words) or (sides and len(sides[-1]) <= int(sides[-1][0])):
+            raise ValueError(f"its counts, {num} vertices and {num_faces} faces, do not fit what follows them")
     vertices = np.array([row[:3] for row in rows], dtype=np.float64).reshape(-1, 3)
     return vertices, triangulated(vertices, [[int(word) for word in side[1 : int(side[0]) + 1]] for side in sides])
 
 
-def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]], list[list[str]]]:
-    """Rows of vertices and of faces in a file without colours, whose line breaks have no meaning."""
-    rows = [words[start : start + 3] for start in range(0, min(3 * num, len(words)), 3)]
-    sides, start = [], 3 * num
-    while len(sides) < num_faces and start < len(words):
-        sides.append(words[start : start + 1 + max(int(words[start]), 0)])
-        start += len(sides[-1])
-    if len(sides) < num_faces or start != len(words) or len(sides[-1]) <= int(sides[-1][0]):
-        raise ValueError(f"its counts, {num} vertices and {num_faces} faces, do not fit what follows them")
-    return rows, sides
-
-
-def of_obj(text: str) -> MeshArrays:
-    """Vertices (V, 3) and triangles (F, 3), in the order of their faces, of an OBJ file's text.
+def of_obj(content: bytes) -> MeshArrays:
+    """Vertices (V, 3) and triangles (F, 3), in the order of their faces, of an OBJ file.
 
     Raises:
         ValueError: a line is not of the format; the message says which.
     """
     places: list[list[str]] = []
     polygons: list[list[int]] = []
-    for number, line in enumerate(lines_of(re.sub(r"\\(\r\n|\n)", " ", text)), 1):
+    for number, line in enumerate(lines_of(re.sub(rb"\\(\r\n|\n)", b" ", content)), 1):
         kind, *words = line.partition("#")[0].split() or [""]
         if kind not in ("v", "f"):
             continue
@@ -169,7 +165,7 @@ class Property(NamedTuple):
     length: str
 
 
-def of_ply(content: bytes) -> tuple[np.ndarray, np.ndarray]:
+def of_ply(content: bytes) -> MeshArrays:
     """Vertices (V, 3) and triangles (F, 3) of a file; none for a file of points or lines.
 
     Raises:
@@ -178,20 +174,22 @@ def of_ply(content: bytes) -> tuple[np.ndarray, np.ndarray]:
     head = PLY_HEADER.match(content)
     if head is None:
         raise ValueError("it does not begin with ply, or its header has no end_header")
-    form, elements = _ply_header(decoded(head[1]))
-    data = content[head.end() :]
-    if form == "ascii":
+    is_text, elements = _ply_header(head[1])
+    data, at, columns = content[head.end() :], 0, {}
+    if is_text:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DeprecationWarning)  # older NumPy stops at a word that is no number
-            source = _Source(np.fromstring(data.decode("latin-1"), sep=" "), "<")
-    else:
-        source = _Source(data, "<" if form == "binary_little_endian" else ">")
-    columns = {name: _columns(source, num, properties) for name, num, properties in elements}
-    vertices = np.stack([np.asarray(columns["vertex"][axis], dtype=np.float64) for axis in "xyz"], axis=1)
-    lists = [one.name for name, _, properties in elements if name == "face" for one in properties if one.length]
+            data = np.fromstring(data.decode("latin-1"), sep=" ").tobytes()
+    for name, num, properties in elements:
+        columns[name], at = _columns(data, at, num, properties) if num and properties else ({}, at)
+    axes = [columns["vertex"].get(axis, []) for axis in "xyz"]
+    vertices = np.stack([np.asarray(axis, dtype=np.float64) for axis in axes], axis=1)
+    lists = [
+        one.name for name, num, properties in elements if name == "face" and num for one in properties if one.length
+    ]
     name = next((name for name in (*CORNERS, *lists) if name in lists), None)
     rows = [] if name is None else columns["face"][name]
-    flat = rows.ravel() if isinstance(rows, np.ndarray) else np.concatenate([np.empty(0), *rows])
+    flat = np.concatenate([np.empty(0), *map(np.ravel, rows)])
     if not ((flat == np.floor(flat)) & (np.abs(flat) < 2**53)).all():
         raise ValueError("a corner of a face is no whole number")
     if isinstance(rows, np.ndarray) and rows.shape[1:] == (3,):
@@ -199,85 +197,80 @@ def of_ply(content: bytes) -> tuple[np.ndarray, np.ndarray]:
     return vertices, triangulated(vertices, [np.asarray(row).astype(np.int64).tolist() for row in rows])
 
 
-def _ply_header(text: str) -> tuple[str, list[tuple[str, int, list[Property]]]]:
-    """The form of the file, and its elements: name, number, properties."""
+def _ply_header(header: bytes) -> tuple[bool, list[tuple[str, int, list[Property]]]]:
+    """Whether the file is a text, whose numbers are all read as float64, and its elements: name, number, properties."""
     elements: list[tuple[str, int, list[Property]]] = []
+    types: dict[str, str] = {}
     form = ""
-    for line in lines_of(text)[1:]:
+    for line in lines_of(header)[1:]:
         match line.split():
-            case ["format", "ascii" | "binary_little_endian" | "binary_big_endian" as form, *_]:
-                pass
+            case ["format", "ascii" | "binary_little_endian" | "binary_big_endian" as form, *_] if not types:
+                order = ">" if form == "binary_big_endian" else "<"
+                types = {name: "=f8" if form == "ascii" else order + kind for name, kind in TYPES.items()}
             case ["element", name, num] if num.isdigit():
                 elements.append((name, int(num), []))
-            case ["property", "list", length, kind, name] if elements and {length, kind} <= set(TYPES):
-                elements[-1][2].append(Property(name, TYPES[kind], TYPES[length]))
-            case ["property", kind, name] if elements and kind in TYPES:
-                elements[-1][2].append(Property(name, TYPES[kind], ""))
+            case ["property", "list", length, kind, name] if elements and {length, kind} <= set(types):
+                elements[-1][2].append(Property(name, types[kind], types[length]))
+            case ["property", kind, name] if elements and kind in types:
+                elements[-1][2].append(Property(name, types[kind], ""))
             case [] | ["comment" | "obj_info", *_]:
                 pass
             case _:
                 raise ValueError(f"its header has a line {line[:60]!r}")
     if not form:
         raise ValueError("its header has no format")
-    return form, elements
+    return form == "ascii", elements
 
 
-class _Source:
-    """The data after the header, read from front to back: numbers of a text, or bytes."""
+def _taken(data: bytes, at: int, kind: Any, num: int) -> tuple[np.ndarray, int]:
+    """The (num,) values of type ``kind`` from byte ``at`` on, and where they end.
 
-    def __init__(self, data: np.ndarray | bytes, order: str) -> None:
-        self.data, self.order, self.at = data, order, 0
+    Raises:
+        ValueError: there are not as many.
+    """
+    end = at + num * np.dtype(kind).itemsize
+    if end > len(data):
+        raise ValueError("it is cut off: it has less than its header says")
+    return np.frombuffer(data[at:end], kind), end
 
-    def take(self, kinds: list[str], num: int) -> list[np.ndarray]:
-        """The columns of ``num`` rows, each with a number of each of ``kinds``.
 
-        Raises:
-            ValueError: there are not as many.
-        """
-        row = np.dtype([(str(place), self.order + kind) for place, kind in enumerate(kinds)])
-        size = num * (len(kinds) if isinstance(self.data, np.ndarray) else row.itemsize)
-        if self.at + size > len(self.data):
-            raise ValueError("it is cut off: it has less than its header says")
-        start, self.at = self.at, self.at + size
-        if isinstance(self.data, np.ndarray):
-            return list(self.data[start : self.at].reshape(num, len(kinds)).T)
-        table = np.frombuffer(self.data, row, num, start)
-        return [table[name] for name in row.names or ()]
-
-    def row(self, properties: list[Property]) -> list[np.ndarray]:
-        """One row: (1,) for a number, (n,) for a list."""
-        found = []
-        for _, kind, length in properties:
-            num = float(self.take([length], 1)[0][0]) if length else 1.0
+def _row(data: bytes, at: int, properties: list[Property]) -> tuple[list[np.ndarray], int]:
+    """One row from byte ``at`` on, (1,) for a number and (n,) for a list, and where it ends."""
+    row = []
+    for _, kind, length in properties:
+        num = 1.0
+        if length:
+            (num,), at = _taken(data, at, length, 1)
             if num < 0 or num != np.floor(num):
                 raise ValueError(f"a list has the length {num:g}")
-            found.append(self.take([kind], int(num))[0])
-        return found
+        values, at = _taken(data, at, kind, int(num))
+        row.append(values)
+    return row, at
 
 
-def _columns(source: _Source, num: int, properties: list[Property]) -> dict[str, Any]:
-    """Of each property of one element, (n,) an array, or for lists a list of n arrays or an array (n, c)."""
-    if not num or not properties:
-        return {one.name: np.empty(0) for one in properties}
-    start = source.at
-    widths = [len(values) for values in source.row(properties)]
-    after, source.at = source.at, start
-    if sum(widths) <= WIDEST and start + num * (after - start) <= len(source.data):
-        kinds: list[str] = []
-        for one, width in zip(properties, widths, strict=True):
-            kinds += [one.length] * bool(one.length) + [one.kind] * width
-        columns, found = iter(source.take(kinds, num)), {}
-        for one, width in zip(properties, widths, strict=True):
-            if one.length and (next(columns) != width).any():
-                break
-            values = [next(columns) for _ in range(width)]
-            found[one.name] = np.stack(values, axis=1) if one.length and width else values[0] if width else [[]] * num
-        else:
-            return found
-        source.at = start
-    rows = [source.row(properties) for _ in range(num)]
-    lists = zip(properties, zip(*rows, strict=True), strict=True)
-    return {one.name: list(values) if one.length else np.concatenate(values) for one, values in lists}
+def _columns(data: bytes, at: int, num: int, properties: list[Property]) -> tuple[dict[str, Any], int]:
+    """Of each property of an element, (n,) an array, or for lists an array (n, c) or a list of n arrays; and where the
+    element ends."""
+    widths = [len(values) for values in _row(data, at, properties)[0]]
+    # If all lists are as long as those of the first row, a row is a record; else it is read value by value.
+    record = np.dtype(
+        [
+            field
+            for one, width in zip(properties, widths, strict=True)
+            for field in [(f"length of {one.name}", one.length)] * bool(one.length) + [(one.name, one.kind, (width,))]
+        ]
+    )
+    if sum(widths) <= WIDEST and at + num * record.itemsize <= len(data):
+        table, end = _taken(data, at, record, num)
+        lists = [(one.name, width) for one, width in zip(properties, widths, strict=True) if one.length]
+        if all((table[f"length of {name}"] == width).all() for name, width in lists):
+            return {one.name: table[one.name] if one.length else table[one.name][:, 0] for one in properties}, end
+    rows = []
+    for _ in range(num):
+        row, at = _row(data, at, properties)
+        rows.append(row)
+    columns = zip(properties, zip(*rows, strict=True), strict=True)
+    return {one.name: list(values) if one.length else np.concatenate(values) for one, values in columns}, at
 
 
 def of_stl(content: bytes) -> list[np.ndarray]:

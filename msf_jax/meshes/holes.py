@@ -4,7 +4,7 @@ The lid over the uneven rim of a height field or a bent sheet passes above the s
 others. The closed surface is then several solids that meet in curves, and no skeleton can stay inside. The area vector
 of the surface (the sum of its faces' normals times areas, which depends on the rim only) gives the direction of its
 front; the inside is behind it. The rim is extruded backwards, past all of the piece, and closed there, like the base of
-a relief; or forwards, if that is better. The extrusion has a new vertex for each vertex of the rim.
+a relief. The extrusion has a new vertex for each vertex of the rim.
 """
 
 import heapq
@@ -102,11 +102,8 @@ def lid_of(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -
 
 
 class Extruded(NamedTuple):
-    """A surface without holes.
-
-    vertices: (V, 3), those given, then those of extrusions. faces: (F, 3). source: (M,) the vertex of the rim for each
-    new vertex. repairs: the changes, a sentence each.
-    """
+    """vertices: (V, 3), those given, then those of extrusions. faces: (F, 3), without holes. source: (M,) the vertex of
+    the rim for each new vertex. repairs: the changes, a sentence each."""
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -115,10 +112,8 @@ class Extruded(NamedTuple):
 
 
 def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extruded:
-    """The surface of ``faces`` (F, 3) with the lids of ``holes``; a rim is extruded if its lid cuts through the piece.
-
-    Only the longest rim of a piece can be extruded.
-    """
+    """The surface of ``faces`` (F, 3) with the lids of ``holes``; the longest rim of a piece is extruded if its lid
+    cuts through the piece."""
     sources, vertices_of, repairs, num_cut = [np.empty(0, dtype=np.int64)], [vertices], [], 0
     lids = [hole.lid for hole in holes]
     for number, mine, others in _uneven(vertices, faces, holes):
@@ -126,17 +121,15 @@ def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extr
         if share_cut_off(vertices, np.concatenate([known, holes[number].lid]), len(mine)) <= LARGEST_CUT:
             continue
         loop = np.array(holes[number].loop)
-        for side in (1, -1):
-            ring, band = _extrusion(vertices, known, loop, side)
-            every = np.concatenate([vertices, ring])
-            if share_cut_off(every, np.concatenate([known, band]), len(mine)) <= LARGEST_CUT:
-                first = sum(map(len, vertices_of))
-                lids[number] = np.where(band < len(vertices), 0, first - len(vertices)) + band
-                vertices_of.append(ring)
-                sources.append(loop)
-                break
-        else:
+        ring, band = _extrusion(vertices, known, loop)
+        every = np.concatenate([vertices, ring])
+        if share_cut_off(every, np.concatenate([known, band]), len(mine)) > LARGEST_CUT:
             num_cut += 1
+            continue
+        first = sum(map(len, vertices_of))
+        lids[number] = np.where(band < len(vertices), 0, first - len(vertices)) + band
+        vertices_of.append(ring)
+        sources.append(loop)
     source = np.concatenate(sources)
     if len(source):
         rims = "1 rim, whose lid" if len(sources) == 2 else f"{len(sources) - 1} rims, whose lids"
@@ -163,10 +156,8 @@ def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> fl
 
 
 def _uneven(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> list[tuple[int, np.ndarray, list[int]]]:
-    """For each large piece whose longest rim is uneven: that hole, the piece's faces, its other holes.
-
-    Pieces with the most faces come first.
-    """
+    """For each large piece whose longest rim is uneven, those with the most faces first: that hole, the piece's faces,
+    its other holes."""
     if not holes:
         return []
     label = graphs.labels_of_faces(faces, len(vertices))
@@ -188,14 +179,11 @@ def _area_vector(rim: np.ndarray) -> np.ndarray:
     return np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
 
 
-def _extrusion(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: int) -> tuple[np.ndarray, np.ndarray]:
-    """The extrusion of the rim ``loop`` (n,) past the piece of ``faces``: its new vertices (n, 3), which count from
-    ``len(vertices)``, in the order of the rim, and its faces with those of its lid.
-
-    With ``side`` 1 it goes in the direction of the lid's normal, behind the surface; with -1 in the other direction.
-    """
+def _extrusion(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The extrusion of the rim ``loop`` (n,) past the piece of ``faces``, behind its surface: the new vertices (n, 3),
+    which count from ``len(vertices)``, in the order of the rim, and the faces with those of the lid."""
     rim = vertices[loop]
-    along = side * unit(_area_vector(rim))
+    along = unit(_area_vector(rim))
     end = (vertices[np.unique(faces)] @ along).max() + MARGIN * np.ptp(rim, axis=0).max()
     ring = rim + (end - rim @ along)[:, None] * along
     below = len(vertices) + np.arange(len(loop))

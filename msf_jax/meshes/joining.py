@@ -12,7 +12,6 @@ which the surface winds at least once. A place where a piece still crosses itsel
 """
 
 from collections.abc import Sequence
-from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -20,7 +19,7 @@ from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
 from msf_jax.base.writing import counted
-from msf_jax.meshes.repair import WELD
+from msf_jax.meshes.repair import WELD, radius_of
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, triangle_areas, unit, vertex_normals
 from msf_jax.topology import graphs
@@ -30,27 +29,20 @@ if TYPE_CHECKING:
 
 SWELL = 0.01  # radii of a part, by which it is swollen for the union
 TOUCH = WELD  # diagonals: solids closer than this touch
-MOST_SITES = 60_000  # sample points on faces, besides vertices, between which gaps are measured
 MOST_TRIES = 4  # rounds of bridging; each makes capsules twice as thick
 PROJECTIONS = 4  # alternating projections between two surfaces that find the ends of a gap
 # A capsule's radius: ratio to the thickness at its ends; least ratio to the smaller radius.
 GLUE, THINNEST_CAPSULE = 0.5, 0.1
 SECTIONS = 8  # sides of a capsule's circles
 SAME = 1e-12  # diagonals: distance between a vertex of the union and the same vertex of a part, at most
-MARGINS = (
-    0.1,
-    0.3,
-    1.0,
-)  # sizes of a crossing: by which its box is larger on each side; the first that serves is taken
+MARGINS = 0.1, 0.3, 1.0  # sizes of a crossing, by which its box is larger on each side; the first that serves is taken
 MOST_PLACES = 100  # crossings of a part that are tried; each costs some unions
 
 MeshArrays = tuple[np.ndarray, np.ndarray]
 
 
 class Joined(NamedTuple):
-    """The result of joining parts.
-
-    vertices: (V, 3). faces: (F, 3). source: (V,) the vertex of the parts, counted through all of them, or -1 for one
+    """vertices: (V, 3). faces: (F, 3). source: (V,) the vertex of the parts, counted through all of them, or -1 for one
     that the union made. vertex_of_part: (P,) the new vertex for each vertex of the parts, or -1 if it is inside now or
     was cut away. repairs: the changes, a sentence each.
     """
@@ -68,7 +60,7 @@ class Gap(NamedTuple):
     one: int
     other: int
     ends: np.ndarray
-    faces: tuple[int, int]
+    faces: list[int]
 
     @property
     def length(self) -> float:
@@ -76,39 +68,14 @@ class Gap(NamedTuple):
 
 
 class Untangled(NamedTuple):
-    """vertices and faces; num: places that were resolved; num_left: places that were not."""
+    """vertices: (V, 3). faces: (F, 3). origin: (V,) the given vertex of each, or -1. num, num_left: places that were
+    resolved, and those that were not."""
 
     vertices: np.ndarray
     faces: np.ndarray
-    num: int = 0
-    num_left: int = 0
-
-
-class ClosedSurface:
-    """One closed connected surface, oriented outwards, in diagonals of the whole mesh.
-
-    vertices: (V, 3). faces: (F, 3). radius: of the ball with its ratio of volume to area. size: its box's diagonal.
-    """
-
-    def __init__(self, solid: "Manifold") -> None:
-        self.vertices, self.faces = arrays_of(solid)
-        self.radius = 3 * solid.volume() / solid.surface_area()
-        self.size = float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
-
-    @cached_property
-    def shape(self) -> Enclosure:
-        return Enclosure(self.vertices, self.faces)
-
-    def foot(self, point: np.ndarray) -> tuple[np.ndarray, int]:
-        """The point of the surface that is nearest to ``point`` (3,), and its face."""
-        face = int(self.shape.nearest(point[None])[1][0])
-        return _on_triangle(point, self.shape.triangles[face]), face
-
-    def thickness(self, point: np.ndarray, face: int) -> float:
-        """Half of the distance through the solid from a ``point`` (3,) of its ``face``, at most two radii."""
-        a, b, c = self.shape.triangles[face]
-        inward = -unit(np.cross(b - a, c - a))[None]
-        return float(self.shape.ray_lengths(point[None] + TOUCH * inward, inward, np.array([4 * self.radius]))[0]) / 2
+    origin: np.ndarray
+    num: int
+    num_left: int
 
 
 def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
@@ -148,28 +115,15 @@ def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
         repairs.append(f"filled {counted(num_voids, 'void')} between parts")
     whole = _bridged(whole, reach, diagonal, repairs)
     vertices, faces = arrays_of(_hollowed(whole, voids, united) if voids else whole)
-    larger = np.concatenate(swollen)
-    of_simple, vertex = _same_place(larger, vertices), _same_place(vertices, larger)
-    back = np.where(of_simple[:, None] < 0, vertices, np.concatenate([part.vertices for part in simple])[of_simple])
-    origin, image = _identities([(x - centre) / diagonal for x, _ in parts], simple)
+    first = np.cumsum([0, *(len(own) for own, _ in parts)])[:-1]
+    origin = np.concatenate([np.where(p.origin < 0, -1, p.origin + k) for p, k in zip(simple, first, strict=True)])
+    of_simple = _same_place(np.concatenate(swollen), vertices)
     source = np.where(of_simple < 0, -1, origin[of_simple])
-    vertex_of_part = np.where(image < 0, -1, vertex[image])
+    back = np.where(of_simple[:, None] < 0, vertices, np.concatenate([part.vertices for part in simple])[of_simple])
+    vertex_of_part = np.full(len(every), -1)
+    vertex_of_part[source[source >= 0]] = np.flatnonzero(source >= 0)
     placed = np.where(source[:, None] < 0, centre + diagonal * back, every[source])
     return Joined(placed, faces, source, vertex_of_part, tuple(repairs))
-
-
-def _identities(given: list[np.ndarray], simple: list[Untangled]) -> tuple[np.ndarray, np.ndarray]:
-    """The vertex of the ``given`` parts for each of the ``simple`` ones, through all, or -1; and the reverse."""
-    origin, image, first, last = [], [], 0, 0
-    for before, after in zip(given, simple, strict=True):
-        if after.num:
-            there, here = _same_place(before, after.vertices), _same_place(after.vertices, before)
-        else:
-            there = here = np.arange(len(before))
-        origin.append(np.where(there < 0, -1, there + first))
-        image.append(np.where(here < 0, -1, here + last))
-        first, last = first + len(before), last + len(after.vertices)
-    return np.concatenate(origin), np.concatenate(image)
 
 
 def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -182,25 +136,25 @@ def _bridged(whole: "Manifold", reach: float, diagonal: float, repairs: list[str
     """The solid with capsules over its gaps of up to ``reach``, and sentences about them in ``repairs``."""
     from manifold3d import Manifold, OpType
 
-    bodies, bridged = [ClosedSurface(piece) for piece in whole.decompose()], []
+    bodies, bridged = [Enclosure(*arrays_of(piece)) for piece in whole.decompose()], []
     num_solids = len(bodies)
     for tries in range(MOST_TRIES):
         gaps = _spanning(bodies, reach) if len(bodies) > 1 else []
         if not gaps:
             break
-        bridged += [(gap.length, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
+        bridged += [(gap.length, min(radius_of(bodies[gap.one]), radius_of(bodies[gap.other]))) for gap in gaps]
         capsules = [_capsule(bodies, gap, 2**tries) for gap in gaps]
         whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))
-        bodies = [ClosedSurface(piece) for piece in whole.decompose()]
+        bodies = [Enclosure(*arrays_of(piece)) for piece in whole.decompose()]
     if bridged:
         longest, radius = max(bridged, key=lambda each: each[0])
         over = f"over gaps of up to {longest * diagonal:.3g} ({longest / radius:.2g} radii of the smaller)"
         over = over if longest > TOUCH else "that touch"
         repairs.append(f"joined {num_solids} solids to {len(bodies)} at {counted(len(bridged), 'place')} {over}")
     if len(bodies) > 1:
-        largest = max(bodies, key=lambda body: body.size)
+        largest = max(bodies, key=lambda body: np.linalg.norm(np.ptp(body.vertices, axis=0)))
         others = np.concatenate([body.vertices for body in bodies if body is not largest])
-        gap = float(largest.shape.distances(others).min())
+        gap = float(largest.distances(others).min())
         repairs.append(
             f"left {len(bodies)} solids apart: the largest is {gap * diagonal:.3g} from the next ({gap:.2g} diagonals; "
             "Repair(join=...) sets the largest gap)"
@@ -246,77 +200,40 @@ def _hollowed(whole: "Manifold", voids: list["Manifold"], united: "Manifold") ->
     return Manifold.batch_boolean([Manifold.batch_boolean([whole, *voids], OpType.Subtract), *within], OpType.Add)
 
 
-def _spanning(bodies: list[ClosedSurface], reach: float) -> list[Gap]:
+def _spanning(bodies: list[Enclosure], reach: float) -> list[Gap]:
     """The gaps of a spanning tree that are short enough to bridge, shortest first.
 
-    Gaps are found between sample points of the surfaces, and then measured between the surfaces.
+    Gaps are found between samples of the surfaces, and then measured between the surfaces.
     """
-    radius = np.array([body.radius for body in bodies])
-    low = np.array([body.vertices.min(axis=0) for body in bodies])
-    high = np.array([body.vertices.max(axis=0) for body in bodies])
-    spacing, sites = _sites(bodies)
-    trees: dict[int, spatial.KDTree] = {}
-    nearest = []
+    radius = np.array([radius_of(body) for body in bodies])
+    low, high = (np.array([end(body.vertices, axis=0) for body in bodies]) for end in (np.min, np.max))
+    found = []
     for one in range(len(bodies) - 1):
         away = np.maximum(np.maximum(low[one + 1 :] - high[one], low[one] - high[one + 1 :]), 0)
-        bound = (
-            np.maximum(np.minimum(radius[one + 1 :], radius[one]), reach) if reach > 0 else np.full(len(away), TOUCH)
-        )
-        for number in np.flatnonzero(np.linalg.norm(away, axis=1) <= bound).tolist():
-            most = float(bound[number])
-            more, less = sorted((one, one + 1 + number), key=lambda each: -len(sites[each]))
-            if more not in trees:
-                trees[more] = spatial.KDTree(sites[more])
-            lengths, places = trees[more].query(sites[less], distance_upper_bound=most + spacing)
-            place = int(np.argmin(lengths))
-            if lengths[place] < np.inf:
-                nearest.append((float(lengths[place]), more, less, int(np.asarray(places)[place]), place, most))
+        bound = np.maximum(np.minimum(radius[one + 1 :], radius[one]), reach) if reach > 0 else TOUCH
+        for other in (one + 1 + np.flatnonzero(np.linalg.norm(away, axis=1) <= bound)).tolist():
+            more, less = sorted((one, other), key=lambda each: -len(bodies[each].faces))
+            points = np.asarray(bodies[less].samples.tree.data)
+            nearest = bodies[more].nearest(points, is_exact=False)[0].argmin()
+            found.append(_measured(bodies, more, less, points[nearest]))
     sets, gaps = DisjointSet(range(len(bodies))), []
-    for _, one, other, at_one, at_other, most in sorted(nearest):
-        if not sets.connected(one, other):
-            gap = _measured(bodies, one, other, sites[one][at_one], sites[other][at_other])
-            if gap.length <= most:
-                sets.merge(one, other)
-                gaps.append(gap)
+    for gap in sorted(found, key=lambda gap: gap.length):
+        smaller = float(radius[[gap.one, gap.other]].min())
+        is_near = gap.length <= (max(smaller, reach) if reach > 0 else TOUCH)
+        if is_near and not sets.connected(gap.one, gap.other):
+            sets.merge(gap.one, gap.other)
+            gaps.append(gap)
     return gaps
 
 
-def _sites(bodies: list[ClosedSurface]) -> tuple[float, list[np.ndarray]]:
-    """The spacing of sample points on large faces, and sample points of each surface, with its vertices."""
-    corners = [body.vertices[body.faces] for body in bodies]
-    spacing = float(np.sqrt(2 * triangle_areas(np.concatenate(corners)).sum() / MOST_SITES))
-    sites = []
-    for body, triangles in zip(bodies, corners, strict=True):
-        longest = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1)
-        parts = np.ceil(longest / spacing).astype(int)
-        points = [body.vertices]
-        for num in np.unique(parts[parts > 1]).tolist():
-            i, j = np.divmod(np.arange((num + 1) ** 2), num + 1)
-            share = np.stack([i, j, num - i - j], axis=1)[i + j <= num] / num
-            points.append(np.einsum("sk,tkx->tsx", share, triangles[parts == num]).reshape(-1, 3))
-        sites.append(np.concatenate(points))
-    return spacing, sites
-
-
-def _measured(bodies: list[ClosedSurface], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
-    """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), by alternating projections."""
-    start, end, first, last = at_one, at_other, 0, 0
-    for _ in range(PROJECTIONS):
-        start, first = bodies[one].foot(end)
-        end, last = bodies[other].foot(start)
-    return Gap(one, other, np.stack([start, end]), (first, last))
-
-
-def _capsule(bodies: list[ClosedSurface], gap: Gap, factor: float) -> "Manifold":
-    """The capsule that bridges ``gap``: the hull of two balls around its ends, ``factor`` times the usual thickness."""
-    from manifold3d import Manifold
-
-    pair = bodies[gap.one], bodies[gap.other]
-    smaller = min(body.radius for body in pair)
-    thickness = min(body.thickness(end, face) for body, end, face in zip(pair, gap.ends, gap.faces, strict=True))
-    radius = factor * float(np.clip(GLUE * thickness, THINNEST_CAPSULE * smaller, smaller))
-    ball = arrays_of(Manifold.sphere(radius, SECTIONS))[0]
-    return Manifold.hull_points(np.concatenate([ball + end for end in gap.ends]))
+def _measured(bodies: list[Enclosure], one: int, other: int, end: np.ndarray) -> Gap:
+    """The gap between two surfaces near the point ``end`` (3,) of the other one, by alternating projections."""
+    ends, faces = [end, end], [0, 0]
+    for step in range(2 * PROJECTIONS):
+        here, body = step % 2, bodies[(one, other)[step % 2]]
+        faces[here] = int(body.nearest(ends[1 - here][None])[1][0])
+        ends[here] = _on_triangle(ends[1 - here], body.triangles[faces[here]])
+    return Gap(one, other, np.stack(ends), faces)
 
 
 def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
@@ -332,16 +249,28 @@ def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
     return feet[np.linalg.norm(feet - point, axis=1).argmin()]
 
 
+def _capsule(bodies: list[Enclosure], gap: Gap, factor: float) -> "Manifold":
+    """The capsule that bridges ``gap``: the hull of two balls around its ends, ``factor`` times the usual thickness."""
+    from manifold3d import Manifold
+
+    pair = bodies[gap.one], bodies[gap.other]
+    smaller, chords = min(map(radius_of, pair)), []
+    for body, end, face in zip(pair, gap.ends, gap.faces, strict=True):
+        inward = -body.normals[[face]]
+        chords.append(body.ray_lengths(end + TOUCH * inward, inward, np.array([4 * radius_of(body)]))[0])
+    radius = factor * float(np.clip(GLUE * min(chords) / 2, THINNEST_CAPSULE * smaller, smaller))
+    ball = arrays_of(Manifold.sphere(radius, SECTIONS))[0]
+    return Manifold.hull_points(np.concatenate([ball + end for end in gap.ends]))
+
+
 def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
     """Resolve where the closed part ``vertices`` (V, 3), ``faces`` (F, 3) crosses itself."""
     from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
 
     shape = Enclosure(vertices, faces)
-    crossed = shape.crossed
-    if not len(crossed.pairs):
-        return Untangled(vertices, faces)
-    places = _places(shape, crossed.pairs)
-    whole, boxes, strands = solid_of(vertices, faces), [], []
+    pairs = shape.crossed.pairs
+    places, boxes, strands = _places(shape, pairs) if len(pairs) else [], [], []
+    whole = solid_of(vertices, faces)
     for low, high in places[:MOST_PLACES]:
         for margin in MARGINS:
             size = (1 + 2 * margin) * (high - low)
@@ -352,10 +281,10 @@ def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
                 strands += pieces
                 break
     if not boxes:
-        return Untangled(vertices, faces, 0, len(places))
+        return Untangled(vertices, faces, np.arange(len(vertices)), 0, len(places))
     rest = Manifold.batch_boolean([whole, *boxes], OpType.Subtract)
-    found = arrays_of(Manifold.batch_boolean([rest, *strands], OpType.Add))
-    return Untangled(*found, len(boxes), len(places) - len(boxes))
+    made, faces = arrays_of(Manifold.batch_boolean([rest, *strands], OpType.Add))
+    return Untangled(made, faces, _same_place(vertices, made), len(boxes), len(places) - len(boxes))
 
 
 def solid_of(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":

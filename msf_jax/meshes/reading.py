@@ -31,7 +31,7 @@ logging.getLogger("trimesh").addHandler(logging.NullHandler())  # without a hand
 
 
 class HasTriangles(Protocol):
-    """An object with ``vertices`` (V, 3) and ``faces`` (F, 3), such as a `trimesh.Trimesh`."""
+    """Such as a `trimesh.Trimesh`."""
 
     @property
     def vertices(self) -> Any: ...
@@ -56,8 +56,8 @@ def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
     Args:
         mesh: a path that ends in .obj, .off, .ply, .stl, .glb, .gltf or .3mf, or in .vtp or .vtk where pyvista is
             installed; a `trimesh.Trimesh`, a `pyvista.PolyData`, or a pair (vertices, faces). Polygons are cut into
-            triangles. The meshes of a scene become one, placed as in the scene, those with a skin as
-            its joints hold them.
+            triangles. The meshes of a scene become one, placed as in the scene, those with a skin as its joints hold
+            them.
 
     Returns:
         Copies. Ids of vertices, as in ``mesh_map`` and ``pins``, are rows of these vertices.
@@ -147,13 +147,10 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
     if not path.is_file():  # opening a pipe would block, and a device may have no end
         raise MeshError(f"{str(path)!r} is no file: check the path")
     suffix, known = path.suffix.lower()[1:], readable_suffixes()
-    if suffix in VTK and suffix not in known:
-        raise MeshError(f"cannot read {path.name!r}: VTK's formats need pyvista: pip install pyvista")
     if suffix not in known:
-        raise MeshError(
-            f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}; "
-            "export it to one of these"
-        )
+        needs = "VTK's formats need pyvista: pip install pyvista"
+        unknown = f"unknown suffix {path.suffix!r}, expected one of {', '.join(known)}; export it to one of these"
+        raise MeshError(f"cannot read {path.name!r}: {needs if suffix in VTK else unknown}")
     try:
         found = [part for part in _meshes_of(path, suffix) if len(part.faces)]
     except MeshError:
@@ -170,21 +167,16 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
 
 def _meshes_of(path: Path, suffix: str) -> list[trimesh.Trimesh]:
     """The meshes in a file of a known format."""
-    match suffix:
-        case "glb" | "gltf":
-            return scenes.meshes_of_gltf(path)
-        case "3mf":
-            found = scenes.meshes_of_3mf(path)
-        case "stl":
-            found = [_without_doubles(corners) for corners in formats.of_stl(path.read_bytes())]
-        case "ply":
-            found = [formats.of_ply(path.read_bytes())]
-        case "off":
-            found = [formats.of_off(formats.decoded(path.read_bytes()))]
-        case "obj":
-            found = [formats.of_obj(formats.decoded(path.read_bytes()))]
-        case _:
-            found = [_of_pyvista(importlib.import_module("pyvista").read(path))]
+    if suffix in ("glb", "gltf"):
+        return scenes.meshes_of_gltf(path)
+    if suffix == "3mf":
+        found = scenes.meshes_of_3mf(path)
+    elif suffix in VTK:
+        found = [_of_pyvista(importlib.import_module("pyvista").read(path))]
+    elif suffix == "stl":
+        found = [_without_doubles(corners) for corners in formats.of_stl(path.read_bytes())]
+    else:
+        found = [{"ply": formats.of_ply, "off": formats.of_off, "obj": formats.of_obj}[suffix](path.read_bytes())]
     return [trimesh.Trimesh(*mesh, process=False) for mesh in found]
 
 

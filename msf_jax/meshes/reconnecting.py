@@ -23,41 +23,31 @@ EQUAL = 1e-3  # of two cotangents: both diagonals of a rectangle are as good, an
 def reconnected(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """The faces (F, 3) of a surface ``(vertices (V, 3), faces (F, 3))``, with other edges where it is flat."""
     least = ROUNDED * float(np.linalg.norm(np.ptp(vertices, axis=0)))
-    faces = faces.astype(np.int64)
-    twin, number = half_edges(faces).twin.copy(), np.arange(faces.size)
-    onward, before = number - number % 3 + (number + 1) % 3, number - number % 3 + (number + 2) % 3
+    faces, number = faces.astype(np.int64), np.arange(faces.size)
+    onward, before = (number - number % 3 + (number + step) % 3 for step in (1, 2))
     cotangent = _cotangents(vertices[faces])
     for _ in range(MOST_ROUNDS):
+        twin = half_edges(faces).twin
         edge = np.flatnonzero(number < twin)
         one, two = cotangent.ravel()[edge], cotangent.ravel()[twin[edge]]
         is_wrong = one + two < -EQUAL * (np.abs(one) + np.abs(two))
         edge = edge[is_wrong][np.argsort(np.round((one + two)[is_wrong], 6), kind="stable")]
         # From a to b, between the triangles a, b, c and b, a, d; it becomes the edge from c to d.
         corner, back = faces.ravel(), twin[edge]
-        a, b, c, d = (corner[each] for each in (edge, back, before[edge], before[back]))
-        is_flat = _is_flat(vertices[np.stack([a, b, c, d])], least)
-        edge = edge[is_flat & _is_new(corner, corner[onward], c, d)]
+        ends = np.stack([corner[each] for each in (edge, back, before[edge], before[back])])
+        may_flip = _is_flat(vertices[ends], least) & _is_new(corner, corner[onward], *ends[2:])
         # Of the edges of a triangle, the worst one goes first.
-        pair = np.stack([edge, twin[edge]], axis=1) // 3
+        pair = np.stack([edge, back], axis=1)[may_flip] // 3
         is_first = np.zeros(pair.size, dtype=bool)
         is_first[np.unique(pair, return_index=True)[1]] = True
-        edge = edge[is_first.reshape(-1, 2).all(axis=1)]
-        if not len(edge):
+        chosen = is_first.reshape(-1, 2).all(axis=1)
+        if not chosen.any():
             break
-        back = twin[edge]
-        a, b, c, d = (corner[each] for each in (edge, back, before[edge], before[back]))
-        face, other = edge // 3, back // 3
-        old = np.stack([before[edge], onward[back], before[back], onward[edge]], axis=1)  # c -> a -> d, d -> b -> c
-        new = np.stack([3 * face, 3 * face + 1, 3 * other, 3 * other + 1], axis=1)
+        a, b, c, d = ends[:, may_flip][:, chosen]
+        face, other = pair[chosen].T
         faces[face], faces[other] = np.stack([c, a, d], axis=1), np.stack([d, b, c], axis=1)
-        moved = number.copy()
-        moved[old] = new
-        beyond = np.where(twin[old] >= 0, moved[twin[old]], -1)
-        twin[new] = beyond
-        twin[beyond[beyond >= 0]] = new[beyond >= 0]
-        twin[3 * face + 2], twin[3 * other + 2] = 3 * other + 2, 3 * face + 2
-        for each in (face, other):
-            cotangent[each] = _cotangents(vertices[faces[each]])
+        changed = pair[chosen].ravel()
+        cotangent[changed] = _cotangents(vertices[faces[changed]])
     return faces
 
 

@@ -1,9 +1,9 @@
 """Repair on request: from any list of triangles to closed, oriented, manifold surfaces, with every change counted.
 
-The steps are: weld coincident vertices at open edges;
-remove degenerate and duplicate faces, and internal walls; orient faces consistently; separate sheets that share an edge
-or a vertex; fill holes without new vertices; remove pieces without volume. Each vertex of the result is one of the
-caller's, so that weights, pins and gradients apply to it, except those of an extruded rim (see `holes`).
+The steps are: remove degenerate and duplicate faces; weld coincident vertices at open edges; remove internal walls;
+orient faces consistently; separate sheets that share an edge or a vertex; fill holes without new vertices; remove
+pieces without volume, and specks. Each vertex of the result is one of the caller's, so that weights, pins and gradients
+apply to it, except those of an extruded rim (see `holes`).
 
 Sheets: a mesh of cells, or of bodies that share faces, has internal walls, and at an edge as many faces as cells.
 Around an edge, the side of a face is connected to the facing side of the next face. Connected sides form a shell. The
@@ -64,18 +64,13 @@ class Repair(Options):
 
 
 def as_repair(repair: Any) -> Repair | None:
-    """The `Repair` that ``repair`` means: for True the defaults, for "join" with joining, for False None.
-
-    Raises:
-        ConfigError: ``repair`` is something else, and no `Repair`.
-    """
-    if isinstance(repair, Repair):
-        return repair
+    """The `Repair` that ``repair`` means: for True the defaults, for "join" with joining, for False None; a
+    `ConfigError` if it is something else, and no `Repair`."""
     if isinstance(repair, str) and repair == "join":
         return Repair(join=LONGEST_GAP)
-    if not isinstance(repair, bool):
+    if not isinstance(repair, bool | Repair):
         raise ConfigError(f'repair is {repair!r:.80}: expected True, False, "join" or a msf_jax.Repair')
-    return Repair() if repair else None
+    return repair if isinstance(repair, Repair) else Repair() if repair else None
 
 
 class Repaired(NamedTuple):
@@ -222,38 +217,43 @@ def with_volume(
     label = graphs.pieces(faces, len(vertices))
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
     low, high = (end(vertices[faces.ravel()], axis=0) for end in (np.min, np.max))
-    parts, is_few, is_flat = [], np.zeros(len(is_open), dtype=bool), np.zeros(len(is_open), dtype=bool)
-    for piece, rows in enumerate(by_label(label)):
+    middle, size = (low + high) / 2, float((high - low).max()) or 1.0
+    parts = []
+    for rows in by_label(label):
         used, local = np.unique(faces[rows], return_inverse=True)
-        parts.append(Enclosure((vertices[used] - (low + high) / 2) / ((high - low).max() or 1.0), local.reshape(-1, 3)))
-        is_few[piece] = len(used) < fewest
-        extent = float(np.ptp(parts[-1].vertices, axis=0).max())
-        is_flat[piece] = extent == 0 or (not is_open[piece] and abs(volume_of(parts[-1])) <= NO_VOLUME * extent**3)
+        parts.append(Enclosure((vertices[used] - middle) / size, local.reshape(-1, 3)))
+    extent = np.array([part.extent for part in parts])
+    is_few = np.array([len(part.vertices) < fewest for part in parts])
+    is_flat = np.array([abs(volume_of(part)) for part in parts]) <= NO_VOLUME * extent**3
+    is_flat = (extent == 0) | (is_flat & ~is_open)
     keep = ~(is_few | is_flat)
     closed = np.flatnonzero(keep & ~is_open)
     speck = closed[specks([parts[k] for k in closed], smallest)]
-    places = [(high + low) / 2 + (high - low).max() * middle_of(parts[k]) for k in speck[:MOST_NAMED]]
     keep[speck] = False
+    at = ", ".join(
+        "({:.4g}, {:.4g}, {:.4g})".format(*(middle + size * middle_of(parts[k]))) for k in speck[:MOST_NAMED]
+    )
     kept, diagonals = np.flatnonzero(keep), np.array([np.linalg.norm(np.ptp(part.vertices, axis=0)) for part in parts])
     num_beyond = 0 if most is None else max(len(kept) - most, 0)
     keep[kept[np.argsort(-diagonals[kept], kind="stable")][len(kept) - num_beyond :]] = False
-    at = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places)
     reasons = (
         (int(is_few.sum()), f" of fewer than {fewest} vertices"),
         (int((is_flat & ~is_few).sum()), " without volume"),
         (len(speck), f" smaller than smallest_part, at {at}" + ", ..." * (len(speck) > MOST_NAMED)),
         (num_beyond, f", the smallest, beyond most_parts = {most}"),
     )
-    return (
-        faces[keep[label]],
-        [f"left out {counted(num, 'piece')}{reason}" for num, reason in reasons if num],
-        num_beyond,
-    )
+    sentences = [f"left out {counted(num, 'piece')}{reason}" for num, reason in reasons if num]
+    return faces[keep[label]], sentences, num_beyond
 
 
 def volume_of(part: Enclosure) -> float:
     """The signed volume of a closed part, which may be far from the origin."""
     return signed_volume(part.vertices - middle_of(part), part.faces)
+
+
+def radius_of(part: Enclosure) -> float:
+    """The radius of the ball with the ratio of volume to area of a closed part."""
+    return 3 * abs(volume_of(part)) / float(triangle_areas(part.triangles).sum())
 
 
 def middle_of(part: Enclosure) -> np.ndarray:
@@ -262,12 +262,11 @@ def middle_of(part: Enclosure) -> np.ndarray:
 
 
 def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarray:
-    """(k,) which of closed ``parts`` are specks: solids of less than ``smallest`` of the largest part's volume, and of
-    a smaller size than the radius at which they lie.
+    """(k,) which of closed ``parts`` are specks: solids of less than ``smallest`` of the largest part's volume, whose
+    box's diagonal is less than the radius at which they lie: a hair is thin, but long.
 
-    The size is the box's diagonal: a hair is thin, but long. The radius is that of the nearest other solid that is
-    larger and no speck, as a part of a twig lies at the twig: half of the way through it there, or that of the ball
-    with its ratio of volume to area if this is less.
+    The radius is that of the nearest other solid that is larger and no speck, as a part of a twig lies at the twig:
+    half of the way through it there, or `radius_of` it if this is less.
     """
     volume = np.array([volume_of(part) for part in parts])
     size = np.abs(volume)
@@ -276,7 +275,6 @@ def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarra
         return is_speck
     is_solid = nested(parts, volume)[0] == np.arange(len(parts))
     is_speck &= is_solid
-    radius = 3 * size / [triangle_areas(part.triangles).sum() for part in parts]
     low, high = (np.array([end(part.vertices, axis=0) for part in parts]) for end in (np.min, np.max))
     for each in np.flatnonzero(is_speck)[np.argsort(-size[is_speck], kind="stable")].tolist():
         middle, diagonal = middle_of(parts[each])[None], float(np.linalg.norm(high[each] - low[each]))
@@ -292,7 +290,7 @@ def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarra
         nearest = parts[number]
         inward = -np.sign(volume[number]) * nearest.normals[[face]]
         foot = nearest.feet(middle) + BELOW * diagonal * inward
-        is_speck[each] = nearest.ray_lengths(foot, inward, 2 * radius[[number]])[0] > 2 * diagonal
+        is_speck[each] = nearest.ray_lengths(foot, inward, np.array([2 * radius_of(nearest)]))[0] > 2 * diagonal
     return is_speck
 
 

@@ -3,8 +3,8 @@
 A small file can unpack to more than memory, name the same bytes many times, or show the same triangles many times: the
 sums of what is loaded and shown are limited. What would be read as another mesh is refused by its name.
 
-3MF is read here as a stream of XML, not by trimesh, which leaves out an item with the part number of another, parts
-beyond some number of nested parts, and objects that are not there.
+3MF is not read by trimesh, which leaves out an item with the part number of another, parts beyond some number of nested
+parts, and objects that are not there.
 """
 
 import io
@@ -13,26 +13,25 @@ import math
 import struct
 import zipfile
 from array import array
-from collections import defaultdict
 from pathlib import Path
-from typing import Any
-from xml.parsers import expat
+from typing import IO, Any
+from xml.etree import ElementTree
 
 import numpy as np
 import trimesh
 from trimesh import resolvers
 
-from msf_jax.meshes.formats import decoded
+from msf_jax.meshes.formats import MeshArrays, decoded
 from msf_jax.solid.geometry import unit
 
 # Limits of the unpacked bytes: ratio to the packed bytes; bytes always allowed; the largest.
-LARGEST_RATIO, SMALL_ARCHIVE, LARGEST_UNPACKED = 50, 10_000_000, 2**29
-# Of the parts, at most: triangles of all instances, and instances. Two million triangles with normals, colours and
-# texture coordinates take up to 0.8 GB.
+LARGEST_RATIO, SMALL_ARCHIVE, LARGEST_UNPACKED = 50, 10_000_000, 2**28
+# Of the parts, at most: triangles of all instances, which take up to 0.8 GB with all attributes, and instances.
 MOST_TRIANGLES, MOST_INSTANCES = 2_000_000, 20_000
 MOST_ELEMENTS = 100_000  # of a 3MF but for vertices and triangles
 MOST_TIMES = 2  # times that the triangles of a file may be shown, if they are over MOST_TRIANGLES
-SHOWN = None  # the parent of what the file shows
+SHOWN = ""  # the parent of what a 3MF shows
+SEVERAL = "it has several models, of which one is supported: export it as one"
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks
 MOST_OBJECTS = 1_000_000  # objects and lists of the JSON, each of which takes some hundred bytes
 FLOAT = 5126  # the number of float32 among glTF's component types, which are OpenGL's
@@ -42,15 +41,9 @@ MOST_READ = 4  # times that the bytes of all buffers may be read, over SMALL_ARC
 OF_SKIN = ("_JOINTS_", "_WEIGHTS_", "_BINDS_")  # beginnings of the attributes of a skin, see `_name_skins`
 FAN = 6  # mode of a primitive
 WITH_VERTICES = "export it with plain vertices"
-# Extensions that change the triangles, and what to do about each.
-UNREAD = {
-    "KHR_draco_mesh_compression": "export it without Draco compression",
-    "EXT_meshopt_compression": "export it without meshopt compression",
-    "KHR_meshopt_compression": "export it without meshopt compression",
-    "EXT_mesh_gpu_instancing": "export its instances as nodes",
-}
-# Beginnings of the names of extensions that do not change them.
+INSTANCES = "EXT_mesh_gpu_instancing"  # the extension of nodes that are shown many times
 QUANTIZED = "KHR_mesh_quantization"  # positions are whole numbers, which the matrices of nodes scale
+# Beginnings of the names of extensions that do not change the triangles.
 HARMLESS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp", QUANTIZED)
 
 
@@ -60,53 +53,13 @@ def check_shown(instances: int, triangles: int, own: int) -> None:
         raise ValueError(f"its parts have {instances} instances and {triangles} triangles, which is too many")
 
 
-def meshes_of_3mf(path: Path) -> list[tuple[np.ndarray, np.ndarray]]:
+def meshes_of_3mf(path: Path) -> list[MeshArrays]:
     """Vertices and triangles of each object that the file at ``path`` shows, as it places them, turned right side out
     where it mirrors them.
 
     Raises:
         ValueError: the file would need too much memory for its size, has several models, or is damaged.
     """
-    numbers: dict[str, tuple[array, array]] = {}  # of each object: x, y, z of vertices, corners of triangles
-    named: list[tuple[str | None, str, np.ndarray]] = []  # parts: the object that has it, its own, its place there
-    inside: str | None = SHOWN  # the object that is read
-    others = 0  # elements that are no vertex or triangle
-
-    def begin(tag: str, attributes: dict[str, str]) -> None:
-        nonlocal inside, others
-        others += 1
-        match tag.rpartition(":")[2]:
-            case "vertex" if inside is not None:
-                numbers[inside][0].extend([float(attributes[key]) for key in ("x", "y", "z")])
-                others -= 1
-            case "triangle" if inside is not None:
-                numbers[inside][1].extend([int(attributes[key]) for key in ("v1", "v2", "v3")])
-                others -= 1
-            case "object":
-                if inside is not None or attributes["id"] in numbers:
-                    raise ValueError(f"it has an object {attributes['id']!r} in another, or twice")
-                inside = attributes["id"]
-                numbers[inside] = array("d"), array("q")
-            case "component" | "item":
-                if any(key.endswith("path") for key in attributes):
-                    raise ValueError("it has several models, of which one is supported: export it as one")
-                matrix = np.eye(4)
-                if "transform" in attributes:  # rows, without the last column
-                    matrix[:3] = np.array(attributes["transform"].split(), dtype=np.float64).reshape(4, 3).T
-                named.append((inside, attributes["objectid"], matrix))
-        if others > MOST_ELEMENTS:
-            raise ValueError(f"it has over {MOST_ELEMENTS} elements that are no part of a mesh")
-
-    def end(tag: str) -> None:
-        nonlocal inside
-        inside = SHOWN if tag.rpartition(":")[2] == "object" else inside
-
-    def refuse_entities(*_: object) -> None:
-        raise ValueError("it declares entities, which no mesh needs")
-
-    parser = expat.ParserCreate()
-    parser.StartElementHandler, parser.EndElementHandler = begin, end
-    parser.StartDoctypeDeclHandler = refuse_entities
     with zipfile.ZipFile(path) as archive:
         unpacked = sum(member.file_size for member in archive.infolist())
         most = min(max(LARGEST_RATIO * path.stat().st_size, SMALL_ARCHIVE), LARGEST_UNPACKED)
@@ -114,31 +67,62 @@ def meshes_of_3mf(path: Path) -> list[tuple[np.ndarray, np.ndarray]]:
             raise ValueError(f"it unpacks to {unpacked} bytes: expected at most {most}")
         models = [name for name in archive.namelist() if name.lower().endswith(".model")]
         if len(models) != 1:  # their objects have the same ids
-            raise ValueError(f"it has {len(models)} models, of which one is supported: export it as one")
+            raise ValueError(SEVERAL)
         with archive.open(models[0]) as stream:
-            parser.ParseFile(stream)
+            objects, parts = _model(stream)
 
-    size = {name: max(map(len, both)) // 3 for name, both in numbers.items()}  # vertices or triangles, which are more
-    parts: dict[str | None, list[tuple[str, np.ndarray]]] = defaultdict(list)  # last first
-    for parent, name, place in reversed(named):
-        parts[parent].append((name, place))
-    rest, shown, triangles, own = parts[SHOWN], [], 0, sum(size.values())
+    size = {name: max(map(len, both)) for name, both in objects.items()}  # vertices or triangles, which are more
+    rest, shown, triangles, own = parts[SHOWN][::-1], [], 0, sum(size.values())
     while rest:
         name, matrix = rest.pop()
-        if name not in numbers:
+        if name not in objects:
             raise ValueError(f"it shows an object {name!r} that it does not have")
         shown.append((name, matrix))
-        rest += [(part, matrix @ place) for part, place in parts[name]]
+        rest += [(part, matrix @ place) for part, place in reversed(parts[name])]
         triangles += size[name]
         check_shown(len(shown) + len(rest), triangles, own)  # also of an object that is a part of itself
     meshes = []
     for name, matrix in shown:
-        vertices, faces = (np.array(values).reshape(-1, 3) for values in numbers[name])
+        vertices, faces = objects[name]
         if len(vertices) or len(faces):
             is_mirrored = np.linalg.det(matrix[:3, :3]) < 0
-            placed = vertices @ matrix[:3, :3].T + matrix[:3, 3]
-            meshes.append((placed, faces[:, ::-1] if is_mirrored else faces))
+            meshes.append((vertices @ matrix[:3, :3].T + matrix[:3, 3], faces[:, ::-1] if is_mirrored else faces))
     return meshes
+
+
+def _model(stream: IO[bytes]) -> tuple[dict[str, MeshArrays], dict[str, list[tuple[str, np.ndarray]]]]:
+    """The objects of a 3MF model, and of each, and of `SHOWN`, its parts: their objects and places."""
+    objects: dict[str, MeshArrays] = {}
+    parts: dict[str, list[tuple[str, np.ndarray]]] = {SHOWN: []}
+    vertices, corners, own, others = array("d"), array("q"), [], 0
+    for event, element in ElementTree.iterparse(stream, events=("start", "end")):
+        tag, attributes = element.tag.rpartition("}")[2], element.attrib
+        if event == "start":
+            others += tag not in ("vertex", "triangle")
+            if others > MOST_ELEMENTS:
+                raise ValueError(f"it has over {MOST_ELEMENTS} elements that are no part of a mesh")
+            continue
+        match tag:
+            case "vertex":
+                vertices.extend(float(attributes[key]) for key in ("x", "y", "z"))
+            case "triangle":
+                corners.extend(int(attributes[key]) for key in ("v1", "v2", "v3"))
+            case "component" | "item":
+                if any(key.endswith("path") for key in attributes):
+                    raise ValueError(SEVERAL)
+                matrix = np.eye(4)
+                if "transform" in attributes:  # rows, without the last column
+                    matrix[:3] = np.array(attributes["transform"].split(), dtype=np.float64).reshape(4, 3).T
+                (own if tag == "component" else parts[SHOWN]).append((attributes["objectid"], matrix))
+            case "object":
+                name = attributes["id"]
+                if name in parts:
+                    raise ValueError(f"it has an object {name!r} twice")
+                objects[name] = np.array(vertices).reshape(-1, 3), np.array(corners).reshape(-1, 3)
+                parts[name] = own
+                vertices, corners, own = array("d"), array("q"), []
+        element.clear()
+    return objects, parts
 
 
 def meshes_of_gltf(path: Path) -> list[trimesh.Trimesh]:
@@ -156,12 +140,8 @@ def meshes_of_gltf(path: Path) -> list[trimesh.Trimesh]:
     if content.count(b"{") + content.count(b"[") > MOST_OBJECTS:
         raise ValueError(f"its JSON has over {MOST_OBJECTS} objects")
     document = json.loads(decoded(content))
-    _check_extensions(document)
-    _check_bytes(document, path.parent, len(rest))
-    _check_shown(document)
-    for mesh in document.get("meshes", []):
-        for primitive in mesh["primitives"]:
-            _check_primitive(document, primitive)
+    _check_kinds(document)
+    _check_sizes(document, path.parent, len(rest))
     _name_skins(document)
     content = json.dumps(document).encode()
     if is_binary:
@@ -242,22 +222,41 @@ def _chunks(content: bytes) -> tuple[bytes, bytes]:
     return content[20 : 20 + size], rest
 
 
-def _check_extensions(document: dict[str, Any]) -> None:
-    """Refuse what the file says that its reader must know, and is not known here; and what is shown otherwise."""
-    named = list(document.get("extensionsRequired", []))
-    named += [name for node in document.get("nodes", []) for name in node.get("extensions", {}) if name in UNREAD]
-    for name in named:
+def _check_kinds(document: dict[str, Any]) -> None:
+    """Refuse what would not be read as it is meant."""
+    meshes, nodes, required = (document.get(name, []) for name in ("meshes", "nodes", "extensionsRequired"))
+    for name in [*required, *(INSTANCES for node in nodes if INSTANCES in node.get("extensions", {}))]:
         if not str(name).startswith(HARMLESS):
-            raise ValueError(f"it needs {name}, which is not supported: {UNREAD.get(name, 'export it without it')}")
-    for one in [*document.get("meshes", []), *document.get("nodes", [])]:
-        if any(one.get("weights", [])):
-            raise ValueError(f"it has morph targets with weights, which are not supported: {WITH_VERTICES}")
+            raise ValueError(f"it needs {name}, which is not supported: export it without it")
+    if any(any(one.get("weights", [])) for one in (*meshes, *nodes)):
+        raise ValueError(f"it has morph targets with weights, which are not supported: {WITH_VERTICES}")
+    children = [_whole(child) for node in nodes for child in node.get("children", [])]
+    if len(set(children)) < len(children):
+        raise ValueError("a node has two parents")
+    for primitive in (one for mesh in meshes for one in mesh["primitives"]):
+        if primitive.get("mode") == FAN:
+            raise ValueError("it has a triangle fan, which is not supported: export it with triangles")
+        named = {"POSITION": primitive["attributes"]["POSITION"]}
+        named |= {"indices": primitive["indices"]} if "indices" in primitive else {}
+        for name, number in named.items():
+            accessor = document["accessors"][_whole(number)]
+            kind = accessor["componentType"]
+            is_wrong = (kind == FLOAT) == (name == "indices") and not (name == "POSITION" and QUANTIZED in required)
+            for is_so, what in (
+                ("sparse" in accessor, "is a sparse accessor, which is not supported"),
+                ("bufferView" not in accessor, "has no bufferView, and so no data"),
+                (is_wrong, f"has components of type {kind}, which the format forbids"),
+                (accessor.get("normalized"), "is normalized integers, which is not supported"),
+            ):
+                if is_so:
+                    raise ValueError(f"its {name} {what}: {WITH_VERTICES}")
 
 
-def _check_bytes(document: dict[str, Any], folder: Path, binary: int) -> None:
-    """Refuse views and accessors that have many more bytes than all buffers, of which ``binary`` are in the file. That
-    each has its bytes is trimesh's to check."""
-    views, accessors, there = document.get("bufferViews", []), document.get("accessors", []), binary
+def _check_sizes(document: dict[str, Any], folder: Path, binary: int) -> None:
+    """Refuse views and accessors that have many more bytes than all buffers, of which ``binary`` are in the file, and
+    too much in what is shown. That each has its bytes is trimesh's to check."""
+    views, accessors, nodes = (document.get(name, []) for name in ("bufferViews", "accessors", "nodes"))
+    there = binary
     for uri in (buffer.get("uri", "") for buffer in document.get("buffers", [])):
         if uri.startswith("data:"):
             there += len(uri)
@@ -270,42 +269,13 @@ def _check_bytes(document: dict[str, Any], folder: Path, binary: int) -> None:
     for what, size in (("views", sum(view["byteLength"] for view in views)), ("accessors", sum(widths))):
         if size > MOST_READ * there + SMALL_ARCHIVE:
             raise ValueError(f"its {what} have {size} bytes, but its buffers {there}")
-
-
-def _check_primitive(document: dict[str, Any], primitive: dict[str, Any]) -> None:
-    """Refuse triangles that are not read as they are meant."""
-    if primitive.get("mode") == FAN:
-        raise ValueError("it has a triangle fan, which is not supported: export it with triangles")
-    is_quantized = QUANTIZED in document.get("extensionsRequired", [])
-    named = {"POSITION": primitive["attributes"]["POSITION"]}
-    named |= {"indices": primitive["indices"]} if "indices" in primitive else {}
-    for name, number in named.items():
-        accessor = document["accessors"][_whole(number)]
-        if "sparse" in accessor:
-            raise ValueError(f"its {name} is a sparse accessor, which is not supported: {WITH_VERTICES}")
-        if "bufferView" not in accessor:
-            raise ValueError(f"its {name} has no bufferView, and so no data: {WITH_VERTICES}")
-        is_float = accessor["componentType"] == FLOAT
-        if is_float == (name == "indices") and not (name == "POSITION" and is_quantized):
-            raise ValueError(f"its {name} has components of type {accessor['componentType']}, which the format forbids")
-        if accessor.get("normalized"):
-            raise ValueError(f"its {name} is normalized integers, which is not supported: {WITH_VERTICES}")
-
-
-def _check_shown(document: dict[str, Any]) -> None:
-    """Refuse too much in the primitives, by the nodes that show them."""
-    nodes, accessors = document.get("nodes", []), document.get("accessors", [])
-    sizes = []  # of each mesh, its vertices or triangles, whichever are more
+    sizes = []  # of each mesh, its primitives, and their vertices or triangles, whichever are more
     for mesh in document.get("meshes", []):
         named = [(one["attributes"]["POSITION"], one.get("indices")) for one in mesh["primitives"]]
         counts = [(accessors[at]["count"], 0 if of is None else accessors[of]["count"] // 3) for at, of in named]
         sizes.append((len(named), sum(map(max, counts))))
-    shown = [sizes[_whole(node["mesh"])] for node in nodes if "mesh" in node]
-    for one in (sizes, shown):
+    for one in (sizes, [sizes[_whole(node["mesh"])] for node in nodes if "mesh" in node]):
         check_shown(sum(num for num, _ in one), sum(size for _, size in one), sum(each["count"] for each in accessors))
-    children = [_whole(child) for node in nodes for child in node.get("children", [])]
-    if len(set(children)) < len(children):
-        raise ValueError("a node has two parents")
 
 
 def _whole(value: Any) -> int:

@@ -277,6 +277,11 @@ def _overlaps(
             f"the surface crosses itself, in {least}{counted(num, 'pair')} of triangles: radii count "
             "walls inside the solid, and loops may be missing" + '; repair="join" makes one solid' * (not is_joined)
         )
+    elif num := len(crossings.passed(shape, vertices, edges)):
+        doubts.append(
+            f"the curve passes through the surface in {counted(num, 'edge')}, where parts of the surface touch: "
+            "what is between them may be left out"
+        )
     solids = bodies(shape)
     if len(solids) > 1:
         outside = (np.unique(shape.faces[body.outside], return_inverse=True) for body in solids)

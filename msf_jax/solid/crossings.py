@@ -9,9 +9,11 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import unit
 from msf_jax.topology import graphs
 
 RINGS = 3  # edges: faces that so few edges join are neighbours, and never apart
+TOUCH = 1e-5  # extents: parts of the surface that are nearer touch
 ALONG = 2.0  # radii: least distance along the curve of nodes whose faces are apart
 
 
@@ -46,3 +48,15 @@ def apart_pairs(
     beside = joined.row.astype(np.int64) * num + joined.col
     codes = corners[:, 0, :, None] * num + corners[:, 1, None, :]
     return pairs[is_apart & ~np.isin(codes, beside).any(axis=(1, 2))]
+
+
+def passed(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """The edges of the curve ``(vertices (N, 3), edges (E, 2))``, by number, that pass through the surface from inside
+    to inside. Where parts of it touch, as a ring's coincident ends, no triangles cross."""
+    a, along = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
+    length, along = np.linalg.norm(along, axis=1), unit(along)
+    edge, _, distance, _ = shape.ray_hits(a, along, length)
+    sides = (
+        a[edge] + (distance + side)[:, None] * along[edge] for side in (-TOUCH * shape.extent, TOUCH * shape.extent)
+    )
+    return np.unique(edge[np.logical_and(*map(shape.contains, sides))])

@@ -18,14 +18,14 @@ def test_balls_are_empty_and_touch_two_points():
     points, faces = np.array(mesh.vertices), np.array(mesh.faces)
     normals = unit(vertex_normals(points, faces))
     every = np.arange(len(points))
-    found = balls.shrinking_balls(points, normals, spatial.KDTree(points), 0.02, 5.0, every)
-    assert (found.touching >= 0).all() and (found.touching != every).all()
-    centre = points - found.radius[:, None] * normals
-    np.testing.assert_allclose(np.linalg.norm(points[found.touching] - centre, axis=1), found.radius, rtol=1e-9)
+    radius, touching = balls.shrinking_balls(points, normals, spatial.KDTree(points), 0.02, 5.0, every)
+    assert (touching >= 0).all() and (touching != every).all()
+    centre = points - radius[:, None] * normals
+    np.testing.assert_allclose(np.linalg.norm(points[touching] - centre, axis=1), radius, rtol=1e-9)
     nearest = np.linalg.norm(points[None] - centre[:, None], axis=2).min(axis=1)  # by brute force
-    is_empty = nearest > (1 - 1e-6) * found.radius
+    is_empty = nearest > (1 - 1e-6) * radius
     assert is_empty.mean() > 0.9  # but for points beside the vertex, which count as noise
-    cosine = np.einsum("ij,ij->i", unit(points - centre), unit(points[found.touching] - centre))
+    cosine = np.einsum("ij,ij->i", unit(points - centre), unit(points[touching] - centre))
     assert cosine.max() < balls.NOISE + 1e-9
 
 
@@ -56,5 +56,5 @@ def test_a_ball_ends_where_rounding_finds_the_same_one_again():
         points = rng.uniform(-0.5, 0.5, (2, 3))
         normal = unit(rng.normal(size=3))
         points[1] = points[0] + apart * unit(rng.normal(size=3) - 2 * normal)
-        found = balls.shrinking_balls(points[:1], normal[None], spatial.KDTree(points), 0.01, 1.0, np.arange(1))
-        assert 0 < found.radius[0] <= 1.0
+        radius, _ = balls.shrinking_balls(points[:1], normal[None], spatial.KDTree(points), 0.01, 1.0, np.arange(1))
+        assert 0 < radius[0] <= 1.0

@@ -174,17 +174,10 @@ def test_garbage_with_a_known_suffix_is_refused_by_name(tmp_path: Path, content)
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_vertices_that_are_not_finite_are_counted_and_located(value):
     vertices, faces = pair(torus())
-    vertices[[3, 17], [0, 2]] = value
-    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite")
-    vertices, faces = pair(torus())
     vertices[5, 1] = value
     assert_says(refusal((vertices, faces)), "1 vertex (5) is not finite")
-
-
-def test_a_long_list_of_faults_is_cut_short():
-    vertices, faces = pair(torus())
-    vertices[10:20] = np.nan
-    assert_says(refusal((vertices, faces)), "10 vertices (10, 11, 12, 13, 14, ...)")
+    vertices[10:20] = value
+    assert_says(refusal((vertices, faces)), "11 vertices (5, 10, 11, 12, 13, ...) are not finite")
 
 
 def test_vertices_of_the_wrong_shape_or_kind_are_refused():
@@ -467,12 +460,6 @@ def test_pinched_research_meshes_are_repaired(research_mesh, name):
     assert len(checked.vertices) > len(vertices)
     assert len(checked.vertices) - len(checked.faces) // 2 == sum(2 - 2 * part.genus for part in checked.components)
     assert_closed_and_oriented(checked.faces, len(checked.vertices))
-
-
-@pytest.mark.parametrize("name", ["beetle-open", "lilium-open"])
-def test_open_research_meshes_are_refused(research_mesh, name):
-    message = refusal(research_mesh(name))
-    assert "open" in message or "not manifold" in message
 
 
 @pytest.mark.parametrize(("name", "genus"), [("three-holes", 3), ("homer", 0), ("indorelax", 2), ("bunny", 0)])

@@ -42,6 +42,15 @@ def test_solids_that_touch_do_not_cross():
     assert enclosure(together(boxes[0], boxes[1].apply_translation([-0.1, 0, 0]))).crossed.pairs.size
 
 
+@pytest.mark.parametrize(("gap", "expected"), [(0.0, [1]), (1e-7, [1]), (0.1, [])])
+def test_a_curve_passes_through_faces_that_touch(gap, expected):
+    """From box to box; neither within one of them, nor where the curve leaves the solid between them."""
+    boxes = [trimesh.creation.box().subdivide().apply_translation([(1 + gap) * k, 0.1 * k, 0]) for k in range(2)]
+    nodes = np.array([[-0.3, 0.05, 0.1], [0.1, 0.05, 0.12], [0.8, 0.05, 0.14], [1.2, 0.05, 0.11]])
+    found = crossings.passed(enclosure(together(*boxes)), nodes, np.array([[0, 1], [1, 2], [2, 3]]))
+    assert found.tolist() == expected
+
+
 @pytest.mark.parametrize(("along", "num"), [(1.0, 3), (0.1, 0)])
 def test_faces_cross_if_they_are_apart_along_the_curve(along, num):
     """The corner of a tetrahedron within another cuts the slanted face with its own three. Each has its own node."""

@@ -79,7 +79,7 @@ def _lines_of(path: str | os.PathLike[str]) -> list[str]:
     if Path(path).exists() and not Path(path).is_file():  # opening a pipe would block
         raise ConfigError(f"{Path(path).name!r} is no file: expected one of a curve")
     try:
-        return formats.lines_of(formats.decoded(Path(path).read_bytes()))
+        return formats.lines_of(Path(path).read_bytes())
     except ValueError as error:
         raise ConfigError(f"{Path(path).name!r} is no text: expected a file of a curve as text ({error})") from None
 
