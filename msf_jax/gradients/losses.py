@@ -68,7 +68,7 @@ def near(found: Any, binding: Binding, target: Any, mesh: Any = None) -> jax.Arr
     # A node without an edge has no length, so it counts only if its curve has no edges at all.
     at_edge = jnp.zeros(len(nodes), bool).at[binding.edges].max(binding.edge_mask[:, None])
     is_lone = binding.node_mask & ~at_edge
-    is_bare = jnp.reshape(binding.live.edges, -1)[of_node] == 0
+    is_bare = jnp.asarray(binding.live.edges).reshape(-1)[of_node] == 0
     points, is_sample = jnp.concatenate([points, nodes]), jnp.concatenate([is_sample, is_lone])
     weight = jnp.concatenate([weight, (is_lone & is_bare).astype(weight.dtype)])
     own = jnp.where(is_sample, jnp.concatenate([of_sample, of_node]), num)
