@@ -66,10 +66,7 @@ def evaluate(mesh: "MeshLike", skeleton: Any, truth: Any = None) -> dict[str, fl
     checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
     vertices, edges = _curve_of(skeleton)
-    figures = {
-        "mesh_components": len(checked.components),
-        "genus": checked.genus,
-    }
+    figures = {"mesh_components": len(checked.components), "genus": checked.genus}
     figures |= figures_of(solid.shape, solid.enter(vertices), edges)
     if truth is not None:
         other, other_edges = _curve_of(truth)
@@ -208,10 +205,7 @@ def _feet(points: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.nda
 
 
 def _runs_along(
-    shape: Enclosure,
-    points: np.ndarray,
-    own: tuple[np.ndarray, np.ndarray],
-    other: tuple[np.ndarray, np.ndarray],
+    shape: Enclosure, points: np.ndarray, own: tuple[np.ndarray, np.ndarray], other: tuple[np.ndarray, np.ndarray]
 ) -> np.ndarray:
     """(P,) whether each point of a curve is common with the other curve, see `compare`."""
     foot = _feet(points, *other)

@@ -9,8 +9,9 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from tests.benchmarks import machined, solids
 
-QUICK = ["bar", "tee", "bolt", "table", "cylinder-6", "cone", "washer", "bar-hole", "hammer", "l-profile"]
-NAMES = [*QUICK, "beam-6", "slab", "plate", "tee-square", "nail", "i-beam", "cylinder-3", "cylinder-12", "pencil"]
+QUICK = ("bar", "tee", "cylinder-6", "cone", "bar-hole", "hammer")
+NAMES = ["bar", "tee", "bolt", "table", "cylinder-6", "cone", "washer", "bar-hole", "hammer", "l-profile", "beam-6"]
+NAMES += ["slab", "plate", "tee-square", "nail", "i-beam", "cylinder-3", "cylinder-12", "pencil"]
 NAMES += ["frustum-wide", "nut", "torus", "bar-holes-4", "plate-pocket", "cylinder-hole", "bolt-socket", "x-rods"]
 NAMES += ["stool-3", "u-channel", "bar-2-bores"]
 MIRROR = np.diag([-1.0, 1, 1])

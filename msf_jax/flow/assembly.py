@@ -142,12 +142,7 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
 
 
 def _skeleton(
-    stitched: Stitched,
-    checked: Surface,
-    report: Report,
-    source: Source,
-    clock: Clock,
-    is_finished: bool = True,
+    stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock, is_finished: bool = True
 ) -> Skeleton:
     vertices, edges, node_of_vertex, slenderness = stitched
     solid = source.solid

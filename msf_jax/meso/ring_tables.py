@@ -11,15 +11,10 @@ import numpy as np
 from msf_jax.base.errors import MeshError
 from msf_jax.topology.graphs import half_edges, next_in_ring
 
-RING_CAPACITIES = (8, 12, 16, 24, 32)  # slots of a row
-
 
 def ring_capacity(degree: int) -> int:
-    """The smallest ring capacity that holds ``degree`` neighbours: 8, 12, 16, 24, 32, then multiples of 32."""
-    for capacity in RING_CAPACITIES:
-        if degree <= capacity:
-            return capacity
-    return -(-degree // 32) * 32
+    """The slots of a row for ``degree`` neighbours: the next multiple of 8."""
+    return -(-degree // 8) * 8
 
 
 def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:

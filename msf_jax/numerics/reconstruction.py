@@ -33,15 +33,6 @@ def graph_laplacian(faces: np.ndarray, num_vertices: int) -> sparse.csc_matrix:
     return sparse.csc_matrix(sparse.diags(degree) - adjacency)
 
 
-class _Inverse:
-    """The inverse of a factorised matrix, in the form that SciPy's `aslinearoperator` takes."""
-
-    def __init__(self, factor: linalg.SuperLU, size: int):
-        self.matvec = factor.solve
-        self.shape = (size, size)
-        self.dtype = np.dtype(np.float64)
-
-
 def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
     """Orthonormal eigenvectors (V, k) of the ``k`` smallest eigenvalues of the graph Laplacian.
 
@@ -52,7 +43,7 @@ def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
     if 3 * k >= num_vertices:
         return np.linalg.eigh(laplacian.toarray())[1][:, :k]
     factor = surface_factor(laplacian - SHIFT * sparse.identity(num_vertices, format="csc"))
-    inverse = linalg.aslinearoperator(_Inverse(factor, num_vertices))
+    inverse = linalg.LinearOperator(laplacian.shape, matvec=factor.solve, dtype=np.float64)  # pyright: ignore
     start = np.cos(np.arange(num_vertices))  # a fixed vector, for the same bits on every run; it is no eigenvector
     return linalg.eigsh(laplacian, k=k, sigma=SHIFT, OPinv=inverse, v0=start)[1]
 
