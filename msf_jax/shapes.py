@@ -91,13 +91,8 @@ def hand_curve() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     points = [(0.0, 0.0, -1.1), (0.0, 0.0, -0.55), (0.0, 0.0, 0.0)]
     radii = [0.17, 0.18, 0.22]
     edges = [(0, 1), (1, 2)]
-    for angle, length, radius in (
-        (-62, 0.62, 0.1),
-        (-31, 0.92, 0.085),
-        (-9, 1.05, 0.085),
-        (13, 0.98, 0.085),
-        (35, 0.8, 0.075),
-    ):
+    fingers = (-62, 0.62, 0.1), (-31, 0.92, 0.085), (-9, 1.05, 0.085), (13, 0.98, 0.085), (35, 0.8, 0.075)
+    for angle, length, radius in fingers:
         direction = np.array([np.sin(np.radians(angle)), 0.0, np.cos(np.radians(angle))])
         bend = np.array([0.0, -0.12, 0.0])
         for fraction, follows in ((0.35, 2), (0.7, None), (1.0, None)):
