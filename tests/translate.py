@@ -112,7 +112,7 @@ def entry(kernel: Kernel, text: str) -> str:
     called = ", ".join(f"{kind} {value}" for kind, value in zip(kinds, values, strict=True))
     body = "\n".join(lines)
     return f"""
-define i64 @{compiled.entry_of(kernel)}(ptr %words) {{
+define i64 @{kernel.entry}(ptr %words) {{
 %found = alloca i64
 %error = alloca ptr
 store i64 0, ptr %found
@@ -143,7 +143,7 @@ def translated() -> str:
         made = njit(kinds[-1](*kinds[:-1]), **OPTIONS)(function_of(kernel, parts))
         text = next(iter(made.inspect_llvm().values()))
         whole.link_in(llvm.parse_assembly(text + entry(kernel, text)))
-    entries = {compiled.entry_of(kernel) for kernel in kernels}
+    entries = {kernel.entry for kernel in kernels}
     for function in whole.functions:
         if not function.is_declaration and function.name not in entries:
             function.linkage = "internal"

@@ -98,10 +98,8 @@ def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
 
     corner, column, points = table(layout.num_slots, dtype=np.int32), table(layout.capacity), table(layout.capacity, 3)
     rings = Rings(corner, corner, corner, table(layout.num_slots, dtype=np.bool_))
-    weight = column if of_vertices else table()
-    return Buffers(points, rings, column, column, points, column, table(), column), jax.tree.map(
-        lambda _: weight, Weights()
-    )
+    weights = jax.tree.map(lambda _: column if of_vertices else table(), Weights())
+    return Buffers(points, rings, column, column, points, column, table(), column), weights
 
 
 def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:

@@ -13,7 +13,7 @@ import struct
 import sys
 import threading
 from collections.abc import Callable
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import Annotated, Any, get_type_hints
 
@@ -43,6 +43,7 @@ class Kernel:
         self.function = function
         self.__name__, self.__doc__, self.__module__ = function.__name__, function.__doc__, function.__module__
         self.is_part = is_part
+        self.entry = f"{function.__module__}.{function.__name__}"  # the name of the compiled code
 
     def __call__(self, *arguments: Any) -> int:
         row: list[int] = []
@@ -57,9 +58,9 @@ class Kernel:
 
     @cached_property
     def _entry(self) -> Callable[[Any], int]:
-        address = load().get_function_address(entry_of(self))
+        address = load().get_function_address(self.entry)
         if not address:
-            raise RuntimeError(f"{TEXT.name} has no {entry_of(self)}: it was made before this kernel")
+            raise RuntimeError(f"{TEXT.name} has no {self.entry}: it was made before this kernel")
         return ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(address)  # releases Python's lock
 
 
@@ -87,20 +88,9 @@ def _words(kind: Any, value: Any, row: list[int]) -> Any:
     return None
 
 
-def kernel(function: Callable) -> Kernel:
-    """Compile ``function``, over arrays, numbers and named tuples of arrays as annotated; it returns None or an int."""
-    return Kernel(function, is_part=False)
-
-
-def part(function: Callable) -> Any:
-    """``function`` as a part of kernels, which only kernels call."""
-    return Kernel(function, is_part=True)
-
-
-def entry_of(kernel: Kernel) -> str:
-    """The name of the kernel's compiled code."""
-    return f"{kernel.__module__}.{kernel.__name__}"
-
+# Decorators of functions over arrays, numbers and named tuples of arrays as annotated, which return a number or None.
+kernel = partial(Kernel, is_part=False)
+part: Any = partial(Kernel, is_part=True)  # of kernels, which only kernels call
 
 _LOADING = threading.Lock()
 

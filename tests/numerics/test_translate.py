@@ -45,7 +45,7 @@ def test_every_kernel_is_in_the_text():
     pytest.importorskip("numba")
     from tests import translate
 
-    names = [compiled.entry_of(each) for each in translate.all_kernels()]
+    names = [each.entry for each in translate.all_kernels()]
     assert len(names) > 10 and all(compiled._engine().get_function_address(name) for name in names)
 
 
