@@ -3,9 +3,11 @@
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 from device_cases import build, one_level, pebble
@@ -23,14 +25,19 @@ LAYOUTS = [one_level(64, 10), one_level(96, 10)]
 
 def test_steps_from_the_cache_are_those_that_were_compiled(tmp_path, monkeypatch):
     """Two layouts, one of them compiled by the worker; then by a process that has forgotten them. XLA prints no errors
-    while they are looked up, and then prints them again."""
+    while they are looked up, and then prints them again. A short function is in the place of an iteration."""
     levels = []
     monkeypatch.setattr(utils, "absl_set_min_log_level", levels.append)
     before = jax.config.jax_compilation_cache_dir
     monkeypatch.setattr(programs, "WORTH_KEEPING", 0.0)
     msf_jax.cache_compilations(tmp_path)
-    weights = jax.tree_util.tree_map(np.asarray, Weights())
-    moved = []
+    weights, found, stored = jax.tree_util.tree_map(np.asarray, Weights()), [], []
+
+    @partial(jax.jit, static_argnames=("settings", "layout"))
+    def short(buffers, weights, settings, layout):
+        return slot_sum(layout, jnp.sin(weights.w_L * buffers.positions[buffers.rings.neighbour, 0]))
+
+    monkeypatch.setattr(programs, "jitted_move", short)
     for _ in range(2):
         monkeypatch.setattr(programs, "_programs", {})
         jax.clear_caches()
@@ -38,14 +45,16 @@ def test_steps_from_the_cache_are_those_that_were_compiled(tmp_path, monkeypatch
         programs.compile_moves(SETTINGS, LAYOUTS, False)
         for layout in LAYOUTS:
             case = build(*pebble(3, 60), layout=layout)
-            moved.append(jax.device_get(programs.compiled_move(SETTINGS, layout, False)(case.buffers, weights)))
+            found.append(np.asarray(programs.compiled_move(SETTINGS, layout, False)(case.buffers, weights)))
+        stored.append({path for path in tmp_path.iterdir() if path.name.startswith("jit_short")})
     jax.config.update("jax_compilation_cache_dir", before)
     compilation_cache.reset_cache()
-    assert any(tmp_path.iterdir())
+    assert len(stored[0]) >= len(LAYOUTS) and stored[0] == stored[1]
     usual = int(os.environ.get("TF_CPP_MIN_LOG_LEVEL", "1"))
     assert set(levels) == {3, usual} and levels[-1] == usual
-    for one, other in zip(moved[:2], moved[2:], strict=True):
-        np.testing.assert_array_equal(one.positions[:60], other.positions[:60])
+    for one, other in zip(found[:2], found[2:], strict=True):
+        np.testing.assert_array_equal(one, other)
+        assert np.abs(one).max() > 0
 
 
 def test_a_thread_with_other_settings_gets_programs_of_its_own(monkeypatch):
