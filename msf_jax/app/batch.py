@@ -234,7 +234,7 @@ def _processes(num: int) -> Iterator[Executor]:
     """A pool of ``num`` processes of this machine. After an error or Ctrl-C they are ended and not waited for."""
     spawning = multiprocessing.get_context("spawn")  # a forked process would lack JAX's threads, and could hang
     others = set(multiprocessing.active_children())
-    options = [getattr(jax.config, name) for name in ("jax_enable_x64", "jax_compilation_cache_dir")]
+    options: Any = [getattr(jax.config, name) for name in ("jax_enable_x64", "jax_compilation_cache_dir")]
     pool = ProcessPoolExecutor(num, spawning, _begin_worker, options)
     try:
         yield pool

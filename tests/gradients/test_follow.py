@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
+from device_cases import quick_jit
 from jax import export
 from run_cases import flow_of
 from scipy.spatial.transform import Rotation
@@ -320,7 +321,7 @@ def test_a_binding_is_data_and_no_parameter(batch):
         found = msf_jax.follow(binding, skeleton.binding.vertices)
         return (found.nodes**2).sum() + (found.radii**2).sum() + losses.near(found, binding, np.ones((3, 3)))
 
-    slopes = jax.grad(value, allow_int=True)(skeleton.binding)
+    slopes = quick_jit(jax.grad(value, allow_int=True))(skeleton.binding)
     assert not any(np.any(part) for part in jax.tree.leaves(slopes) if part.dtype != jax.dtypes.float0)
     exported = export.export(jax.jit(msf_jax.follow))(batch, batch.vertices)
     again = export.deserialize(exported.serialize()) if importlib.util.find_spec("flatbuffers") else exported
