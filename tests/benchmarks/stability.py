@@ -150,15 +150,13 @@ def bars(wanted: argparse.Namespace) -> Iterator[str]:
         found += [("float32", curve_of(curves.OURS, name, Variant("float32", mesh, still), wanted))]
         frame.configure_jax()
         kept = wanted.bars / f"{name} {label}.npz"
-        if own is None:
-            continue
-        np.savez(kept, vertices=own[0], edges=own[1])
-        for path in sorted(wanted.bars.glob(f"{name} Python*.npz")):
-            if path != kept:
-                with np.load(path) as file:
-                    found += [(path.stem.removeprefix(f"{name} "), (file["vertices"], file["edges"]))]
+        for path in sorted({*wanted.bars.glob(f"{name} Python*.npz")} - {kept}):
+            with np.load(path) as file:
+                found += [(path.stem.removeprefix(f"{name} "), (file["vertices"], file["edges"]))]
+        if own is not None:
+            np.savez(kept, vertices=own[0], edges=own[1])
         for kind, other in found:
-            if other is not None:
+            if own is not None and other is not None:
                 counts = [[len(part(curve)) for curve in (own, other)] for part in (frame.ends, frame.junctions)]
                 pairs = ((frame.sampled(own, STEP * size), other), (frame.sampled(other, STEP * size), own))
                 far = 1e3 * float(np.mean([metrics.curve_distance(x, *curve).mean() for x, curve in pairs])) / size

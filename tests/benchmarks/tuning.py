@@ -49,9 +49,9 @@ def row_of(shape: KnownShape, steps: int) -> list[str]:
     size = 1e-3 * frame.diagonal(shape.mesh.vertices)
     objective = near(metrics.sample_curve(shape.points, shape.edges, SPACING * shape.mesh.scale)[0])
     tuned = msf_jax.tune(shape.mesh, objective, steps=steps)
-    flows = msf_jax.contract(shape.mesh, config=Config.smooth()), tuned.flow
-    pairs = [(flow.meso_skeleton[0], flow.skeleton.vertices) for flow in flows]
-    cells = [", ".join(f"{objective(points) / size:.2f}" for points in pair) for pair in pairs]
+    cells = []
+    for flow in (msf_jax.contract(shape.mesh, config=Config.smooth()), tuned.flow):
+        cells += [", ".join(f"{objective(x) / size:.2f}" for x in (flow.meso_skeleton[0], flow.skeleton.vertices))]
     cells += [f"{objective(msf_jax.skeletonize(shape.mesh).vertices) / size:.2f}"]
     return [*cells, f"{abs(tuned.value / tuned.trajectory.min() - 1):.0e}"]
 
