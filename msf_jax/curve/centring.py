@@ -74,64 +74,57 @@ def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndar
 
     ``shape`` may be about the same surface as that of ``handles`` with fewer triangles.
     """
-    x, clearance, near, least = places
-    is_free = step.any(axis=1) & (clearance > 0)
-    goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
-    goal[is_free] += step[is_free]
-    new_clearance[is_free], triangle[is_free] = shape.nearest(goal[is_free], is_exact=False)
+    x, goal = places.x, Places(*(field.copy() for field in places))
+    is_free = step.any(axis=1) & (places.clearance > 0)
+    goal.x[is_free] += step[is_free]
+    goal.clearance[is_free], goal.near[is_free] = shape.nearest(goal.x[is_free], is_exact=False)
     edges = edges[is_free[edges].any(axis=1)]
-    edges = edges[_is_open(shape, x, x, clearance, clearance, edges)]
+    edges = edges[_is_open(shape, places, places, edges)]
     class_of = handles.classes(x[edges[:, 0]], x[edges[:, 1]]) if handles.genus else np.zeros(len(edges), np.int64)
     moved = np.flatnonzero(is_free)
     is_bad, is_back = np.zeros((2, len(x)), dtype=bool)
-    is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
+    is_bad[moved] = (goal.clearance < np.minimum(places.least, places.clearance))[moved]
+    is_bad[moved] |= ~shape.contains(goal.x[moved])
     moved = moved[~is_bad[moved]]
-    is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, np.stack([moved, moved], axis=1))
+    is_bad[moved] = ~_is_open(shape, places, goal, np.stack([moved, moved], axis=1))
     rows = np.flatnonzero(~is_bad[edges].any(axis=1))
     while True:
         at_stake = edges[rows]
-        is_kept = _is_open(shape, goal, goal, new_clearance, new_clearance, at_stake)
-        is_kept[is_kept] = _keeps_class(handles, x, goal, clearance, at_stake[is_kept], class_of[rows[is_kept]])
+        is_kept = _is_open(shape, goal, goal, at_stake)
+        is_kept[is_kept] = _keeps_class(handles, places, goal.x, at_stake[is_kept], class_of[rows[is_kept]])
         is_bad[at_stake[~is_kept]] = True
         is_bad &= is_free & ~is_back
         if not is_bad.any():
-            return Places(goal, new_clearance, triangle, least)
+            return goal
         # Nodes that would break the rule go back, and the edges of those that went back are asked again.
-        goal[is_bad], new_clearance[is_bad], triangle[is_bad] = x[is_bad], clearance[is_bad], near[is_bad]
+        for field, before in zip(goal, places, strict=True):
+            field[is_bad] = before[is_bad]
         rows, is_back = np.flatnonzero(is_bad[edges].any(axis=1)), is_back | is_bad
 
 
 def _keeps_class(
-    handles: Handles, x: np.ndarray, y: np.ndarray, clearance: np.ndarray, edges: np.ndarray, class_of: np.ndarray
+    handles: Handles, places: Places, y: np.ndarray, edges: np.ndarray, class_of: np.ndarray
 ) -> np.ndarray:
-    """(E,) whether ``edges`` (E, 2) of class ``class_of`` (E,) go around the same handles when nodes move from x to y.
+    """(E,) whether ``edges`` (E, 2) of class ``class_of`` (E,) go around the same handles when nodes move to y (N, 3).
 
     They do if the places of both ends, old and new, are in one ball around an old end, which is convex and inside.
     """
     if not handles.genus:
         return np.ones(len(edges), dtype=bool)
-    is_in_doubt = np.ones(len(edges), dtype=bool)
+    x, is_in_doubt = places.x, np.ones(len(edges), dtype=bool)
     for one, other in (edges.T, edges[:, ::-1].T):
-        places = np.stack([x[other], y[one], y[other]], axis=1)
-        is_in_doubt &= np.linalg.norm(places - x[one][:, None], axis=2).max(axis=1) >= SURE * clearance[one]
+        away = np.stack([x[other], y[one], y[other]], axis=1) - x[one][:, None]
+        is_in_doubt &= np.linalg.norm(away, axis=2).max(axis=1) >= SURE * places.clearance[one]
     a, b = edges[is_in_doubt].T
     along, *steps = np.split(handles.classes(np.r_[y[a], x[a], x[b]], np.r_[y[b], y[a], y[b]]), 3)
     is_in_doubt[is_in_doubt] = along != class_of[is_in_doubt] + steps[1] - steps[0]
     return ~is_in_doubt
 
 
-def _is_open(
-    shape: Enclosure,
-    x: np.ndarray,
-    y: np.ndarray,
-    clearance: np.ndarray,
-    its_clearance: np.ndarray,
-    pairs: np.ndarray,
-) -> np.ndarray:
-    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``pairs`` (W, 2) are inside; clearances are
-    approximate."""
+def _is_open(shape: Enclosure, starts: Places, ends: Places, pairs: np.ndarray) -> np.ndarray:
+    """(W,) whether the segments from the start a to the end b for (a, b) of ``pairs`` (W, 2) are inside."""
     a, b = pairs.T
-    return is_inside(shape, x[a], y[b], SURE * (clearance[a] + its_clearance[b]))
+    return is_inside(shape, starts.x[a], ends.x[b], SURE * (starts.clearance[a] + ends.clearance[b]))
 
 
 def centre(

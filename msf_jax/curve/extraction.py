@@ -44,7 +44,18 @@ def extract_curve(
         surgery.operate(complex_, positions, a, b)
     else:
         order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
-        _collapse(complex_, list(zip(a[order].tolist(), b[order].tolist(), strict=True)))
+        edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
+        while edges:
+            # An edge that has a face is merged. One that would pinch a cycle is tried after the others.
+            waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
+            is_stuck = len(waiting) == len(edges)
+            if is_stuck and not complex_.has_classes:
+                for edge in edges:  # no merge is allowed any more; the report shows the lost cycles
+                    complex_.merge(*edge, force=True)
+                break
+            if is_stuck and not complex_.open_face(list(reversed(edges))):
+                break
+            edges = waiting
     root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
     is_counted = (root == np.arange(len(rings))) | (not by_surgery)
     node_of_meso = np.unique(root, return_inverse=True)[1]
@@ -58,17 +69,3 @@ def extract_curve(
         left = left[cut_discs(len(root), left, value, shortest_first(*left.T, length, 1e-3))]
     ends = np.sort(node_of_meso[left], axis=1)
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso, is_counted)
-
-
-def _collapse(complex_: Complex, edges: list[tuple[int, int]]) -> None:
-    """Merge the ``edges`` that have a face, in their order; one that would pinch a cycle is tried after the others."""
-    while edges:
-        waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
-        is_stuck = len(waiting) == len(edges)
-        if is_stuck and not complex_.has_classes:
-            for edge in edges:  # no merge is allowed any more; the report shows the lost cycles
-                complex_.merge(*edge, force=True)
-            break
-        if is_stuck and not complex_.open_face(list(reversed(edges))):
-            break
-        edges = waiting

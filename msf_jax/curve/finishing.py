@@ -19,12 +19,10 @@ from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs import one_branch, reeb_curve
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import unit
 from msf_jax.topology import graphs
 
 SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
-SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 # Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
 ASTRAY = 0.05
 
@@ -60,13 +58,9 @@ class Draft(NamedTuple):
             origin=np.pad(self.origin, new, constant_values=-1),
         )
 
-    def degree(self) -> np.ndarray:
-        """(N,) number of edges at each node."""
-        return np.bincount(self.edges.ravel(), minlength=len(self.vertices))
-
     def is_leaf(self) -> np.ndarray:
         """(N,) True for a node with one edge."""
-        return self.degree() == 1
+        return graphs.degrees(len(self.vertices), self.edges) == 1
 
 
 class Job(NamedTuple):
@@ -122,7 +116,7 @@ class Finished(NamedTuple):
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     """The passes in their order; ``centre`` and ``extend`` switch the passes for these steps."""
     meet = partial(centre_and_meet, hold_leaves=extend)
-    centred = [partial(meet, is_far=True), refine, meet, round_corners]
+    centred = [partial(meet, is_far=True), refine, meet]
     inside = [contain, complete_cycles]
     return [*inside, partial(prune_and_extend, extend=extend), *(centred if centre else [merge_junctions]), *inside]
 
@@ -222,14 +216,6 @@ def complete_cycles(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)
 
 
-def centre_nodes(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = False) -> Draft:
-    """Nodes are in the middle of the solid."""
-    is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    rounds = centring.ROUNDS // 3 if is_far else centring.ROUNDS  # a few before junctions are sought
-    curve = draft.vertices, draft.edges, is_held
-    return draft.changed(centring.centre(job.coarse, *curve, rounds, is_far, job.shape.handles))
-
-
 def merge_junctions(draft: Draft, job: Job) -> Draft:
     """Junctions inside the ball of another one are merged."""
     if not job.prune:
@@ -242,19 +228,18 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
 
 
 def centre_and_meet(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = False) -> Draft:
-    """Nodes are in the middle of the solid, and junctions where the axes of their branches meet."""
-    draft = centre_nodes(draft, job, hold_leaves, is_far)
-    return merge_junctions(intersect_axes(draft, job), job)
-
-
-def intersect_axes(draft: Draft, job: Job) -> Draft:
-    """Side branches begin in the axis of their trunk, and junctions are where the axes of their branches meet."""
+    """Nodes are in the middle of the solid, side branches begin in the axis of their trunk, and junctions are where the
+    axes of their branches meet."""
+    curve = draft.vertices, draft.edges, draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
+    rounds = centring.ROUNDS // 3 if is_far else centring.ROUNDS  # a few before junctions are sought
+    draft = draft.changed(centring.centre(job.coarse, *curve, rounds, is_far, job.shape.handles))
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = centring.places_of(job.shape, draft.vertices)
-    return draft.changed(centring.take_steps(job.shape, job.shape.handles, at, step, draft.edges).x)
+    x = centring.take_steps(job.shape, job.shape.handles, at, step, draft.edges).x
+    return merge_junctions(draft.changed(x), job)
 
 
 def refine(draft: Draft, job: Job) -> Draft:
@@ -272,18 +257,18 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
         return draft
     tree = job.limbs()
     choice = one_branch.choose(tree, job.coarse, draft.vertices, draft.edges, draft.is_held, job.prune, job.detail)
-    num_leaves, worth, leaf, missing = int(draft.is_leaf().sum()), choice.worth, np.array(choice.leaf, np.int64), 0
+    num_leaves, is_end, leaf, missing = int(draft.is_leaf().sum()), choice.is_end, np.array(choice.leaf, np.int64), 0
     if job.prune:
         if extend:
             missing = choice.leaf.count(-1)
             draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
-            worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
+            is_end = np.pad(is_end, (0, len(draft.vertices) - len(is_end)), constant_values=True)
         if job.is_coarse:  # a twig of a few triangles has no rings: by its balls, it is a limb if twice the least
             x = draft.vertices
             slenderness = one_branch.by_balls(x, job.shape.approximate_clearance(x)[0])
             twigs = one_branch.measure(x, draft.edges, slenderness)
-            worth[[node for each in twigs if each.slenderness >= 2 * job.prune for node in each.nodes]] = np.inf
-        stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
+            is_end[[node for each in twigs if each.slenderness >= 2 * job.prune for node in each.nodes]] = True
+        stays, target = one_branch.kept(draft.vertices, draft.edges, is_end, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
@@ -291,22 +276,6 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
         draft = contain(draft.changed(*one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
     finer = tuple((each.detail, each.place) for each in tree.limbs(job.prune, job.detail).finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
-
-
-def round_corners(draft: Draft, job: Job) -> Draft:
-    """Nodes at which the curve turns by more than `SHARPEST` go half of the way to the middle of their neighbours, as
-    often as they do and may. Paths inside that lead from ball to ball, farther than centring comes, leave corners."""
-    x, (node, before, after) = draft.vertices, containment.between(len(draft.vertices), draft.edges)
-    for _ in range(2 * centring.ROUNDS):
-        one, other = x[node] - x[before], x[after] - x[node]
-        is_sharp = np.einsum("ni,ni->n", unit(one), unit(other)) < np.cos(np.radians(SHARPEST))
-        is_sharp &= one.any(axis=1) & other.any(axis=1) & ~draft.is_held[node]
-        if not is_sharp.any():
-            break
-        step = np.zeros_like(x)
-        step[node[is_sharp]] = ((other - one) / 4)[is_sharp]
-        x = centring.take_steps(job.shape, job.shape.handles, centring.places_of(job.shape, x), step, draft.edges).x
-    return draft.changed(x)
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:

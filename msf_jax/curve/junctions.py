@@ -28,8 +28,7 @@ from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis; triangles as long as it is thick make 0.85
-BEGIN = 1.0  # of a stretch on its own: the length before the part that gives the axis
-AXIS = 2.1  # the length of that part
+AXIS = 2.1  # the length of the part that gives the axis, which begins a radius behind the start of a stretch
 SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
@@ -79,7 +78,7 @@ class Branches:
         if size <= 0 or length.max(initial=0.0) < SHORTEST * size:
             return None
         chosen = int((length >= min(AXIS * size, length.max())).argmax())
-        start = min(begin[chosen] + BEGIN * size, max(begin[chosen], end[chosen] - size))
+        start = min(begin[chosen] + size, max(begin[chosen], end[chosen] - size))
         row = np.flatnonzero((along >= start) & (along <= min(start + AXIS * size, end[chosen])))
         if not len(row) or along[row[-1]] - along[row[0]] < SHORTEST * size / 2:
             return None
@@ -146,7 +145,7 @@ def _put(
     for path, along, size, first, parabola in axes:
         # The lines may meet beyond the first node on an axis, as in the trunk of a fork: it is laid until behind that.
         ahead = float(unit(parabola[1]) @ (meet - parabola[0]))
-        last = int(np.searchsorted(along, max(along[first], ahead + BEGIN * size)))
+        last = int(np.searchsorted(along, max(along[first], ahead + size)))
         if last == len(path):
             return False
         nodes, share = path[: last + 1], (along[: last + 1] / along[last])[:, None]

@@ -25,19 +25,16 @@ from msf_jax.limbs.levels import levels
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import cross, triangle_areas, unit
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, cross, triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
 RINGS = 6  # of a limb at least; those of a short one are nearer to each other
 LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
-WHOLE = 0.8  # of the usual ball in a ring of its size: the least in one around the limb, and of sections beside rings
+WHOLE = 0.8  # of the usual ball in a ring of its size: the least in one around the limb, and of an even limb's rings
 STEADY = 0.9  # of the next ring's length: so long is one around a flat part of a limb, a foot; in a corner 0.89
 GAP = 0.3  # of the largest ball near the limb's end: the ball around the end of the curve
-DEEP = 1.2  # widths of a limb: so near to its end; half a ball's radius is 1.18 of its width
-TOUCHING = 1e-3  # of a ring's size: a middle that is nearer to the surface is on it
-NEAR = 0.25  # steps: middles of rings that are nearer to a line are on it
 PLANE_END = 0.95  # length of the mean normal of an end that is a plane, or nearly; 1 / 2 for half a ball
-SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
+DEEP = 1.2  # widths of a limb: so near to its end; half a ball's radius is 1.18 of its width
 EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, a square plate; 0.25 in a plate of 2 : 1
 
 
@@ -54,7 +51,8 @@ def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array
     vertex."""
     corners, num = vertices[faces], len(vertices)
     area, side = triangle_areas(corners), np.roll(corners, -1, axis=1) - corners
-    least = SLIVER * (side**2).sum(axis=2).max(axis=1) + 1e-300
+    # A triangle without area, such as one of a lid's in a line, counts as a sliver.
+    least = RESOLUTION * (side**2).sum(axis=2).max(axis=1) + 1e-300
     cotangent = -np.einsum("fki,fki->fk", side, np.roll(side, 1, axis=1)) / np.maximum(4 * area, least)[:, None]
     i, j = np.roll(faces, -1, axis=1).ravel(), np.roll(faces, 1, axis=1).ravel()  # the edge opposite to each corner
     entries = np.tile(cotangent.ravel(), 2), (np.append(i, j), np.append(j, i))
@@ -127,7 +125,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     part = shape.clearance(middles) / np.maximum(size, 1e-300)
     is_around = part >= WHOLE * min(float(np.median(part)), 1.0)
     is_around |= (part >= GAP) & (perimeter >= STEADY * np.append(perimeter[1:], 0.0))
-    is_around &= part > TOUCHING
+    is_around &= part > ROUNDING  # else its middle is on the surface
     is_around[: min(max(1, _cut_off(x, local, away, middles, perimeter, found.step)), last)] = False
     if not is_around.any():  # the middles of a channel are outside
         return LimbAxis(middles, width)
@@ -137,8 +135,14 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     is_far = np.linalg.norm(middles[first:] - middles[first], axis=1) >= size[first]
     pair = [first, first + int(is_far.argmax()) if is_far.any() else min(first + 1, last)]
     heading = -found.normal[rings[first]]
-    if np.linalg.norm(np.subtract(*middles[pair])) >= NEAR * found.step:
-        middles[pair] = _centred(shape, middles[pair], unit(np.subtract(*middles[pair])), size[pair])
+    if np.linalg.norm(np.subtract(*middles[pair])) >= found.step / 4:
+        # In the middle of sections across that line, where that is hardly nearer to the surface, and a section is about
+        # as large as its ring: one through a blind hole is smaller, and one of a blunt limb that leaves it is larger.
+        across = np.tile(unit(np.subtract(*middles[pair])), (2, 1))
+        cuts = sections.cut(shape, middles[pair], across, size[pair])
+        is_better = cuts.is_around & (cuts.size >= WHOLE * size[pair]) & (cuts.size <= size[pair] / WHOLE)
+        is_better &= shape.clearance(cuts.centroid) >= WHOLE * shape.clearance(middles[pair])
+        middles[pair] = np.where(is_better[:, None], cuts.centroid, middles[pair])
         heading = unit(np.subtract(*middles[pair]))
     reach = np.array([(2 * first + 3) * found.step])
     ahead = float(shape.ray_lengths(middles[[first]], heading[None], reach)[0])
@@ -175,32 +179,21 @@ def _cut_off(
     straight limb that is cut off obliquely: their middles lead to the acute edge. 0 if it is not.
 
     Such a limb is even. Of its surface ``(points (v, 3), faces (f, 3))``, all that is nearer to the end than a far
-    ring, by d = ``away`` (v,), lies in the tube around the line there, and what faces ahead is a plane. A foot leaves
-    the tube, as do a hook and an arm of an elbow; a horn is not even, and a finger's end is round."""
+    ring, by ``away`` (v,), lies in the tube around the line there, and what faces ahead is a plane. A foot leaves the
+    tube, as do a hook and an arm of an elbow, and a finger's end is round."""
     deep = min(int(LAST / RING_SPACING), len(rings) - 2)
     if deep < 2 or (perimeter[deep - 1 : deep + 1] < WHOLE * perimeter[deep + 1]).any():
         return 0
-    line = unit(rings[deep] - rings[deep + 1])
+    line, here = unit(rings[deep] - rings[deep + 1]), (deep + 0.5) * step
 
-    def beside(places: np.ndarray) -> np.ndarray:
+    def beside(places: np.ndarray) -> float:
         beyond = places - rings[deep]
-        return np.linalg.norm(beyond - (beyond @ line)[:, None] * line, axis=1)
+        return np.linalg.norm(beyond - (beyond @ line)[:, None] * line, axis=1).max(initial=0.0)
 
-    here = (deep + 0.5) * step
-    tube = beside(points[(away >= here) & (away <= here + 2 * step)]).max(initial=0.0)
+    tube = beside(points[(away >= here) & (away <= here + 2 * step)])
     a, b, c = np.moveaxis(points[faces[(away[faces] < here).all(axis=1)]], 1, 0)
     normal = cross(b - a, c - a)
-    normal = normal[normal @ line > NEAR * np.linalg.norm(normal, axis=1)]
+    normal = normal[normal @ line > np.linalg.norm(normal, axis=1) / 4]
     is_plane = np.linalg.norm(normal.sum(axis=0)) > PLANE_END * np.linalg.norm(normal, axis=1).sum()
-    is_aside = beside(rings[1:deep]).max() > NEAR * step
-    return deep if is_aside and is_plane and beside(points[away < here]).max() <= tube / STEADY else 0
-
-
-def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is hardly nearer to the
-    surface, and the section is about as large as a ring of ``size`` (p,): one through a blind hole is smaller, and one
-    of a blunt limb that leaves it for the body is larger."""
-    found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
-    is_better = found.is_around & (found.size >= WHOLE * size) & (found.size <= size / WHOLE)
-    is_better &= shape.clearance(found.centroid) >= WHOLE * shape.clearance(places)
-    return np.where(is_better[:, None], found.centroid, places)
+    is_aside = beside(rings[1:deep]) > step / 4
+    return deep if is_aside and is_plane and STEADY * beside(points[away < here]) <= tube else 0

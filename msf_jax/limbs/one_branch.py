@@ -28,7 +28,6 @@ from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
-TOUCHES = 0.9  # of the distance of a limb's farthest vertex: least radius of a ball that fills the limb
 
 Worth = Callable[[list[int]], float]  # of the branch with these nodes, its leaf first
 
@@ -133,10 +132,9 @@ def measure(
 
 
 class Choice(NamedTuple):
-    """worth: (N,) of each leaf: infinite for one that stays, 0 in a limb that has a better leaf, else its slenderness.
-    leaf: of each limb, the leaf that stays, or -1. axes: of the limbs."""
+    """is_end: (N,) the leaves that stay. leaf: of each limb, the leaf that stays, or -1. axes: of the limbs."""
 
-    worth: np.ndarray
+    is_end: np.ndarray
     leaf: list[int]
     axes: list[LimbAxis]
 
@@ -153,27 +151,20 @@ def choose(
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of a solid (see `LimbTree.limbs`).
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
-    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead. A limb that
-    only stands out, has no leaf, and is filled by a ball of the curve gets none: it is the outer side of an elbow.
+    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead.
     """
     leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
-    ball, axes = shape.approximate_clearance(vertices)[0], list[LimbAxis]()
     foot = feet(tree.shape, vertices[leaves])
     own, time = limbs.owner[foot], limbs.time
-    worth, leaf = np.zeros(len(vertices)), []
-    worth[leaves] = np.where(own > 0, 0.0, tree.slenderness(foot))
+    is_end, leaf, axes = np.zeros(len(vertices), dtype=bool), list[int](), list[LimbAxis]()
     for number, limb in enumerate(limbs.limbs):
         mine, axis = np.flatnonzero(own == number + 1), tree.axis(shape, limbs, number)
         away = np.sqrt(2 * (time[limb.region].max() - time[foot[mine]]))
         first = mine[np.lexsort((away, ~(is_held[leaves[mine]] & (away <= axis.width))))[:1]]
-        near = int((np.linalg.norm(vertices - limb.place, axis=1) - ball).argmin())
-        far = np.linalg.norm(tree.shape.vertices[limb.region] - vertices[near], axis=1)
-        if not len(first) and limb.detail > 0 and ball[near] >= TOUCHES * far.max():
-            continue
-        worth[leaves[first]] = np.inf
+        is_end[leaves[first]] = True
         axes.append(axis)
         leaf.append(int(leaves[first[0]]) if len(first) else -1)
-    return Choice(worth, leaf, axes)
+    return Choice(is_end, leaf, axes)
 
 
 def slenderness(tree: LimbTree, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
@@ -196,13 +187,13 @@ def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
 
 
 def kept(
-    vertices: np.ndarray, edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray
+    vertices: np.ndarray, edges: np.ndarray, is_end: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve without the paths that lead only to leaves of finite ``worth`` (N,), but to no `ends`: which nodes stay
+    """The curve without the paths that lead only to leaves not of ``is_end`` (N,), and to no `ends`: which nodes stay
     (N,), and the one (N,) along the curve that stands for each. Cycles and nodes of ``is_held`` (N,) stay."""
     num, stays = len(vertices), np.zeros(len(vertices), dtype=bool)
     leaves = leaves_of(edges)
-    stays[leaves] = (worth[leaves] == np.inf) | is_held[leaves]
+    stays[leaves] = (is_end | is_held)[leaves]
     stays |= ends(vertices, edges, stays) | is_held | (graphs.degrees(num, edges) == 0)
     # What stays is what a graph without leaves has, in which each end is in a triangle of its own with two more nodes.
     end = np.flatnonzero(stays)
@@ -236,17 +227,14 @@ def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Cho
     """The curve in the solid ``shape`` with a branch in each limb without a leaf: nodes, new ones last, and edges.
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
-    finger beside it. The way there must be inside: a hand at the hip does not begin in the body. Where a node's ball
-    holds the limb's axis before, the branch begins there: a toe that the leg ends in is no second strand of the leg.
+    finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
     """
     x, radius = vertices, shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
     for leaf, axis in zip(choice.leaf, choice.axes, strict=True):
         if leaf < 0:
-            away = spatial.distance.cdist(axis.places[1:-1], vertices) - radius
-            own = axis.places[: int(np.argmax(np.append((away <= 0).any(axis=1), True))) + 2]
-            first = beginning(shape, vertices, radius, own[-1])
-            places = np.concatenate([own, vertices[[first]]])
+            first = beginning(shape, vertices, radius, axis.places[-1])
+            places = np.concatenate([axis.places, vertices[[first]]])
             x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
     return x, edges
 

@@ -41,7 +41,6 @@ FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the t
 # Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Ears, noses and snouts have
 # 0.46 and more, corners of a block 0.28, those of a thin plate up to 0.4.
 PERSISTENCE = 0.8
-FLAT = -0.08  # slenderness of an elliptic disc of 2 : 1, the least of a limb: less, and a ring is no section
 APART = 0.9  # of the distance from a second end of its half: a vertex nearer than that to an end is of that limb
 FINEST = 0.95  # detail: any limb that could stand out
 
@@ -73,20 +72,6 @@ class Arcs(NamedTuple):
         order = order[self.slenderness[order] > -np.inf]
         found[self.arc[order]] = order
         return found
-
-    def slenderness_of_arcs(self) -> np.ndarray:
-        """(a,) the largest slenderness of each arc's rings, -inf without one that counts."""
-        found = np.full(len(self.top), -np.inf)
-        np.maximum.at(found, self.arc, self.slenderness)
-        return found
-
-    def standing_on(self, chosen: list[int]) -> np.ndarray:
-        """(a,) which of the ``chosen`` arcs, by its place there, each arc is or stands on; -1 for none."""
-        found = np.full(len(self.parent) + 1, -1)
-        found[chosen] = np.arange(len(chosen))
-        for arc in range(len(self.parent) - 1, -1, -1):
-            found[arc] = max(found[arc], found[self.parent[arc]])
-        return found[:-1]
 
 
 class Limb(NamedTuple):
@@ -133,17 +118,13 @@ class LimbTree:
         points = np.concatenate([part.points for part in self.parts])
         faces = np.concatenate([part.member[part.faces] for part in self.parts])
         self.shape = shape if np.array_equal(points, shape.vertices) else Enclosure(points, faces)
-        self._component = np.repeat(np.arange(len(self.parts)), [len(part.points) for part in self.parts])
-
-    @cached_property
-    def _away(self) -> Callable[[np.ndarray], np.ndarray]:
-        """See `fronts.distances`."""
-        return fronts.distances(self.shape)
+        self._away = fronts.distances(self.shape)
 
     @cached_property
     def trees(self) -> list[Arcs]:
         """Of each component, the merge tree of the average geodesic distance."""
-        height = average_distance(self.shape, self._component, self._away)
+        component = np.repeat(np.arange(len(self.parts)), [len(part.points) for part in self.parts])
+        height = average_distance(self.shape, component, self._away)
         return [
             merge_tree(part.points, part.faces, height[part.member], WHOLE if part.is_ball else HALF)
             for part in self.parts
@@ -156,11 +137,8 @@ class LimbTree:
         the detail 0.5. On a component with handles only slender ones count: others are often the blunt ends of a body
         around a hole.
         """
-        if (least, detail) not in self._found:
-            self._found[least, detail] = self._search(least, detail)
-        return self._found[least, detail]
-
-    def _search(self, least: float, detail: float) -> Limbs:
+        if (least, detail) in self._found:
+            return self._found[least, detail]
         limbs, finer, halves = list[Limb](), list[Limb](), list[Limb]()
         for part, arcs in zip(self.parts, self.trees, strict=True):
             chosen = limbs_among(arcs, least, 0.0)
@@ -175,7 +153,8 @@ class LimbTree:
                 finer += [each for each in more if each.tip not in part.member[arcs.top[chosen]]]
         limbs += self._parted(halves, least, detail)
         owner, time = self._times(limbs)
-        return Limbs(limbs, owner, time, sorted(finer, key=lambda each: each.detail))
+        self._found[least, detail] = Limbs(limbs, owner, time, sorted(finer, key=lambda each: each.detail))
+        return self._found[least, detail]
 
     def _parted(self, halves: list[Limb], least: float, detail: float) -> list[Limb]:
         """The halves of components, or the limbs of a half that has more than one, as the head of a hammer has.
@@ -265,9 +244,9 @@ def _slenderness_around(arcs: Arcs, feet: np.ndarray) -> np.ndarray:
 
 def details(arcs: Arcs, least: float) -> np.ndarray:
     """(a,) the least detail at which each arc is a limb (see `LimbTree.limbs`); infinite if at none."""
-    slenderness, need = arcs.slenderness_of_arcs(), PERSISTENCE * least
+    slenderness, need = np.append(arcs.slenderness, -np.inf)[arcs.bases()], PERSISTENCE * least
     found = need / (need + np.maximum(arcs.persistence, 1e-300))
-    found[(slenderness < FLAT) | (arcs.persistence <= 0)] = np.inf
+    found[arcs.persistence <= 0] = np.inf
     found[(slenderness >= least) & (found <= 0.5)] = 0.0
     return found
 
@@ -299,14 +278,16 @@ def _halves(part: Patch) -> list[Limb]:
 def _limbs_of(part: Patch, arcs: Arcs, chosen: list[int], least: float) -> list[Limb]:
     """The limbs of arcs ``chosen`` of a component, none of which stands on another one."""
     base, detail = arcs.bases()[chosen], details(arcs, least)[chosen]
-    number = arcs.standing_on(chosen)[arcs.of_vertex]
+    of_arc = np.full(len(arcs.parent) + 1, -1)  # which of the chosen arcs each arc is or stands on
+    of_arc[chosen] = np.arange(len(chosen))
+    for arc in range(len(arcs.parent) - 1, -1, -1):
+        of_arc[arc] = max(of_arc[arc], of_arc[arcs.parent[arc]])
+    number = of_arc[arcs.of_vertex]
     number[arcs.value < np.append(arcs.height[base], np.inf)[number]] = -1
-    regions = _grouped(number + 1, len(chosen) + 1)[1:]
+    figures = zip(arcs.area[base].tolist(), arcs.slenderness[base].tolist(), detail.tolist(), strict=True)
     return [
-        Limb(int(part.member[tip]), part.member[own], area, slenderness, least_detail, part.points[tip])
-        for tip, own, area, slenderness, least_detail in zip(
-            arcs.top[chosen], regions, arcs.area[base], arcs.slenderness[base], detail, strict=True
-        )
+        Limb(int(part.member[tip]), part.member[number == k], *of_limb, part.points[tip])
+        for k, (tip, of_limb) in enumerate(zip(arcs.top[chosen].tolist(), figures, strict=True))
     ]
 
 
@@ -336,13 +317,6 @@ def average_distance(shape: Enclosure, component: np.ndarray, spread: Callable[[
         source = farthest(nearest)
     weight = np.bincount(of_source * len(whole) + component, share, SOURCES * len(whole)).reshape(SOURCES, -1)
     return np.einsum("sv,sv->v", (weight / whole)[:, component], away)
-
-
-def _grouped(group: np.ndarray, num: int) -> list[list[int]]:
-    """The numbers of each ``group`` (n,) of 0 to ``num`` - 1."""
-    order = np.argsort(group, kind="stable").tolist()
-    ends = np.cumsum(np.bincount(group, minlength=num)).tolist()
-    return [order[start:end] for start, end in zip([0, *ends], ends, strict=False)]
 
 
 class Parts(NamedTuple):

@@ -186,7 +186,7 @@ class Skeleton:
         if self.source is not None and not self.report.wavefronts and least:
             solid = self.source.solid
             limbs = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_held, least, detail=0.5)
-            stays, target = one_branch.kept(x, edges, limbs.worth, is_held)
+            stays, target = one_branch.kept(x, edges, limbs.is_end, is_held)
         else:
             stays, target = one_branch.prune(len(x), edges, one_branch.by_balls(x, self.radii), least, is_held)
         rank = np.cumsum(stays) - 1

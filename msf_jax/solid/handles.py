@@ -203,7 +203,12 @@ class Handles:
     def __init__(
         self, vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops | None = None, push: float = ROUNDING
     ):
-        self.surface = surface or surface_loops(faces if _has_handles(faces) else faces[:0])
+        if surface is None:  # V - E + F is 2 for a component without handles, and a vertex without a face is one
+            label = graphs.labels_of_faces(faces, int(faces.max()) + 1)
+            num_used = np.count_nonzero(np.bincount(faces.ravel()))
+            num_components = label.max() + 1 - (len(label) - num_used)
+            surface = surface_loops(faces if num_used - len(faces) // 2 < 2 * num_components else faces[:0])
+        self.surface = surface
         loops = self.surface.loops
         self.genus = len(loops) // 2
         number = np.repeat(np.arange(len(loops)), np.array([len(loop) for loop in loops], dtype=np.int64))
@@ -244,13 +249,6 @@ class Handles:
         found = np.zeros((int(path.max(initial=-1)) + 1, num), dtype=np.int64)
         add_crossings(*(_turned((points - self._low) / self._extent) for points in (a, b)), path, curtains, found)
         return found
-
-
-def _has_handles(faces: np.ndarray) -> bool:
-    """Whether V - E + F of the closed surface is below 2 for a component: quicker than its loops."""
-    num = int(faces.max()) + 1
-    num_components = graphs.labels_of_faces(faces, num).max() + 1  # vertices without a face are components
-    return num - len(faces) // 2 < 2 * num_components - np.count_nonzero(np.bincount(faces.ravel()) == 0)
 
 
 def _turned(points: np.ndarray) -> np.ndarray:

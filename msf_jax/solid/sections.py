@@ -238,13 +238,6 @@ def corners(
     return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], share, edge // 3)
 
 
-def nowhere(points: np.ndarray) -> Sections:
-    """The result for points without a loop."""
-    zero, none = np.zeros(len(points)), np.zeros(len(points), dtype=bool)
-    slide, turn = np.zeros_like(points), np.zeros((*points.shape, 3))
-    return Sections(points.copy(), zero, zero.copy(), zero.copy(), none, none.copy(), none.copy(), slide, turn)
-
-
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
     """Measure the loops with these ``corners``, in planes through ``points`` (P, 3) with ``normals`` (P, 3)."""
     loop = corners.loop

@@ -22,7 +22,7 @@ def test_centring_folds_no_loop_flat():
     away = np.array([0, 0.01, 0])
     x = np.concatenate([axis[:2], [axis[2] + away, axis[2] - away]])
     draft = draft_of(x, np.array([[0, 1], [1, 2], [2, 3], [1, 3]]))
-    assert rank(shape, draft) == rank(shape, finishing.centre_nodes(draft, job_of(shape), hold_leaves=False)) == 1
+    assert rank(shape, draft) == rank(shape, finishing.centre_and_meet(draft, job_of(shape), hold_leaves=False)) == 1
 
 
 def score(shape, skeleton):

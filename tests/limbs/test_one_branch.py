@@ -40,7 +40,7 @@ def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
     number = [int(np.argmin([abs(tree.shape.vertices[limb.tip, 0] - x) for limb in limbs.limbs])) for x in (-1.2, 1.2)]
     found = one_branch.choose(tree, tree.shape, x, edges, none_held(x), 1.2, 0.0)
     assert found.leaf[number[0]] == 1 and found.leaf[number[1]] == -1 and sorted(found.leaf) == [-1, -1, -1, 1]
-    assert found.worth[1] == np.inf and found.worth[2] == 0 and found.worth[3] < np.inf
+    assert found.is_end.tolist() == [False, True, False, False]
     # The limb's width is its radius, and the finger ends at 1.0.
     for height, stays in ((0.9, 2), (0.5, 1)):
         x[2, 2] = height
@@ -105,14 +105,13 @@ def test_a_limb_keeps_its_leaf_and_the_one_farthest_from_it():
         [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-1, 0, 0)], [(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (0, 0, 2)], step=0.5
     )
     leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1)
-    worth = np.zeros(len(x))
-    worth[leaf] = [np.inf, 0.4, 0.2, 0.3]
-    stays, target = one_branch.kept(x, edges, worth, np.zeros(len(x), dtype=bool))
+    is_end = np.arange(len(x)) == leaf[0]
+    stays, target = one_branch.kept(x, edges, is_end, np.zeros(len(x), dtype=bool))
     left = np.flatnonzero(np.bincount(edges[stays[edges].all(axis=1)].ravel(), minlength=len(x)) == 1)
     assert left.tolist() == [leaf[0], leaf[3]]
     assert set(target[~stays].tolist()) == {0} and (target[stays] == np.flatnonzero(stays)).all()
     held = np.isin(np.arange(len(x)), leaf[1])
-    stays, _ = one_branch.kept(x, edges, worth, held)
+    stays, _ = one_branch.kept(x, edges, is_end, held)
     assert stays[leaf].tolist() == [True, True, False, False]
 
 
