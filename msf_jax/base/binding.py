@@ -23,7 +23,7 @@ FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near 
 SMALLEST = 64  # rows: the least capacity; each further one is larger by the square root of two
 ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
     "vertices": ("vertices",),
-    "faces": ("faces", "twin"),
+    "faces": ("faces", "twin", "is_wall"),
     "nodes": ("rest", "side"),
     "edges": ("edges", "branch"),
     "sections": ("is_loop", "node"),
@@ -65,7 +65,8 @@ class Binding(NamedTuple):
     corners in the section. is_loop: (S,) False for a cloud of points, whose centroid is their mean. node: (S,) of each
     section. a_row, a_column, a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value: entries of b,
     (N, V). rest: (N, 3) r. faces: (F, 3) of the surface, neighbours close to each other. twin: (F, 3): edge 3 f + k
-    leads from corner k of face f to the next corner; its twin is the same edge of the face on the other side. side:
+    leads from corner k of face f to the next corner; its twin is the same edge of the face on the other side.
+    is_wall: (F,) False for the lid of an opening, which bounds no radius. side:
     (N,) -1 for a node whose nearest wall faces away from it, where the surface crosses itself; else 1. edges: (E, 2) of
     the curve, one branch after the other, each from end to end. branch: (E,) of each edge, ascending: its number among
     the branches that have an edge, plus the number of edges of the meshes before. centre: (3,), diagonal: () of the
@@ -92,6 +93,7 @@ class Binding(NamedTuple):
     rest: Any
     faces: Any
     twin: Any
+    is_wall: Any
     side: Any
     edges: Any
     branch: Any

@@ -20,7 +20,8 @@ ROUNDING = 16  # rounding errors (machine epsilons) that are subtracted from a l
 
 
 def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
-    """Signed distance (N,) of the nodes at ``points`` (N, 3) to the surface at ``vertices`` (V, 3), negative outside.
+    """Signed distance (N,) of the nodes at ``points`` (N, 3) to the wall of the surface at ``vertices`` (V, 3), negative
+    outside.
 
     Differentiable in: points, vertices; the gradient of a point on an edge is 0.
     """
@@ -35,7 +36,7 @@ def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -
 
 
 def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
-    """(N,) the face nearest to each of ``points`` (N, 3), the first of several; any for NaN and for padding."""
+    """(N,) the face of the wall nearest to each of ``points`` (N, 3), the first of several; any for NaN and padding."""
     size, dtype = FACES_TOGETHER, points.dtype
     corners = vertices[binding.faces]
     corners = jnp.concatenate([corners, jnp.broadcast_to(corners[-1:], (-len(corners) % size, 3, 3))])
@@ -44,6 +45,7 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
     centre = (low + high) / 2
     radius = jnp.sqrt(((runs - centre[:, None]) ** 2).sum(-1).max(1))
     runs = corners.reshape(-1, size, 3, 3)
+    is_wall = jnp.pad(jnp.asarray(binding.is_wall), (0, len(corners) - len(binding.faces)))
     window = min(TOGETHER, len(runs))
     # Of several meshes, a point is nearest to a face of its own, from ``first`` to before ``stop``; padding has none.
     per_mesh = jnp.asarray(binding.live.faces).astype(jnp.int32)
@@ -57,7 +59,7 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
 
         def smallest(point: jax.Array, run: jax.Array) -> tuple[jax.Array, jax.Array]:
             faces = size * run[:, None] + jnp.arange(size, dtype=jnp.int32)
-            is_own = (first[point, None] <= faces) & (faces < stop[point, None])
+            is_own = (first[point, None] <= faces) & (faces < stop[point, None]) & is_wall[faces]
             away = jnp.where(is_own, squared_distances(points[point], runs[run]), jnp.inf)
             return away.min(axis=1), size * run + away.argmin(axis=1).astype(jnp.int32)
 

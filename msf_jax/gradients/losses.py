@@ -76,7 +76,7 @@ def near(found: Any, binding: Binding, target: Any, mesh: Any = None) -> jax.Arr
     points, is_sample, weight, own = (x[order] for x in (points, is_sample, weight, own))
     there, back = _to_nearest(points, own, target, mesh, num), _to_nearest(target, mesh, points, own, num)
     loss = _mean(there, jnp.where(is_sample, weight, 0.0), own, num) + _mean(back, mesh < num, mesh, num)
-    return (loss / 2).reshape(jnp.shape(binding.diagonal))
+    return _nan_if_vanished(found, binding, (loss / 2).reshape(jnp.shape(binding.diagonal)))
 
 
 @promoting()
@@ -85,7 +85,8 @@ def smoothness(found: Any, binding: Binding) -> jax.Array:
 
     Differentiable in: nodes.
     """
-    return _mean_of_nodes(binding, *turning(_nodes(found, binding), binding.edges, binding.edge_mask))
+    turns = turning(_nodes(found, binding), binding.edges, binding.edge_mask)
+    return _nan_if_vanished(found, binding, _mean_of_nodes(binding, *turns))
 
 
 @promoting()
@@ -135,7 +136,7 @@ def _to_nearest(points: jax.Array, own: jax.Array, others: jax.Array, their: jax
             away = ((point - fixed[jnp.minimum(rows, len(fixed) - 1)]) ** 2).sum(-1)
             away = jnp.where(rows < until, away, jnp.inf)
             row = away.argmin()
-            is_nearer = ~(away[row] >= best)  # a NaN is the nearest
+            is_nearer = away[row] < best
             return at + TOGETHER, jnp.where(is_nearer, away[row], best), jnp.where(is_nearer, rows[row], which)
 
         at = first[jnp.minimum(mesh, num - 1)]
@@ -148,8 +149,16 @@ def _to_nearest(points: jax.Array, own: jax.Array, others: jax.Array, their: jax
 
 
 def _nodes(found: Any, binding: Binding) -> jax.Array:
-    """The nodes (N, 3) of ``found``, in diagonals."""
-    return _scaled(binding, checked(found, binding))
+    """The nodes (N, 3) of ``found``, in diagonals; 0 for vanished ones, of which even a gradient of 0 would be NaN."""
+    nodes = checked(found, binding)
+    return _scaled(binding, jnp.where(jnp.isnan(nodes), 0.0, nodes))
+
+
+def _nan_if_vanished(found: Any, binding: Binding, loss: jax.Array) -> jax.Array:
+    """``loss`` of each mesh; NaN for one with a vanished node."""
+    is_gone = jnp.isnan(found.nodes).any(axis=1).astype(jnp.int32)
+    is_gone = jax.ops.segment_max(is_gone, jnp.asarray(binding.mesh_of("nodes")), jnp.size(binding.diagonal))
+    return jnp.where(is_gone.reshape(loss.shape) > 0, jnp.nan, loss)
 
 
 def checked(found: Any, binding: Binding) -> jax.Array:

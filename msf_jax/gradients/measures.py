@@ -141,6 +141,7 @@ def angles(found: Any, binding: Binding, one: Any, other: Any) -> jax.Array:
 
     away = jnp.stack([direction(0), direction(1)], axis=1)
     meets = (ends[one][..., :, None] == ends[other][..., None, :]).reshape(*one.shape, 4)
+    meets &= ((total[one] > 0) & (total[other] > 0))[..., None]  # of rows that are branches
     first = meets.argmax(-1)
     u, v = away[one, first // 2], away[other, first % 2]
     return jnp.where(meets.any(-1), jnp.arctan2(norm(jnp.cross(u, v)), (u * v).sum(-1)), jnp.nan)

@@ -50,7 +50,7 @@ class BoundSurface(NamedTuple):
     def given(self, num: int) -> np.ndarray:
         """The ``num`` vertices of the caller's mesh; vertices in no face have no effect, and are at 0."""
         vertices = np.zeros((num, 3))
-        vertices[self.vertex] = self.solid.leave(self.solid.shape.vertices)
+        vertices[self.vertex] = self.solid.vertices
         return vertices
 
 
@@ -122,6 +122,7 @@ def record(
         rest=scale * (x - a @ corners.centroid - b @ placed),
         faces=surface.vertex[shape.faces[order]],
         twin=3 * np.argsort(order)[twin // 3] + twin % 3,
+        is_wall=np.isin(order, solid.lids, invert=True),
         side=np.where(np.where(inside, behind > here, behind < here), -1.0, 1.0),
         edges=np.concatenate([edges[:0], *ends]),
         branch=np.repeat(np.arange(len(ends)), list(map(len, ends))),

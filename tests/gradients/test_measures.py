@@ -85,7 +85,7 @@ def test_branches_of_a_fork_have_their_angles_in_a_batch_too():
     np.testing.assert_allclose(
         np.degrees(angles), np.degrees(np.arccos((way[pairs[:, 0]] * way[pairs[:, 1]]).sum(1))), atol=2
     )
-    assert np.isnan(measures.angles(found, batch, 0, first))
+    assert np.isnan(measures.angles(found, batch, np.array([0, first + 3]), first + np.array([0, 4]))).all()
     own = msf_jax.follow(skeleton.binding, skeleton.binding.vertices)
     alone = np.asarray(measures.lengths(own, skeleton.binding))
     np.testing.assert_allclose(alone[:3], [branch.length for branch in skeleton.branches], rtol=1e-9)
