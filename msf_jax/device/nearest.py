@@ -20,8 +20,7 @@ ROUNDING = 16  # rounding errors (machine epsilons) that are subtracted from a l
 
 
 def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
-    """Signed distance (N,) of the nodes at ``points`` (N, 3) to the wall of the surface at ``vertices`` (V, 3), negative
-    outside.
+    """Signed distance (N,) of the nodes at ``points`` (N, 3) to the wall at ``vertices`` (V, 3), negative outside.
 
     Differentiable in: points, vertices; the gradient of a point on an edge is 0.
     """

@@ -419,7 +419,8 @@ class Skeleton:
     def save(self, path: str | os.PathLike[str], mesh: "MeshLike | None" = None, label: int | None = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
 
-        - ``.npz``: everything, with the surface. `msf_jax.read_curve` reads this, SWC and polylines.
+        - ``.npz``: everything, with the surface. `msf_jax.read_curve` reads this, SWC, JSON and polylines.
+        - ``.json``: everything but the surface. ``.ply``: vertices with radius, edges.
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
           number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.

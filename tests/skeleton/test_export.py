@@ -1,5 +1,6 @@
 """Files read back by hand, by another library and by this project, and never left by halves."""
 
+import json
 import warnings
 from itertools import pairwise
 
@@ -123,6 +124,30 @@ def test_numpy_reads_npz(hand, saved):
             np.testing.assert_array_equal(file[name], getattr(skeleton, name))
 
 
+def test_json_has_no_nan_and_swc_its_root(hand, saved):
+    """Browsers do not read NaN."""
+    skeleton, _ = hand
+    content = json.loads(saved(".json").read_text(), parse_constant=pytest.fail)
+    np.testing.assert_array_equal(content["mesh_map"], skeleton.mesh_map)
+    np.testing.assert_array_equal(msf_jax.read_curve(saved(".json")).radii, skeleton.radii)
+    tree, path = skeleton.to_tree(5), saved(".swc")
+    tree.save(path, label=3)
+    found = msf_jax.read_curve(path)
+    np.testing.assert_array_equal(found.vertices[list(found.roots)], tree.vertices[list(tree.roots)])
+    for label in (-1, 2.5, True, "3"):
+        with pytest.raises(ConfigError, match="expected a whole number"):
+            tree.save(path, label=label)
+
+
+def test_other_libraries_read_ply(hand, saved):
+    plyfile = pytest.importorskip("plyfile")
+    skeleton, _ = hand
+    data = plyfile.PlyData.read(saved(".ply"))
+    np.testing.assert_array_equal(data["vertex"]["radius"], skeleton.radii)
+    edges = np.stack([data["edge"]["vertex1"], data["edge"]["vertex2"]], axis=1)
+    np.testing.assert_array_equal(edges, skeleton.edges)
+
+
 def test_a_glb_needs_its_mesh(hand, tmp_path):
     skeleton, mesh = hand
     with pytest.raises(ConfigError, match=r"expected save\(path, mesh\)"):
@@ -178,10 +203,13 @@ ROOT = "1 1 0 0 0 1 -1\n"
         ("a.swc", ROOT + "2 1 1 0 0 1 1.7\n", "line 2"),
         ("a.swc", ROOT + ROOT, "line 2"),
         ("a.swc", ROOT + "2 1 1 0 0 1 2\n", "line 2"),  # its own parent
+        ("a.swc", ROOT + "2 1 1 0 0 1 3\n3 1 1 1 0 1 2\n", "their own ancestors"),
+        ("a.json", "{", "has no curve"),
+        ("a.json", "[" * 100_000, "has no curve"),
         ("a.swc", ROOT + "2 1 -1e308 0 0 1 1\n", "choose another unit"),
         ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 is"),
         ("a.polylines.txt", f"{2**70} 0 0 0 1 1 1\n", "line 1 is"),
-        ("a.vtp", "<VTKFile/>", r"cannot read 'a.vtp': expected one of .npz, .swc"),
+        ("a.vtp", "<VTKFile/>", r"cannot read 'a.vtp': expected one of .npz, .swc, .json"),
         ("a.obj", "v 0 0 0\n", r"cannot read 'a.obj'"),
     ],
 )
@@ -209,7 +237,7 @@ def test_other_programs_swc_is_read(tmp_path, name):
     assert found.edges.tolist() == [[0, 1]] and found.vertices.tolist() == [[0, 0, 0], [1, 0, 0]]
 
 
-@pytest.mark.parametrize("suffix", [".swc", ".npz"])
+@pytest.mark.parametrize("suffix", [".swc", ".json", ".npz"])
 @pytest.mark.parametrize(("value", "says"), [(-5.0, "negative radius, -5"), (1e308, "choose another unit")])
 def test_a_radius_that_is_none_is_refused_in_every_format(lollipop, tmp_path, suffix, value, says):
     lollipop.radii[3] = value

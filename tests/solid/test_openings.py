@@ -85,6 +85,10 @@ def test_a_tube_that_was_cut_off_is_whole_up_to_its_openings(mesh, length, flat)
     everywhere = pandas.DataFrame(skeleton.columns("nodes"))
     np.testing.assert_allclose(everywhere["area"], np.pi * R**2 / flat, rtol=0.02)
     assert skeleton.radii.min() > 0.97 * R / flat
+    followed = msf_jax.follow(skeleton, np.asarray(skeleton.binding.vertices[skeleton.binding.vertex_mask]))
+    np.testing.assert_allclose(
+        followed.radii, skeleton.radii, rtol=1e-5 if followed.radii.dtype == np.float32 else 1e-9
+    )
     assert pandas.DataFrame(skeleton.columns())["least_radius"].min() > 0.97 * R / flat
 
 

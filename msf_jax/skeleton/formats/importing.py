@@ -29,11 +29,12 @@ Curve = dict[str, Any]  # attributes of a skeleton by name
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
-    """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.swc`` or ``.polylines.txt``.
+    """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.swc``, ``.json`` or
+    ``.polylines.txt``.
 
     That of an ``.npz`` has all but the stages of the flow. Others have an empty map, and a report with counts only. SWC
-    has radii, and of files of this program the units; edges that it cut are joined again. In polylines radii are 0, and
-    coincident ends become one node.
+    has radii, its roots, and of files of this program the units; edges that it cut are joined again, without a root. In
+    polylines radii are 0, and coincident ends become one node.
 
     Raises:
         ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was
@@ -53,7 +54,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     except Exception as error:  # for a damaged file, parsers raise exceptions of many types
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         raise ConfigError(f"{name!r} has no curve ({kind}{str(error)[:300]}): expected {expected}") from error
-    return replace(curve_of(curve["vertices"], curve["edges"], curve["radii"]), units=curve["units"])
+    given = {name: curve[name] for name in ("units", "roots", "openings", "radius_of")}
+    return replace(curve_of(curve["vertices"], curve["edges"], curve["radii"]), **given)
 
 
 def report_lines(path: str | os.PathLike[str]) -> list[str]:
@@ -110,8 +112,25 @@ def _read_swc(lines: list[str]) -> Curve:
     place = {key: number for number, key in enumerate(rows)}
     edges = [[place.get(key, -1) for key in pair] for pair in pairs]
     table = np.array(list(rows.values())).reshape(-1, 5)
+    roots = np.flatnonzero(table[:, 4] < 0).tolist()
+    if all(min(pair) >= 0 for pair in edges):
+        components = graphs.cycle_count(len(rows), np.reshape(edges[: len(rows) - len(roots)], (-1, 2)))[0]
+        if components != len(roots):
+            raise ValueError("some are their own ancestors")
     units = next((line.removeprefix(UNITS).strip() for line in lines if line.startswith(UNITS)), "")
-    return {"vertices": table[:, :3], "edges": edges, "radii": table[:, 3], "units": units}
+    return {
+        "vertices": table[:, :3],
+        "edges": edges,
+        "radii": table[:, 3],
+        "units": units,
+        "roots": () if cuts else roots,
+    }
+
+
+def _read_json(lines: list[str]) -> Curve:
+    content = json.loads("\n".join(lines))
+    numbers = {name: np.array(content[name]) + 0.0 for name in ("vertices", "radii")}  # whole ones are coordinates, too
+    return content | numbers
 
 
 def _read_polylines(lines: list[str]) -> Curve:
@@ -129,6 +148,7 @@ def _read_polylines(lines: list[str]) -> Curve:
 
 READERS: dict[str, tuple[Callable[[list[str]], Curve], str]] = {  # and what they expect
     ".swc": (_read_swc, "id, type, x, y, z, radius, parent in each line, each id once, and -1 for no parent"),
+    ".json": (_read_json, "an object with vertices, radii and edges"),
     ".polylines.txt": (_read_polylines, "a count, and as many points of three numbers in each line"),
 }
 

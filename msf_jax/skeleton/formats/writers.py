@@ -176,6 +176,23 @@ def npz(skeleton: "Skeleton") -> bytes:
     return archive.packed(KIND, FORMAT_VERSION, arrays)
 
 
+def plain_json(skeleton: "Skeleton") -> str:
+    """All of a skeleton but its surface, by name; null in the report for what is not known."""
+    arrays = {name: getattr(skeleton, name).tolist() for name in ("vertices", "edges", "radii", "mesh_map")}
+    others = {name: getattr(skeleton, name) for name in ("roots", "openings", "radius_of", "units")}
+    report = {name: None if value != value else value for name, value in skeleton.report.to_dict().items()}
+    return json.dumps({**arrays, **others, "report": report}) + "\n"
+
+
+def ply(skeleton: "Skeleton") -> str:
+    """PLY: vertices with radius, edges."""
+    header = ["ply", "format ascii 1.0", f"comment {WRITTEN}", f"element vertex {len(skeleton.vertices)}"]
+    header += [f"property double {name}" for name in ("x", "y", "z", "radius")]
+    header += [f"element edge {len(skeleton.edges)}", "property int vertex1", "property int vertex2", "end_header"]
+    rows = map(_point, np.column_stack([skeleton.vertices, skeleton.radii]))
+    return "\n".join([*header, *rows, *(f"{a} {b}" for a, b in skeleton.edges.tolist())]) + "\n"
+
+
 def glb(skeleton: "Skeleton", mesh: Any) -> bytes:
     """The mesh on the bones of the skeleton, see `rigging.rig`."""
     from msf_jax.skeleton.rigging.rig import glb_of
@@ -188,7 +205,9 @@ def glb(skeleton: "Skeleton", mesh: Any) -> bytes:
 # Of each suffix. Longer suffixes stand before those with which they end.
 WRITERS: "dict[str, Callable[..., str | bytes]]" = {
     ".swc": swc,
+    ".json": plain_json,
     ".obj": obj,
+    ".ply": ply,
     ".polylines.txt": polylines,
     ".vtp": vtp,
     ".nodes.csv": partial(table, of="nodes"),
@@ -211,7 +230,7 @@ def writer_for(path: str | os.PathLike[str], label: int | None = None) -> "Calla
     if suffix is None:
         beams = "; skeleton.frame().save(...) in Python writes beams" if name.lower().endswith(".inp") else ""
         raise ConfigError(f"no format for {name!r}: expected one of the suffixes {', '.join(WRITERS)}{beams}")
-    if label is not None and (suffix != ".swc" or label < 0):
+    if label is not None and (suffix != ".swc" or type(label) is not int or label < 0):
         raise ConfigError(f"label is {label!r} for {name!r}: expected a whole number of 0 or more, for an .swc file")
     write = WRITERS[suffix] if label is None else partial(swc, label=label)
     return write if suffix == ".glb" else lambda skeleton, mesh: write(skeleton)
