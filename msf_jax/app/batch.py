@@ -1,4 +1,4 @@
-"""Batches: a curve and a report for each of many meshes, on all cores.
+"""Batches: a curve and a report for each of many meshes, on all cores or on a cluster.
 
 For each mesh a batch writes the curve, and then a row with the report or the error; each file is whole at any time. So
 a batch that was killed goes on with the meshes that have no row. Meshes are sorted by file size, so that successive
@@ -16,10 +16,11 @@ import sqlite3
 import threading
 import time
 from collections import deque
-from collections.abc import Generator, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, ProcessPoolExecutor, wait
-from contextlib import closing, contextmanager
+from collections.abc import Callable, Generator, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, ProcessPoolExecutor, wait
+from contextlib import AbstractContextManager, closing, contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -44,6 +45,7 @@ ROWS = ".rows"  # the folder of the rows, likewise
 DIED = "its worker died, twice: out of memory?"  # the error in the row of such a mesh
 
 Row = dict[str, Any]
+Pool = Callable[[], AbstractContextManager[Executor]]
 Settings = tuple[Weights, Config, Repair | None, Shaping, bool]  # the last one: whether to compute in float64
 
 
@@ -77,6 +79,7 @@ def run(
     repair: bool | str | Repair = False,
     suffix: str = ".swc",
     jobs: int | None = None,
+    scheduler: str | None = None,
     retry: bool = False,
     shaping: Shaping = UNCHANGED,
     progress: bool = False,
@@ -89,6 +92,7 @@ def run(
         weights, config, repair: as `skeletonize` takes them; weights are numbers.
         suffix: the format of the curves; see `Skeleton.save`.
         jobs: processes; by default one for each core.
+        scheduler: address of a Dask scheduler whose workers see the same folders, in place of processes.
         retry: try failed meshes again, and not only those whose curve is missing or was made with other settings.
         shaping: changes of each curve before it is written: another scale, a tree, other nodes, ...
         progress: show a progress bar on standard error, if that is a terminal.
@@ -96,7 +100,7 @@ def run(
     Raises:
         ConfigError: an option is out of range, there are no paths, another batch writes to the folder, or an earlier
             one wrote the curve of another mesh to the same file.
-        OSError: the folder cannot be written.
+        OSError: the folder cannot be written, or the scheduler has ended.
         KeyboardInterrupt: after Ctrl-C, at once. The curves of the meshes that are done and the table are written.
     """
     weights, config = checked_options(weights, config)
@@ -119,8 +123,9 @@ def run(
         known = [_known_row(job) for job in planned]
         missing = [job for job, row in zip(planned, known, strict=True) if row is None or (retry and row["error"])]
         num = min(jobs or os.cpu_count() or 1, max(len(missing), 1))
+        pool = partial(_cluster, scheduler) if scheduler else partial(_processes, num, is_double)
         try:
-            with closing(_finished_jobs(missing, num)) as finished:
+            with closing(_finished_jobs(missing, pool, len(missing) if scheduler else 2 * num)) as finished:
                 for _ in tqdm(finished, "batch", len(missing), unit="mesh", disable=None if progress else True):
                     pass
         except KeyboardInterrupt:
@@ -178,14 +183,15 @@ def _known_row(job: BatchJob) -> Row | None:
 
 def work(job: BatchJob) -> None:
     """Skeletonise one mesh, in any process. All errors go into its row: a bug of this program ends no batch, either."""
-    weights, config, repair, shaping, _ = job.settings
+    weights, config, repair, shaping, is_double = job.settings
     start = time.perf_counter()
     row: Row = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
     try:
-        mesh = shaping.scaled(reading.read(job.source))
-        row["vertices"] = len(mesh[0])
-        skeleton = shaping.shaped(msf_jax.skeletonize(mesh, weights, config, repair=repair or False))
-        content = writers.writer_for(job.target, shaping.label)(skeleton, mesh)
+        with jax.enable_x64(is_double):  # of this thread: a worker of a cluster may have others
+            mesh = shaping.scaled(reading.read(job.source))
+            row["vertices"] = len(mesh[0])
+            skeleton = shaping.shaped(msf_jax.skeletonize(mesh, weights, config, repair=repair or False))
+            content = writers.writer_for(job.target, shaping.label)(skeleton, mesh)
         report = skeleton.report
         row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
         row |= report.to_dict() | {"is_sound": report.is_sound, "are_limbs": report.are_limbs}
@@ -200,8 +206,8 @@ def work(job: BatchJob) -> None:
     write_whole(job.row, json.dumps(row) + "\n")
 
 
-def _finished_jobs(jobs: list[BatchJob], num: int, is_last_try: bool = False) -> Generator[BatchJob]:
-    """The jobs whose rows are written, in the order of completion, by ``num`` processes.
+def _finished_jobs(jobs: list[BatchJob], pool: Pool, window: int, is_last_try: bool = False) -> Generator[BatchJob]:
+    """The jobs whose rows are written, in the order of completion. At most ``window`` jobs are submitted at a time.
 
     A worker that dies, of too little memory, say, ends its pool. The jobs that were submitted then are tried once more,
     each in a pool of its own.
@@ -210,32 +216,36 @@ def _finished_jobs(jobs: list[BatchJob], num: int, is_last_try: bool = False) ->
     while waiting:
         running = {}
         try:
-            with _processes(num) as workers:
+            with pool() as workers:
                 while waiting or running:
-                    while waiting and len(running) < 2 * num:
+                    while waiting and len(running) < window:
                         with held_interrupts():  # which a process that is started here inherits
                             running[workers.submit(work, waiting[0])] = waiting[0]
                         waiting.popleft()
                     for future in wait(running, return_when=FIRST_COMPLETED).done:
                         future.result()
                         yield running.pop(future)
-        except BrokenExecutor:
+        except CancelledError:  # by nobody here
+            raise ConnectionError("the Dask scheduler has ended: start it and the batch again to go on") from None
+        except Exception as error:  # `work` raises a full disk alone; a cluster that its workers died
+            if not isinstance(error, BrokenExecutor) and type(error).__name__ != "KilledWorker":
+                raise
             suspects += running.values()
     for job in suspects:
         if is_last_try:
             write_whole(job.row, json.dumps({"path": job.source, "output": "", "error": DIED, "key": job.key}) + "\n")
             yield job
         else:
-            yield from _finished_jobs([job], 1, is_last_try=True)
+            yield from _finished_jobs([job], pool, 1, is_last_try=True)
 
 
 @contextmanager
-def _processes(num: int) -> Iterator[Executor]:
+def _processes(num: int, is_double: bool) -> Iterator[Executor]:
     """A pool of ``num`` processes of this machine. After an error or Ctrl-C they are ended and not waited for."""
     spawning = multiprocessing.get_context("spawn")  # a forked process would lack JAX's threads, and could hang
     others = set(multiprocessing.active_children())
-    options: Any = [getattr(jax.config, name) for name in ("jax_enable_x64", "jax_compilation_cache_dir")]
-    pool = ProcessPoolExecutor(num, spawning, _begin_worker, options)
+    cache = getattr(jax.config, "jax_compilation_cache_dir", None)
+    pool = ProcessPoolExecutor(num, spawning, _begin_worker, (is_double, cache))
     try:
         yield pool
     except BaseException:
@@ -258,6 +268,21 @@ def _begin_worker(is_double: bool, cache: str | None) -> None:
     threading.Thread(target=end_with_batch, daemon=True).start()
     jax.config.update("jax_enable_x64", is_double)
     msf_jax.cache_compilations(cache)
+
+
+@contextmanager
+def _cluster(scheduler: str) -> Iterator[Executor]:
+    """The workers of a Dask cluster, which see the same folders."""
+    try:
+        from distributed import Client
+
+        client = Client(scheduler, timeout=5)
+    except ImportError as error:
+        raise ConfigError('a scheduler needs Dask: install it with pip install "msf_jax[dask]"') from error
+    except (OSError, ValueError) as error:
+        raise ConfigError(f"no Dask scheduler at {scheduler!r}: expected an address such as tcp://host:8786") from error
+    with client:
+        yield client.get_executor()
 
 
 def _write_table(folder: Path, planned: list[BatchJob]) -> None:

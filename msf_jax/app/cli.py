@@ -162,7 +162,7 @@ def _batch(arguments: argparse.Namespace) -> int:
         suffix=arguments.format,
         shaping=shaping_of(arguments),
         progress=not arguments.quiet,
-        **{name: getattr(arguments, name) for name in ("jobs", "retry")},
+        **{name: getattr(arguments, name) for name in ("jobs", "scheduler", "retry")},
     )
     if not arguments.quiet:
         print(f"{len(done.rows)} meshes, {done.num_done} of them now, {done.num_failed} failed; see {done.manifest}")

@@ -54,7 +54,8 @@ manifest.csv has a row for each mesh, with its report or its error; other meshes
 Started again, the batch skeletonises what is missing.
 
 examples:
-  msf-jax batch meshes curves --jobs 4 --format .vtp --prune 2""",
+  msf-jax batch meshes curves --jobs 4 --format .vtp --prune 2
+  msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
     "track": """\
 one curve through all meshes of a folder, in the order of their names
 
@@ -91,6 +92,7 @@ def whole_parser() -> argparse.ArgumentParser:
     many.add_argument("folder", metavar="IN_DIR", help="where the meshes are")
     many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go")
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
+    many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
     many.add_argument("--retry", action="store_true", help="try failed meshes again")
     series.add_argument("mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz")
     series.add_argument("folder", metavar="FRAMES", help="where the meshes are")

@@ -1,4 +1,4 @@
-"""Many meshes: the same table from processes, errors alone, nothing done twice."""
+"""Many meshes: the same table from processes and from a cluster, errors alone, nothing done twice."""
 
 import csv
 import multiprocessing.connection
@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 from concurrent.futures import Executor, Future
 from contextlib import contextmanager
 from dataclasses import replace
@@ -72,7 +73,7 @@ def here(monkeypatch):
     asked = []
 
     @contextmanager
-    def alone(num):
+    def alone(num, is_double):
         asked.append(num)
         yield Here()
 
@@ -138,6 +139,21 @@ def test_errors_stay_alone_and_a_second_run_does_nothing(folder, in_processes, t
     assert batch.run(paths_in(folder), tmp_path / "copied", jobs=1, retry=True).num_done == 1 + BROKEN
     repaired = batch.run([folder / "more" / "open.ply"], tmp_path / "other", jobs=1, repair=True, suffix=".npz")
     assert repaired.num_failed == 0 and "filled 1 hole" in table(repaired.manifest)[0]["repairs"]
+
+
+@pytest.mark.system
+def test_a_cluster_gives_the_same_table(folder, in_processes, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    done, out = in_processes
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # its own, on closing
+        with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+            asked = [path for path in paths_in(folder) if path.stem in ("0", "3", "open")]
+            there = batch.run(asked, tmp_path / "there", scheduler=cluster.scheduler_address)
+    assert there.num_done == 3
+    assert table(there.manifest) == [r for r in table(done.manifest) if Path(r["path"]).stem in ("0", "3", "open")]
+    for name in ("0.off.swc", "more/3.off.swc"):
+        assert (tmp_path / "there" / name).read_bytes() == (out / name).read_bytes()
 
 
 @pytest.mark.system
@@ -231,6 +247,7 @@ def test_workers_are_not_waited_for_after_ctrl_c(folder, tmp_path, monkeypatch, 
         ({"suffix": ".xyz"}, "expected one of the suffixes .swc"),
         ({"jobs": 0}, "jobs is 0: expected a whole number"),
         ({"weights": Weights(w_L=np.ones(3))}, "weights that are numbers"),
+        pytest.param({"scheduler": "tcp://127.0.0.1:1"}, "no Dask scheduler at", marks=pytest.mark.system),
     ],
 )
 def test_options_are_checked(tmp_path, options, says):
