@@ -5,39 +5,17 @@ print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
+import re
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 from msf_jax.base import version
 
-# The public modules, and the public names of others. A module is imported when it is used first: a program that needs
-# no JAX does not import it. Editors and type checkers read `__init__.pyi`.
-_PATHS = ["app.batch", "guide", "metrics", "shapes", "view"]
-_PATHS += ["gradients.losses", "gradients.measures", "gradients.torch"]
-_NAMES = {
-    "base.binding": "Binding",
-    "base.errors": "ConfigError FlowError Interrupted MeshError",
-    "base.options": "Config CurveOptions FlowOptions PreprocessingOptions SolverOptions",
-    "device": "Weights",
-    "flow.loop": "contract skeletonize",
-    "flow.programs": "cache_compilations",
-    "flow.state": "Flow",
-    "gradients.follow": "Followed follow stack",
-    "gradients.replay": "Tape replay replay_meso",
-    "gradients.track": "Track track",
-    "inside.preprocessing": "reconstruct voronoi_poles",
-    "limbs.one_branch": "Branch",
-    "meshes.reading": "MeshLike read_mesh",
-    "meshes.repair": "Repair",
-    "skeleton.formats.importing": "read_curve",
-    "skeleton.framing": "Frame",
-    "skeleton.report": "Report",
-    "skeleton.rigging.rig": "Rig",
-    "skeleton.skeleton": "Skeleton",
-    "tuning.tuner": "Tuned tune",
-}
-_MODULES = {path.rpartition(".")[2]: path for path in _PATHS}
-_HOMES = _MODULES | {name: home for home, names in _NAMES.items() for name in names.split()}
+# The public names and their modules, as editors and type checkers read them. A module is imported when one of its names
+# is used first: a program that needs no JAX does not import it.
+_STUB = Path(__file__).with_suffix(".pyi").read_text("utf-8")
+_HOMES = {name: home for home, name in re.findall(r"^from (\S+) import (\w+) as ", _STUB, re.MULTILINE)}
 __version__ = version.VERSION
 __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 
@@ -45,8 +23,8 @@ __all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    home = import_module(f"{__name__}.{_HOMES[name]}")
-    globals()[name] = value = home if name in _MODULES else getattr(home, name)
+    home = import_module(_HOMES[name])
+    globals()[name] = value = vars(home).get(name) or import_module(f"{home.__name__}.{name}")  # or a module in it
     return value
 
 

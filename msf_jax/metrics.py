@@ -150,12 +150,9 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
 
 
 def inside_fraction(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
-    """Fraction of the length of the curve ``(vertices (N, 3), edges (E, 2))`` that is inside the surface ``shape``.
-
-    A point is inside where the winding number is positive. An edge that the balls of ``radii`` (N,) around its ends
-    cover is inside; other edges are sampled at the middles of 16 equal parts. For a curve without length, nodes are
-    counted.
-    """
+    """Fraction of the length of the curve ``(vertices (N, 3), edges (E, 2))`` that is inside the surface ``shape``; of
+    the nodes, if it has no length. An edge that the balls of ``radii`` (N,) around its ends cover is inside; other
+    edges are sampled at the middles of 16 equal parts, inside where the winding number is positive."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     if length.sum() == 0:
@@ -250,8 +247,7 @@ def _by_area(missed: np.ndarray, area: np.ndarray) -> float:
 
 def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """For sample points (S,) of the surface: distance to the nearest ball, its node, and the area of the point."""
-    a, b, c = np.moveaxis(shape.triangles, 1, 0)
-    area = triangle_areas(shape.triangles)
+    (a, b, c), area = np.moveaxis(shape.triangles, 1, 0), triangle_areas(shape.triangles)
     count = np.maximum(1, np.round(SURFACE_SAMPLES * area / area.sum())).astype(np.int64)
     face, number = repeated(count)
     # Evenly spread points in a triangle: the plastic number's sequence (Roberts 2018), folded over the diagonal.

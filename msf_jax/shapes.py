@@ -48,15 +48,13 @@ def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Tri
     is_in = value[corners] < 0
     count = is_in.sum(axis=1)
     order = np.argsort(~is_in, axis=1, kind="stable")  # the inside corners to the front
-    corners, count = np.take_along_axis(corners, order, axis=1), count[:, None, None]
-    one_in = np.array([[[0, 1], [0, 2], [0, 3]], [[-1, -1]] * 3])
-    two_in = np.array([[[0, 2], [0, 3], [1, 3]], [[0, 2], [1, 3], [1, 2]]])
-    three_in = np.array([[[0, 3], [2, 3], [1, 3]], [[-1, -1]] * 3])
+    corners = np.take_along_axis(corners, order, axis=1)
+    one_in, three_in = [[[0, 1], [0, 2], [0, 3]]], [[[0, 3], [2, 3], [1, 3]]]
+    two_in = [[[0, 2], [0, 3], [1, 3]], [[0, 2], [1, 3], [1, 2]]]
     cuts = []
-    for inside, table in ((1, one_in), (2, two_in), (3, three_in)):
-        chosen = corners[count[:, 0, 0] == inside]
-        for triangle in table[table[:, 0, 0] >= 0]:
-            cuts.append((chosen[:, triangle], chosen[:, :inside], chosen[:, inside:]))
+    for inside, triangles in ((1, one_in), (2, two_in), (3, three_in)):
+        chosen = corners[count == inside]
+        cuts += [(chosen[:, triangle], chosen[:, :inside], chosen[:, inside:]) for triangle in triangles]
     ends = np.sort(np.concatenate([cut for cut, _, _ in cuts]).reshape(-1, 2), axis=1)
     edge, inverse = np.unique(ends, axis=0, return_inverse=True)
     faces = inverse.reshape(-1, 3)
@@ -78,10 +76,8 @@ def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Tri
 
 
 def hand(spacing: float = 0.05) -> trimesh.Trimesh:
-    """A hand with five fingers and a handle at the wrist: five tips, a forearm, and one loop (genus 1).
-
-    ``spacing`` is that of the sampling grid, at most 0.1: on a coarser grid fingers merge, or separate from the hand.
-    """
+    """A hand with five fingers and a handle at the wrist: five tips, a forearm, and one loop (genus 1); ``spacing`` is
+    that of the sampling grid, at most 0.1: on a coarser grid fingers merge, or separate from the hand."""
     points, edges, radii = hand_curve()
     return solid_around(points, edges, radii, spacing, blend=0.12)
 

@@ -47,11 +47,9 @@ class Panel:
 
 
 def looking(points: np.ndarray) -> tuple[int, float]:
-    """The upright axis of ``points`` (N, 3), 1 for y or 2 for z, and the azimuth around it from which they are seen.
-
-    The camera looks about along the axis of the least extent. If that is z, y is up; if it is y, z. If it is x, the
-    longer of both is up for a slender shape, such as a person, else the shorter, as for a horse.
-    """
+    """The upright axis of ``points`` (N, 3), 1 for y or 2 for z, and the azimuth around it of the camera, which looks
+    about along the axis of the least extent. If that is z, y is up; if it is y, z. If it is x, the longer of both is up
+    for a slender shape, such as a person, else the shorter, as for a horse."""
     extent = np.ptp(points, axis=0)
     along = int((extent * EVEN).argmin())
     _, y, z = extent

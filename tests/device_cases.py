@@ -14,7 +14,7 @@ from msf_jax.base.layout import Layout, Level, fits, layout_for
 from msf_jax.base.options import SolverOptions
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.device.contraction import contracting, relaxed, smoothing
+from msf_jax.device.contraction import Energy, relaxed
 from msf_jax.meso import packing
 from msf_jax.meso.meso import Meso
 
@@ -247,14 +247,15 @@ def plain_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance=
     """The contraction's step, rows assembled from the same positions."""
     one = jnp.ones_like(buffers.free)
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
-    energy = contracting(w_L * one, w_H * one, w_M * buffers.pull)
+    energy = Energy(0 * one, w_L * one, (w_H * one) ** 2, (w_M * buffers.pull) ** 2)
     return relaxed(buffers, rows, energy, layout, Solver(tolerance, max_steps))
 
 
 def plain_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
     """The smoothing's step, rows assembled from the same positions."""
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
-    energy = smoothing(strength * jnp.ones_like(buffers.free))
+    one = jnp.ones_like(buffers.free)
+    energy = Energy(one, -strength * one, 0 * one, 0 * one)
     return relaxed(buffers, rows, energy, layout, Solver(tolerance, max_steps))
 
 

@@ -207,11 +207,9 @@ def work(job: BatchJob) -> None:
 
 
 def _finished_jobs(jobs: list[BatchJob], pool: Pool, window: int, is_last_try: bool = False) -> Generator[BatchJob]:
-    """The jobs whose rows are written, in the order of completion. At most ``window`` jobs are submitted at a time.
-
-    A worker that dies, of too little memory, say, ends its pool. The jobs that were submitted then are tried once more,
-    each in a pool of its own.
-    """
+    """The jobs whose rows are written, in the order of completion. At most ``window`` jobs are submitted at a time. A
+    worker that dies, of too little memory, say, ends its pool: the jobs that were submitted then are tried once more,
+    each in a pool of its own."""
     waiting, suspects = deque(jobs), list[BatchJob]()
     while waiting:
         running = {}

@@ -1,11 +1,8 @@
 """The command line: ``msf-jax skeletonize``, ``view``, ``batch`` and the others, also as ``python -m msf_jax``.
 
-Exit codes: 0 if all files are written, 1 if a mesh of a batch failed or a frame has no curve, 2 for bad input or
-options, 130 for Ctrl-C, after which the curve so far is written, if an iteration has ended. A curve whose report is not
-sound, or says that these are no limbs, is written with a warning. An existing file whose name was not given is not
-overwritten.
-
-Help and errors appear without delay: commands import modules on demand, and JAX only after the mesh was accepted.
+`parser.HELP` has the exit codes. A curve whose report is not sound, or says that these are no limbs, is written with a
+warning. An existing file whose name was not given is not overwritten. Help and errors appear without delay: commands
+import modules on demand, and JAX only after the mesh was accepted.
 """
 
 import argparse
@@ -42,11 +39,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         if arguments.command is None:
             parser.print_help()
-        else:
-            with held_interrupts():
-                import trimesh  # noqa: F401
-            return COMMANDS[arguments.command](arguments)
-        return 0
+            return 0
+        with held_interrupts():
+            import trimesh  # noqa: F401
+        return COMMANDS[arguments.command](arguments)
     except (MeshError, ConfigError, FlowError) as error:
         return _fail(str(error), 2)
     except UnicodeEncodeError as error:

@@ -29,7 +29,6 @@ class Shaping(NamedTuple):
     label: int | None = None
 
     def scaled(self, mesh: "tuple[np.ndarray, np.ndarray]") -> "tuple[np.ndarray, np.ndarray]":
-        """Vertices and faces of ``mesh``, scaled."""
         return (mesh[0] * self.scale, mesh[1]) if self.scale != 1 else mesh
 
     def shaped(self, skeleton: "Skeleton") -> "Skeleton":

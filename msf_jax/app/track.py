@@ -19,11 +19,8 @@ SHARES = ("inside", "crowded", "grown")  # columns of the table, attributes of a
 
 
 def frames_in(folder: str, output: str) -> list[Path]:
-    """The meshes in ``folder``, frame2 before frame10.
-
-    Raises:
-        ConfigError: the folder has no mesh or two of one name, or ``output`` is that folder.
-    """
+    """The meshes in ``folder``, frame2 before frame10; a `ConfigError` if there is none, two have one name, or
+    ``output`` is that folder."""
     paths = reading.meshes_in(folder, output)
     if len({path.stem for path in paths}) < len(paths):
         raise ConfigError(f"two meshes in {folder!r} have one name and two suffixes: expected one for each frame")
@@ -35,13 +32,8 @@ def run(
     skeleton: Skeleton, paths: list[Path], output: str, *, suffix: str, progress: bool
 ) -> tuple[Path, int, list[str]]:
     """Follow ``skeleton`` through the meshes at ``paths``, and write a curve with ``suffix`` for each to ``output``.
-
-    Returns:
-        The table's path, how many frames have no curve, and a line about each frame that needs a fresh run.
-
-    Raises:
-        MeshError: a frame cannot be read, or has other faces. The frames before it have their curves and rows.
-    """
+    Returns the table's path, how many frames have no curve, and a line about each frame that needs a fresh run. After
+    the `MeshError` of a frame that cannot be read, or has other faces, those before it have their curves and rows."""
     folder, tracker, text = made_folder(output), Tracker(skeleton), io.StringIO()
     table = csv.writer(text)
     table.writerow(["frame", "mesh", "curve", "vanished", *SHARES, "wants_run"])

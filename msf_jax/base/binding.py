@@ -8,9 +8,8 @@ where a smooths along the branches. At the recorded vertices node i differs from
 of b turn, stretch and shear this vector with the limb.
 
 A binding is a pytree of arrays without static fields. Several are joined to one as graph libraries batch: rows of all
-meshes follow each other, and numbers of rows are shifted. Arrays are padded to a capacity, whose bindings share a
-compiled program. Padding is assigned to the last node and the last section, which no curve uses, and refers to vertices
-that the curve uses: it changes no value and no gradient.
+meshes follow each other. Arrays are padded to a capacity, whose bindings share a compiled program. Padding is assigned
+to the last node and the last section, which no curve uses: it changes no value and no gradient.
 """
 
 from typing import Any, NamedTuple
@@ -111,14 +110,9 @@ class Binding(NamedTuple):
         return Sizes(**{kind: np.shape(getattr(self, names[0]))[0] for kind, names in ROWS.items()})
 
     @property
-    def num_vertices(self) -> int:
-        """The capacity of vertices."""
-        return np.shape(self.vertices)[0]
-
-    @property
     def vertex_mask(self) -> Any:
         """(V,) bool: rows that are vertices, not padding."""
-        return self.live.vertices.sum() > np.arange(self.num_vertices, dtype=np.int32)
+        return self.live.vertices.sum() > np.arange(self.capacity.vertices, dtype=np.int32)
 
     @property
     def node_mask(self) -> Any:
@@ -152,11 +146,9 @@ class Binding(NamedTuple):
         return [part for part, num in zip(parts, np.reshape(self.live.vertices, -1), strict=True) if num]
 
     def like(self, *others: "Binding") -> "Binding":
-        """This binding in the largest capacities of ``others``, so that a program of one capacity serves all of them.
-
-        If one of ``others`` is of B meshes, so is the result: those that this one lacks are padding, see ``mesh_mask``.
-        A `ConfigError` is raised if one of ``others`` is no binding, there are none, or a capacity is too small.
-        """
+        """This binding in the largest capacities of ``others``, whose compiled programs then serve it. If one of these
+        is of B meshes, so is the result: those that this one lacks are padding, see ``mesh_mask``. A `ConfigError` is
+        raised if one of ``others`` is no binding, there are none, or a capacity is too small."""
         if not others or not all(isinstance(each, Binding) for each in others):
             kinds = ", ".join(type(each).__name__ for each in others) or "nothing"
             raise ConfigError(f"others are {kinds}: expected msf_jax.Binding, of skeletons or stack")

@@ -1,7 +1,5 @@
-"""The clock of a run: the seconds of its stages, and when it has to end, by Ctrl-C or because its time is over.
-
-The run asks it between iterations and passes. One worker thread computes what is asked for later.
-"""
+"""The clock of a run: the seconds of its stages, and when it has to end, by Ctrl-C or because its time is over; and the
+worker thread, which computes what a run asks for later."""
 
 import contextvars
 import math
@@ -45,10 +43,8 @@ class Clock:
 
     @contextmanager
     def listening(self) -> Iterator[None]:
-        """In this context the first Ctrl-C ends the run when it asks, and the second one raises KeyboardInterrupt.
-
-        Only Python's main thread is interrupted; where another handler is set, it stays.
-        """
+        """In this context the first Ctrl-C ends the run when it asks, and the second one raises KeyboardInterrupt; in
+        Python's main thread only, and where no other handler is set."""
 
         def press(number: int, frame: Any) -> None:
             if self.was_pressed:

@@ -23,12 +23,6 @@ class Polynomial(NamedTuple):
     top: Any
 
 
-class Basis(NamedTuple):
-    """The filter Phi Phi^T, ``basis`` (V, k)."""
-
-    basis: Any
-
-
 class Stretch(NamedTuple):
     """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
 
@@ -55,11 +49,11 @@ class Part(NamedTuple):
     """The tape of one component. Its first rows are those of the surface at the start of the flow.
 
     vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
-    mesh_filter, site_filter: of the mesh itself and of the sites of poles, or None. gather: the matrix (n, V) from
-    vertices to first rows. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see `recording.records.record_poles`.
-    meso_row: (m,) rows of the last workspace. nodes, pins: the matrices (N, m) from the meso-skeleton to the nodes, and
-    (N, V) from the caller's vertices to those nodes that are means of pins. is_held: (N,) these nodes. centre: (3,),
-    diagonal: (), axes: (3, 3): the frame.
+    mesh_filter, site_filter: of the mesh itself and of the sites of poles: a `Polynomial`, Phi (V, k) of the filter
+    Phi Phi^T, or None. gather: the matrix (n, V) from vertices to first rows. tetrahedron: (n, 4), is_firm: (n,),
+    offset: (n, 3): see `recording.records.record_poles`. meso_row: (m,) rows of the last workspace. nodes, pins: the
+    matrices (N, m) from the meso-skeleton to the nodes, and (N, V) from the caller's vertices to those nodes that are
+    means of pins. is_held: (N,) these nodes. centre: (3,), diagonal: (), axes: (3, 3): the frame.
     """
 
     vertices: Any

@@ -1,12 +1,11 @@
 """The layout of a surface in fixed-capacity buffers, which both the host and `device` know.
 
-Each capacity is a compiled program, so there are few: three for meshes of up to 50,000 vertices, where the flow starts
-from some 20,000. Rows are sorted by degree, the largest first, so that the rows that use slot k of the one-rings are a
-prefix of all rows. The slots form a staircase of four levels: 6 for all rows, two more for half of them, four more for
-an eighth, and a tail for one row in 64. That is 7.9 numbers a vertex, for 24 in a rectangle for the largest degree of a
-flow, and a CG step spends nearly all its time gathering them.
+Each capacity is a compiled program, so there are few. Rows are sorted by degree, the largest first, so that the rows
+that use slot k of the one-rings are a prefix of all rows. The slots form a staircase of four levels: 7.9 numbers a
+vertex, for 24 in a rectangle for the largest degree of a flow. A CG step spends nearly all its time gathering them.
 """
 
+from itertools import accumulate
 from typing import NamedTuple
 
 SMALLEST_CAPACITY = 2048  # vertices: the smallest capacity; smaller ones would not be faster
@@ -39,33 +38,28 @@ class Layout(NamedTuple):
         return self.levels[-1].end
 
 
-def _layout(capacity: int, shape: list[tuple[int, int]]) -> Layout:
-    levels, offset = [], 0
-    for slots, rows in shape:
-        levels.append(Level(slots, rows, offset))
-        offset = levels[-1].end
-    return Layout(capacity, tuple(levels))
+def _layout(capacity: int, *shape: tuple[int, int]) -> Layout:
+    offsets = accumulate((slots * rows for slots, rows in shape), initial=0)
+    return Layout(capacity, tuple(Level(*each, offset) for each, offset in zip(shape, offsets, strict=False)))
 
 
 def staircase(capacity: int, largest_degree: int) -> Layout:
     """The usual layout: 6, 2, 4 and 28 slots for all, 1/2, 1/8 and 1/64 of the rows."""
     tail = RAGGED_TAIL if largest_degree <= 12 + RAGGED_TAIL else -(-(largest_degree - 12) // 32) * 32
-    return _layout(capacity, [(6, capacity), (2, capacity // 2), (4, capacity // 8), (tail, capacity // 64)])
+    return _layout(capacity, (6, capacity), (2, capacity // 2), (4, capacity // 8), (tail, capacity // 64))
 
 
 def rectangle(capacity: int, largest_degree: int) -> Layout:
     """The layout for a surface whose degrees fit no staircase: the same number of slots for every row."""
-    return _layout(capacity, [(-(-largest_degree // 8) * 8, capacity)])
+    return _layout(capacity, (-(-largest_degree // 8) * 8, capacity))
 
 
 def capacity_for(count: int) -> int:
     """The smallest capacity for ``count`` vertices: 2048, 7168, 21504, 43008, ..."""
-    size, *larger = (int(SMALLEST_CAPACITY * times) for times in (1, *LARGER))
-    while size < count and larger:
-        size = larger.pop(0)
-    while size < count:
-        size *= 2
-    return size
+    sizes = [int(SMALLEST_CAPACITY * times) for times in (1, *LARGER)]
+    while sizes[-1] < count:
+        sizes.append(2 * sizes[-1])
+    return next(size for size in sizes if size >= count)
 
 
 def fits(layout: Layout, count: int, rows_beyond: list[int]) -> bool:
@@ -81,10 +75,8 @@ def fits(layout: Layout, count: int, rows_beyond: list[int]) -> bool:
 
 
 def layout_for(count: int, rows_beyond: list[int]) -> Layout:
-    """The smallest layout for ``count`` vertices, of which ``rows_beyond[k]`` have more than k neighbours.
-
-    The next larger capacity is tried before the rectangle, because a few more rows cost less than many more slots.
-    """
+    """The smallest layout for ``count`` vertices, of which ``rows_beyond[k]`` have more than k neighbours; the next
+    larger staircase before the rectangle, because a few more rows cost less than many more slots."""
     largest_degree = len(rows_beyond)
     for size in (capacity_for(count), capacity_for(capacity_for(count) + 1)):
         layout = staircase(size, largest_degree)

@@ -13,7 +13,7 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 
 SMOOTH = 1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by 2e-3 of an objective
-TIGHT = 1e-6  # the same in `Config.tight`: derivatives predict runs to 3e-3 of an objective, for 2e-2 of a step
+TIGHT = 1e-6  # the same in `Config.tight`
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.system``
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``FlowOptions.laplacian``
 POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
@@ -335,9 +335,8 @@ class Config(Options):
     def smooth(cls, iterations: int = 6, **changes: Any) -> "Config":
         """The default system without decisions: ``iterations`` steps of the mesh as it is, with tight solves.
 
-        The contracted surface is then a smooth function of weights and vertices, and the replay of one tape, in
-        float64, a fresh run at any weights: `tune` needs this for weights per vertex. A surface that is not edited also
-        contracts along its limbs, so that a curved limb may leave its axis.
+        In float64 the replay of one tape is then a fresh run at any weights, as `tune` needs. A surface that is not
+        edited also contracts along its limbs, so that a curved limb may leave its axis.
         """
         base = cls(
             coarsen=0.0,
@@ -349,11 +348,9 @@ class Config(Options):
         return base.replace(**changes)
 
     def tight(self) -> "Config":
-        """This configuration with solves to a residual of 1e-6 at least, none of which ends by the length of a step.
-
-        Loose solves of each run stop elsewhere, so that no derivative predicts them. A tight run takes several times
-        the CG steps. A "factored" system is solved tightly as it is.
-        """
+        """This configuration with solves to a residual of 1e-6 at least, none of which ends by the length of a step: no
+        derivative predicts where loose ones stop. It takes several times the CG steps. A "factored" system is solved
+        tightly as it is."""
         if self.solver.preconditioner == FACTORED:
             return self
         return self.replace(solver={"tolerance": min(self.solver.tolerance, TIGHT), "step_tolerance": 0.0})

@@ -25,11 +25,9 @@ def made_folder(path: str | os.PathLike[str]) -> Path:
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
-    """Write ``content`` to a new file and rename that to ``path``, which is never a partly written file.
-
-    If ``path`` is a link, its target is replaced. The new file has the permissions of the old one. Text is UTF-8;
-    bytes of a name that are not, which Python keeps as halves of surrogate pairs, are written as they are.
-    """
+    """Write ``content`` to a new file and rename that to ``path``, which is never a partly written file. If ``path`` is
+    a link, its target is replaced. The new file has the permissions of the old one. Text is UTF-8, but for bytes of
+    names, which Python keeps as halves of surrogate pairs."""
     target = Path(os.path.realpath(path))
     data = content.encode("utf-8", "surrogateescape") if isinstance(content, str) else content
     beside = target.with_name(f".msf_jax-{secrets.token_hex(8)}.tmp")

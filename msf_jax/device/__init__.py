@@ -1,8 +1,5 @@
-"""Jitted, differentiable steps on padded buffers, in JAX only.
-
-`Weights` are registered as a pytree here, and not where they are defined, so that options and the command line's help
-do not import JAX.
-"""
+"""Jitted, differentiable steps on padded buffers, in JAX only. `Weights` are registered as a pytree here, so that
+options and the command line's help do not import JAX."""
 
 from typing import Any
 

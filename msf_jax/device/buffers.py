@@ -62,10 +62,8 @@ def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
 
 @traced_once
 def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
-    """y_i = sum over the slots of row i of weight times x[neighbour], for weights (S,) and x (n, c).
-
-    From the last level on, each is added to a prefix of the rows of the level before it.
-    """
+    """y_i = sum over the slots of row i of weight times x[neighbour], for weights (S,) and x (n, c). From the last
+    level on, each is added to a prefix of the rows of the level before it."""
     total = _level_product(layout.levels[-1], weights, neighbour, x)
     for level in layout.levels[-2::-1]:
         lower, total = total, _level_product(level, weights, neighbour, x)

@@ -50,11 +50,9 @@ class Descent(NamedTuple):
 
 
 def _descended(A: Map, M: Map, b: jax.Array, smallest: Any, solver: SolverOptions, in_python: bool = False) -> Descent:
-    """CG for A x = b from x = 0, preconditioned by M, a symmetric positive definite operator near A's inverse.
-
-    It also ends after a step that changes every entry by less than ``smallest``. The first step is always made, in the
-    loop, whose body then is compiled once, and passes a NaN in b on.
-    """
+    """CG for A x = b from x = 0, preconditioned by M, a symmetric positive definite operator near A's inverse. It also
+    ends after a step that changes every entry by less than ``smallest``. The first step, which passes a NaN in b on, is
+    always made, in the loop, whose body then is compiled once."""
 
     def follow(now: Descent) -> Descent:
         product = A(now.direction)
@@ -115,8 +113,8 @@ def solve(
     does not end by it is NaN.
 
     JAX calls the same solve for derivatives. One more row tells them from this one: in its right-hand side it is 1, and
-    0 in theirs; in the unknown it is the number of steps, negative if the solve has not ended. (Steps as auxiliary data
-    would become a batch under `jax.jacfwd`, which JAX refuses.)
+    0 in theirs; in the unknown it is the number of steps, negative if the solve has not ended. (`jax.jacfwd` refuses
+    them as auxiliary data.)
     """
     is_short = isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE  # a traced one may be tight
     operator, b, smallest, left = _together((operator, b, smallest, left))

@@ -1,4 +1,5 @@
-"""Contraction and smoothing: the same least-squares step with different parameters (article Eq. 2 and 3.2.3).
+"""Contraction and smoothing (an implicit Laplacian step; Desbrun et al. 1999): the same least-squares step with
+different parameters (article Eq. 2 and 3.2.3).
 
 The unknown is the displacement D = V' - V, which is zero at fixed vertices. The step minimises
 
@@ -36,17 +37,6 @@ class Energy(NamedTuple):
     beta: jax.Array
     hold: jax.Array
     attract: jax.Array
-
-
-def contracting(w_L: jax.Array, w_H: jax.Array, w_M: jax.Array) -> Energy:
-    """The contraction, article Eq. 2, for weights (n,) each."""
-    return Energy(jnp.zeros_like(w_L), w_L, w_H**2, w_M**2)
-
-
-def smoothing(strength: jax.Array) -> Energy:
-    """One implicit Laplacian step (Desbrun et al. 1999) of ``strength`` lambda (n,), dimensionless like L."""
-    zero = jnp.zeros_like(strength)
-    return Energy(jnp.ones_like(strength), -strength, zero, zero)
 
 
 @jax.tree_util.register_dataclass
@@ -107,9 +97,7 @@ def relaxed(
 
 def normal_equations(buffers: Buffers, rows: LaplacianRows, energy: Energy, layout: Layout) -> tuple[Gram, jax.Array]:
     """The operator, and the right-hand side (n, 3), of the displacement that minimises ``energy``; see the module.
-
-    Differentiable in: buffers.positions, buffers.poles, rows, energy.
-    """
+    Differentiable as `relaxed` is."""
     positions, free, neighbour = buffers.positions, buffers.free[:, None], buffers.rings.neighbour
     beta = buffers.free * energy.beta
     out, into = at_rows(layout, beta) * rows.out, beta[neighbour] * rows.into

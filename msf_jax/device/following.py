@@ -17,8 +17,8 @@ VANISHED = 1e-3  # of a section's area to the mean square of its corners' distan
 
 
 class Followed(NamedTuple):
-    """nodes: (N, 3), in the mesh's units. radii: (N,) signed distance to the surface without
-    the lids of openings, negative for a node outside."""
+    """nodes: (N, 3), in the mesh's units. radii: (N,) signed distance to the surface without the lids of openings,
+    negative for a node outside."""
 
     nodes: jax.Array
     radii: jax.Array

@@ -1,7 +1,7 @@
 """One jitted iteration of the flow: update L, contract, smooth (the first three lines of Algorithm 2's loop)."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, reduce
 from typing import Any, NamedTuple
 
 import jax
@@ -13,7 +13,7 @@ from msf_jax.base.options import StepSettings, Weights
 from msf_jax.device import cg, laplacian
 from msf_jax.device.buffers import Buffers
 from msf_jax.device.cg import SolveReport
-from msf_jax.device.contraction import Energy, Gram, contracting, normal_equations, relaxed, smoothing
+from msf_jax.device.contraction import Energy, Gram, normal_equations, relaxed
 from msf_jax.device.laplacian import LaplacianRows
 
 
@@ -25,10 +25,9 @@ class Moved(NamedTuple):
 
 
 def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, left: Any = None) -> Moved:
-    """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
+    """One iteration on ``buffers``; weights are scalars or (n,), one value a row. ``left`` (2, n, 3): the residuals
+    that the solves shall leave, as a run reported them. Both are steps of one scan, so that one body is compiled.
 
-    ``left`` (2, n, 3): the residuals that the two solves shall leave, as a run reported them. Contraction and smoothing
-    are two steps of one scan, so that one body is compiled.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     energies = _energies(buffers, weights, settings, layout)
@@ -39,26 +38,22 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
         moved = buffers._replace(positions=positions)
         return relaxed(moved, _rows(moved, settings, layout), energy, layout, settings.solver, smallest, left)
 
-    lines = (
-        jax.tree_util.tree_map(lambda *both: jnp.stack(both), *energies),
-        jnp.stack([smallest, jnp.zeros_like(smallest)]),
-        left,
-    )
+    least = jnp.stack([smallest, jnp.zeros_like(smallest)])
+    lines = jax.tree.map(lambda *both: jnp.stack(both), *energies), least, left
     return Moved(*lax.scan(relax, buffers.positions, lines))
 
 
 def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout) -> tuple[Energy, Energy]:
     """The energies of the contraction and of the smoothing."""
-    one = jnp.ones_like(buffers.free)
+    one, zero = jnp.ones_like(buffers.free), jnp.zeros_like(buffers.free)
     # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
-    largest = lax.stop_gradient(
-        jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M))
-    )
-    w_L, w_H, w_M = (weight / largest * one for weight in (weights.w_L, weights.w_H, weights.w_M))
+    three = weights.w_L, weights.w_H, weights.w_M
+    largest = lax.stop_gradient(reduce(jnp.maximum, map(jnp.max, three)))
+    w_L, w_H, w_M = (weight / largest * one for weight in three)
     if settings.w_H_follows_area:
         area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
         w_H = w_H * jnp.sqrt(buffers.area / area)
-    return contracting(w_L, w_H, w_M * buffers.pull), smoothing(weights.smoothing * one)
+    return Energy(zero, w_L, w_H**2, (w_M * buffers.pull) ** 2), Energy(one, -(weights.smoothing * one), zero, zero)
 
 
 def _rows(buffers: Buffers, settings: StepSettings, layout: Layout) -> LaplacianRows:

@@ -57,7 +57,6 @@ def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
 
 def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """(cot(alpha) + cot(beta)) / 2 for the angles opposite the edge, or 0 if that is negative."""
-    del degree
     at_i = at_rows(layout, positions)
     edge, after, before = (positions[corner] - at_i for corner in (rings.neighbour, rings.after, rings.before))
     weight = 0.5 * (_cotangent(after, after - edge) + _cotangent(before, before - edge))
@@ -66,12 +65,8 @@ def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
 
 
 def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
-    """(cot(alpha) + cot(beta)) / 2, which may be negative: L x is the gradient of the area.
-
-    A flat triangle then keeps its middle corner between the outer two, and does not pull these together, which would
-    shorten a thin limb (see `_flattened`).
-    """
-    del degree
+    """(cot(alpha) + cot(beta)) / 2, which may be negative: L x is the gradient of the area. A flat triangle then does
+    not pull its outer corners together, which would shorten a thin limb (see `_flattened`)."""
     at_i, at_j = at_rows(layout, positions), positions[rings.neighbour]
     square = _square(at_j - at_i)
     after, before = positions[rings.after], positions[rings.before]
@@ -81,7 +76,6 @@ def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, la
 
 def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """1 for every edge."""
-    del degree, layout
     weight = jnp.ones(rings.is_used.shape, positions.dtype)
     return LaplacianRows(weight, weight)
 
@@ -96,15 +90,14 @@ WEIGHTS = {
 BOUNDED = ("signed_cotangent",)  # kinds that are bounded without `limit`, which would break their symmetry
 
 
-def limit(rows: LaplacianRows, largest: float = LARGEST_ENTRY) -> LaplacianRows:
-    """The same rows with entries of at most ``largest``.
+def limit(rows: LaplacianRows) -> LaplacianRows:
+    """The same rows with entries of at most ``LARGEST_ENTRY``.
 
-    Vertices that nearly coincide, or a flat triangle, make large entries, which only keep two vertices together, as 20
-    times the regular weight does. The condition number of the normal equations grows with the square of the largest
-    entry: on a mesh of 6,002 vertices the limit halves the iterations and the CG steps.
+    Larger ones, of vertices that nearly coincide or of a flat triangle, only keep two vertices together, too. The
+    condition number of the normal equations grows with the square of the largest entry.
     Differentiable in: rows; the gradient of a limited entry is 0.
     """
-    return LaplacianRows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
+    return LaplacianRows(*(jnp.minimum(weight, LARGEST_ENTRY) for weight in rows))
 
 
 def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
@@ -135,8 +128,8 @@ def _sine_and_cosine(a: jax.Array, b: jax.Array) -> tuple[jax.Array, jax.Array]:
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
     """tan(alpha / 2) for the angle alpha between a and b, clamped to STEEPEST, with gradient 0 where it is clamped.
 
-    It is sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where 1 + cos cancels. Both agree only if sin^2 +
-    cos^2 = 1, and not for an edge shorter than SHORTEST, where the first is always used: no jump at 90 degrees.
+    It is sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where 1 + cos cancels; but for an edge shorter than
+    SHORTEST, where sin^2 + cos^2 is not 1, always the first: no jump at 90 degrees.
     """
     sine, cosine = _sine_and_cosine(a, b)
     is_obtuse = (cosine < 0) & (sine * sine + cosine * cosine > 0.99999)  # 1, but for rounding in float32
@@ -154,11 +147,9 @@ def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
 
 
 def _flattened(a: jax.Array, b: jax.Array, square: jax.Array) -> jax.Array:
-    """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``.
-
-    The divisor is at least LEAST_HEIGHT times the square of the longest edge: all three cotangents of a flat triangle
-    are reduced by one factor, and its energy, an area, is never negative.
-    """
+    """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``. The divisor is at
+    least LEAST_HEIGHT times the square of the longest edge: one factor reduces all three cotangents of a flat triangle,
+    and its energy, an area, is never negative."""
     longest2 = jnp.maximum(jnp.maximum(_square(a), _square(b)), square)
     is_point = longest2 < SHORTEST**4
     unit = jnp.sqrt(jnp.where(is_point, 1.0, longest2))[..., None]

@@ -1,8 +1,8 @@
 """The nearest triangle of a moved surface for many points, and the side of the surface that they are on.
 
-Triangles are stored in runs of neighbours, mesh by mesh. A bounding ball of each run is computed from its moved
-corners. Runs whose ball is farther from a point than a known triangle of its mesh are skipped. So the result is exact
-for every motion, although few triangles are tested. The nearest triangle is held fixed in derivatives.
+Triangles are stored in runs of neighbours, mesh by mesh. Runs whose bounding ball, of the moved corners, is farther
+from a point than a known triangle of its mesh are skipped. So the result is exact for every motion, although few
+triangles are tested. The nearest triangle is held fixed in derivatives.
 
 The side follows from the pseudonormal of the nearest face, edge or corner (Baerentzen and Aanaes 2005): the sum of the
 normals around it, at a corner weighted by angles. It is exact for a closed surface that does not cross itself.
@@ -151,7 +151,8 @@ def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: j
         of, corner = here // 3, here % 3
         at = vertices[binding.faces[of]]
         middle, onward, back = (at[rows, (corner + shift) % 3] for shift in (0, 1, 2))
-        angle = _angles(onward - middle, back - middle)
+        normal, cosine = jnp.cross(onward - middle, back - middle), ((onward - middle) * (back - middle)).sum(-1)
+        angle = jnp.arctan2(jnp.sqrt(_square(normal)), cosine)
         total = jnp.where(is_done[:, None], total, total + angle[:, None] * _normals(binding, vertices, of))
         following = twin[3 * of + (corner + 2) % 3]
         return following.astype(jnp.int32), total, is_done | (following == first), steps + 1
@@ -169,9 +170,3 @@ def _normals(binding: Binding, vertices: jax.Array, face: jax.Array) -> jax.Arra
     normal = jnp.cross(b - a, c - a)
     length2 = _square(normal)[:, None]
     return jnp.where(length2 > 0, normal / jnp.sqrt(jnp.where(length2 > 0, length2, 1.0)), 0.0)
-
-
-def _angles(one: jax.Array, other: jax.Array) -> jax.Array:
-    """(P,) angles between pairs of vectors, in radians."""
-    normal = jnp.cross(one, other)
-    return jnp.arctan2(jnp.sqrt(_square(normal)), (one * other).sum(-1))

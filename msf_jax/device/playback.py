@@ -12,7 +12,7 @@ import jax
 import jax.numpy as jnp
 from jax import lax
 
-from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
+from msf_jax.base.decisions import Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import Layout
 from msf_jax.base.options import SolverOptions, StepSettings, Weights
 from msf_jax.device.buffers import Buffers, Rings
@@ -33,11 +33,10 @@ def replay_part(
     laplacian: str,
     max_steps: int,
 ) -> tuple[jax.Array, jax.Array]:
-    """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
+    """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units, for ``weights``, scalars or (V,),
+    ``vertices`` (V, 3) of the caller's mesh, and ``moved`` (V, 3), their displacement from the recorded ones. One
+    program serves every ``tolerance``, the relative residual of the solves. ``layouts``: of the stretches.
 
-    ``weights``: scalars, or one value for each of the caller's vertices. ``vertices`` (V, 3): of the caller's mesh.
-    ``moved`` (V, 3): their displacement from the recorded vertices. ``tolerance``: relative residual of the solves; one
-    program serves all. ``layouts``: of the stretches.
     Differentiable in: weights, vertices together with moved.
     """
     solver = SolverOptions(tolerance=tolerance, step_tolerance=0.0, max_steps=max_steps)
@@ -66,10 +65,10 @@ def _mixed(mixing: Mixing, values: jax.Array, num: int) -> jax.Array:
     return jax.ops.segment_sum(mixing.share[:, None] * values[mixing.column], mixing.row, num)
 
 
-def _filtered(kept: Polynomial | Basis, x: jax.Array) -> jax.Array:
-    if isinstance(kept, Basis):
-        num = kept.basis.shape[0]  # padded rows come after the vertices
-        return x.at[:num].set(kept.basis @ (kept.basis.T @ x[:num]))
+def _filtered(kept: Any, x: jax.Array) -> jax.Array:
+    if not isinstance(kept, Polynomial):
+        num = len(kept)  # padded rows come after the vertices
+        return x.at[:num].set(kept @ (kept.T @ x[:num]))
     num, width = kept.neighbour.shape
     degree = jnp.asarray(kept.degree, x.dtype)[:, None]
     used = (jnp.arange(width) < degree).astype(x.dtype)[:, :, None]

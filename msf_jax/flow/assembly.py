@@ -56,9 +56,8 @@ def assemble(
         shown = np.unique(np.linspace(0, last, MOST_STAGES).round().astype(int)).tolist()
         stages = tuple(stage_at(iteration, records, vertices, faces, is_fixed) for iteration in shown)
         source = Source(solid, _areas_of_input(checked, solid), pins, stages, followed)
-        figures = {}
-        if config.evaluate and not clock.reason:
-            figures = metrics.figures_of(solid.shape, solid.enter(finished.vertices), finished.edges)
+        is_scored = config.evaluate and not clock.reason
+        figures = metrics.figures_of(solid.shape, solid.enter(finished.vertices), finished.edges) if is_scored else {}
         report = Report(
             components=0,  # these, the cycles and the inside are those of a curve: see `_skeleton`
             mesh_components=len(reasons),  # including those that an interrupted run did not begin
@@ -115,30 +114,21 @@ def _notes(states: list[State], parts: list[ComponentCurve], history: tuple[Iter
     detail = math.ceil(20 * limbs[0][0]) / 20 if limbs else 0.0
     places = [place for least, place in limbs if least <= detail]
     ends = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places[:NAMED])
+    ends += ", ..." * (len(places) > NAMED)
     redone = sum(line.redone > 0 for line in history)
-    steps = "step was" if redone == 1 else "steps were"
-    notes = (
-        (
-            refused,
-            f"{counted(refused, 'edge')} of the curve may be outside: the search for paths inside reached its limit",
-        ),
-        (
-            closed,
-            f"no path inside was found for {counted(closed, 'edge')} of the curve: the solid may be in pieces there",
-        ),
-        (laid, f"edges are longer than the limbs' radius: geodesic wavefronts made the first form of {laid} {of}"),
-        (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
-        (unsought, f"the search for loops around {unsought} handles reached its limit"),
-        (cut, f"the run had to end before {cut} {of} had been finished"),
-        (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
-        (
-            places,
-            f"{counted(len(places), 'more limb')} at detail {detail:g}: ends at {ends}"
-            + ", ..." * (len(places) > NAMED),
-        ),
-        (redone, f"{redone} {steps} repeated with a smaller w_L: coordinates diverged"),
-    )
-    return [note for holds, note in notes if holds]
+    steps, edges = "step was" if redone == 1 else "steps were", partial(counted, noun="edge")
+    notes = {
+        f"{edges(refused)} of the curve may be outside: the search for paths inside reached its limit": refused,
+        f"no path inside was found for {edges(closed)} of the curve: the solid may be in pieces there": closed,
+        f"edges are longer than the limbs' radius: geodesic wavefronts made the first form of {laid} {of}": laid,
+        f"nodes of {sparse} {of} are far apart: the curves are long for their thickness": sparse,
+        f"the search for loops around {unsought} handles reached its limit": unsought,
+        f"the run had to end before {cut} {of} had been finished": cut,
+        f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left": tangles,
+        f"{counted(len(places), 'more limb')} at detail {detail:g}: ends at {ends}": places,
+        f"{redone} {steps} repeated with a smaller w_L: coordinates diverged": redone,
+    }
+    return [note for note, holds in notes.items() if holds]
 
 
 def _skeleton(
@@ -147,19 +137,17 @@ def _skeleton(
     vertices, edges, node_of_vertex, slenderness = stitched
     solid = source.solid
     components, cycles = graphs.cycle_count(len(vertices), edges)
-    radii = solid.radii(vertices)
-    inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
+    radii, curve = solid.radii(vertices), (solid.shape, solid.enter(vertices), edges, node_of_vertex)
+    inside = metrics.inside_fraction(*curve[:3], radii / solid.diagonal)
     is_used = checked.vertex_of_input >= 0  # a vertex of the caller's mesh that no face uses gets the nearest node
     mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
     mesh_map[~is_used] = spatial.KDTree(vertices).query(checked.strays)[1]
     skeleton = Skeleton(vertices, edges, radii, mesh_map, report, source)
     if slenderness is not None and not report.wavefronts:
-        vars(skeleton)["_slenderness"] = np.pad(
-            slenderness, (0, len(vertices) - len(slenderness)), constant_values=np.inf
-        )
+        new = np.full(len(vertices) - len(slenderness), np.inf)
+        vars(skeleton)["_slenderness"] = np.concatenate([slenderness, new])
     found: dict[str, Any] = {"doubts": (UNCHECKED,)}
     if not clock.reason:
-        curve = solid.shape, solid.enter(vertices), edges, node_of_vertex
         is_joined = report.joined_handles is not None
         found = assessed(*curve, lambda: skeleton.branches, is_joined) if is_finished else loops_of(*curve)
         found["notes"] = (*report.notes, *(bare_ends(*curve[:3]) if is_finished else ()))
@@ -170,12 +158,11 @@ def _skeleton(
 
 def _finished_skeleton(stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock) -> Skeleton:
     """The finished curve, extended to the centres of the openings that repair has closed."""
-    if not checked.rims:
-        return _skeleton(stitched, checked, report, source, clock)
     is_held = np.zeros(len(stitched.vertices), dtype=bool)
     is_held[stitched.node_of_vertex[checked.vertex_of_input[source.pins]]] = True
-    found = one_branch.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
-    if not len(found.ends):
+    curve = source.solid, stitched.vertices, stitched.edges, is_held
+    found = one_branch.opened(*curve, lids_of_repair(checked)) if checked.rims else None
+    if found is None or not len(found.ends):
         return _skeleton(stitched, checked, report, source, clock)
     source = replace(source, solid=Solid(checked.vertices, checked.faces, found.lids))
     node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
@@ -194,9 +181,8 @@ def lids_of_repair(checked: Surface) -> np.ndarray:
     of_corner = number[checked.faces]
     lids = np.flatnonzero((of_corner[:, 0] > 0) & (of_corner == of_corner[:, :1]).all(axis=1))
     given = np.sort(checked.vertex_of_input[checked.given[1]], axis=1)
-    both = np.unique(np.concatenate([given, np.sort(checked.faces[lids], axis=1)]), axis=0, return_inverse=True)[
-        1
-    ].ravel()
+    rows = np.concatenate([given, np.sort(checked.faces[lids], axis=1)])
+    both = np.unique(rows, axis=0, return_inverse=True)[1].ravel()
     return lids[~np.isin(both[len(given) :], both[: len(given)])]
 
 
@@ -214,7 +200,7 @@ def _record(checked: Surface, state: State, part: ComponentCurve, member: np.nda
         num_meso=len(state.meso.positions),
         thinning=part.meso.edits,
         node_of_meso=np.where(part.found.is_counted, node, -1),
-        node_of_pin=curves.node_of_input(part)[state.pins],
+        node_of_pin=curves.curve_node_of_input(part)[state.pins],
         num_nodes=len(part.curve.nodes),
     )
 

@@ -1,7 +1,7 @@
 """The curve of each component: extracted from the contracted surface, finished, and joined with the others."""
 
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import spatial
@@ -14,7 +14,6 @@ from msf_jax.curve.finishing import Draft, Finished, Job
 from msf_jax.flow.state import State
 from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs import one_branch
-from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.checking import Surface
 from msf_jax.meso import edits, surgery
 from msf_jax.meso.meso import Meso
@@ -39,11 +38,8 @@ class ComponentCurve(NamedTuple):
 
 
 def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
-    """The curve of a component's contracted surface, as extracted and finished.
-
-    If more than ``MOST_VOLUME`` is left, the curve is a tangle that no pass can correct. It is not finished, unless
-    geodesic wavefronts over the surface make the curve. If the run has to end, the surface is thinned before.
-    """
+    """The curve of a component's contracted surface, as extracted and finished; a tangle, with more than
+    ``MOST_VOLUME`` left, is not finished, unless geodesic wavefronts over the surface make the curve."""
     with clock.stage("curve"):
         meso = state.meso if config.flow.edit_connectivity else _thinned(state.meso, config.flow.threshold_min)
         if clock.reason:  # a surface that has hardly contracted has so many edges that its extraction takes seconds
@@ -55,7 +51,7 @@ def curve_of(state: State, config: Config, clock: Clock) -> ComponentCurve:
         nodes[is_held] = means(state.outside.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with clock.stage("finishing"):
         coarse = state.coarse if state.shape is state.outside else state.shape  # with the cavities
-        limbs = partial(LimbTree, state.outside) if state.limbs is None else state.limbs.result
+        limbs: Any = state.limbs and state.limbs.result
         every = np.arange(len(nodes))
         done = finishing.finish(
             Job(state.shape, coarse, config.least_slenderness, Roadmap(state.shape), limbs, config.detail),
@@ -92,14 +88,9 @@ def _thinned(meso: Meso, t_c: float) -> Meso:
 
 def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
     """A pass that moves the nodes left by surgery back to the middle of the solid."""
-    x = surgery.recentred(
-        draft.vertices,
-        draft.edges,
-        found.node_of_meso[meso.node_of_input],
-        meso.positions[meso.node_of_input],
-        job.shape.vertices,
-        job.shape.faces,
-    )
+    row, shape = meso.node_of_input, job.shape
+    contracted = found.node_of_meso[row], meso.positions[row]
+    x = surgery.recentred(draft.vertices, draft.edges, *contracted, shape.vertices, shape.faces)
     x[draft.is_held] = draft.vertices[draft.is_held]
     return draft.changed(x)
 
@@ -115,8 +106,8 @@ def is_left(state: State, part: ComponentCurve) -> bool:
 
 
 class Stitched(NamedTuple):
-    """A curve in the caller's units: vertices (N, 3), edges (E, 2), node_of_vertex (V,) of the checked surface, and the
-    slenderness (N,) of leaves, if it is known."""
+    """A curve in the caller's units: vertices (N, 3), edges (E, 2), node_of_vertex (V,) of the checked surface, and, if
+    known, slenderness (N,) of leaves."""
 
     vertices: np.ndarray
     edges: np.ndarray
@@ -131,7 +122,7 @@ def stitched(
     ids, then the new ones."""
     flow, finished = [], []
     for state, part in zip(states, parts, strict=True):
-        own, done, curve = node_of_input(part), part.finished, part.finished.draft[:2]
+        own, done, curve = curve_node_of_input(part), part.finished, part.finished.draft[:2]
         node = own if done.node_of_vertex is None else done.node_of_vertex
         if not (is_left(state, part) or done.is_cut or clock.reason):
             node = branches.nearest_on_branch(*curve, state.outside.vertices, node)
@@ -153,7 +144,7 @@ def _joined(
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
     for number, (state, part, (nodes, own, node)) in enumerate(zip(states, parts, curves, strict=True)):
         member, lining, count = checked.members[number][state.order], checked.linings[number], len(part.curve.nodes)
-        exact = means(checked.vertices[member[state.pins]], node_of_input(part)[state.pins], count)
+        exact = means(checked.vertices[member[state.pins]], curve_node_of_input(part)[state.pins], count)
         placed = state.frame.leave(nodes)
         placed[:count][part.is_held] = exact[part.is_held]
         vertices.append(placed)
@@ -168,7 +159,7 @@ def _joined(
     return Stitched(np.concatenate(vertices)[order], edges, rank[node_of_vertex]), order
 
 
-def node_of_input(part: ComponentCurve) -> np.ndarray:
+def curve_node_of_input(part: ComponentCurve) -> np.ndarray:
     """(V,) the node of the flow's curve for each sorted vertex of the component."""
     return part.curve.node_of_meso[part.meso.node_of_input]
 

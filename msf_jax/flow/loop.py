@@ -1,8 +1,5 @@
-"""The flow, Algorithm 2: each component of a mesh is contracted until it is done, then its curve is extracted.
-
-`starting` prepares a component. `stepping` runs one iteration, where alone host and device meet, and says whether it
-was the last. `curves` extracts and finishes the curves. `assembly` makes one result of all components.
-"""
+"""The flow, Algorithm 2: each component of a mesh is contracted until it is done, then its curve is extracted. The
+steps of a run are in `guide/architecture.md`."""
 
 import reprlib
 from collections.abc import Iterable
@@ -44,12 +41,12 @@ def contract(
         with clock.stage("validation"):
             checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
         solid = Solid(checked.vertices, checked.faces)
-        held, pinned = checked_pins(pins, checked)
+        pins_given, pins = checked_pins(pins, checked)
         of_vertices = weights_of_vertices(weights, checked)
         prepared = begin(solid.prepare)
         states, reasons, parts = [], [], []
         for number, component in enumerate(checked.components):
-            pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
+            pins_here = np.flatnonzero(np.isin(checked.members[number], pins))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = None
             try:
@@ -69,20 +66,20 @@ def contract(
             reasons.append((False, clock.reason) if parts[-1].finished.is_cut else end)
             if clock.reason:  # the time that is left is for the curve so far
                 break
-        if not parts and clock.was_pressed:
-            raise KeyboardInterrupt("interrupted before the first iteration has ended: there is no curve yet")
         if not parts:
             when = "before the first iteration has ended: there is no curve"
+            if clock.was_pressed:
+                raise KeyboardInterrupt(f"interrupted {when} yet")
             raise FlowError(f"{clock.reason} {when}; expected more seconds")
         if len(parts) < len(checked.components):
             reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
             checked = checked.first(len(parts))
-            held = held[checked.vertex_of_input[held] >= 0]
+            pins_given = pins_given[checked.vertex_of_input[pins_given] >= 0]
             solid = Solid(checked.vertices, checked.faces)
         elif not clock.reason:
             with clock.stage("report"):
                 prepared.result()
-        run = assembly.assemble(checked, solid, held, states, reasons, parts, weights, config, clock)
+        run = assembly.assemble(checked, solid, pins_given, states, reasons, parts, weights, config, clock)
     if clock.was_pressed:
         count = len(run.history)
         raise Interrupted(f"interrupted after {count} iterations: the curve so far is in this exception's flow", run)
@@ -162,8 +159,8 @@ def checked_pins(pins: Any, checked: Surface) -> tuple[np.ndarray, np.ndarray]:
         given: np.ndarray = np.array(listed)
     except ValueError:  # lists of different lengths
         given = np.empty((0, 0))
-    if given.size == 0 and given.ndim == 1:
-        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+    if given.shape == (0,):
+        return given.astype(np.int64), given.astype(np.int64)
     if given.ndim != 1 or given.dtype.kind not in "iu" or given.min() < 0 or given.max() >= num:
         raise ConfigError(f"pins is {reprlib.repr(pins)}: expected vertex numbers from 0 to {num - 1}")
     rows = checked.vertex_of_input[given]

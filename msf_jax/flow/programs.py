@@ -1,14 +1,14 @@
 """Compiled iterations, one for each layout: compiled once in a process, and shared by all its runs.
 
-XLA takes seconds to compile `iteration.move`, and releases Python's lock meanwhile. A run meets several layouts, so the
-later ones are traced and compiled on the worker, while the first one is compiled and poles are found here. JAX's
-persistent cache keeps what was compiled for other processes, see `cache_compilations`.
+A run meets several layouts, and XLA takes seconds for each, without Python's lock. So the later ones are traced and
+compiled on the worker, while the first one is compiled and poles are found here.
 """
 
 import os
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -33,9 +33,8 @@ WORTH_KEEPING = 0.2  # seconds: programs that compile faster are not stored
 # Options of JAX that a program depends on.
 SAME_FOR_ALL = ("jax_enable_x64", "jax_default_matmul_precision", "jax_debug_nans", "jax_numpy_dtype_promotion")
 
-# Since jaxlib 0.10.2, XLA on the CPU hands reductions to a library, where those of a step take several times as long. A
-# function that is traced in a user's program cannot have options, so a replay there stays slower. Slots written as
-# additions need no option, but then jaxlib 0.10.1 computes other bits with two threads than with one.
+# Since jaxlib 0.10.2, XLA on the CPU hands reductions to a library, where those of a step take several times as long.
+# Slots written as additions need no option, but jaxlib 0.10.1 then computes other bits with two threads than with one.
 OPTIONS: dict[str, str | bool] = {"xla_cpu_experimental_ynn_fusion_type": ""}
 
 Key = tuple[StepSettings, Layout, bool, str, str, tuple[str, ...]]  # what a program depends on, see `_key`
@@ -45,10 +44,8 @@ _lock = threading.Lock()
 
 
 def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> Program:
-    """`iteration.move` compiled for these settings and layout, as a function of buffers and weights.
-
-    Weights are scalars, or one value for each row (``of_vertices``). The first call takes seconds.
-    """
+    """`iteration.move` compiled for these settings and layout, as a function of buffers and weights: scalars, or one
+    value for each row (``of_vertices``). The first call takes seconds."""
     if settings.solver.preconditioner == FACTORED:
         return lambda buffers, weights: move_factored(buffers, weights, settings, layout, factored)
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
@@ -121,12 +118,9 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
     if folder is None and configured is not None:
         return Path(configured)
     path = Path(folder) if folder is not None else platformdirs.user_cache_path("msf_jax", appauthor=False)
-    try:
+    with suppress(OSError):
         path.mkdir(parents=True, exist_ok=True)
-        is_writable = os.access(path, os.W_OK)
-    except OSError:
-        is_writable = False
-    if not is_writable:
+    if not (path.is_dir() and os.access(path, os.W_OK)):
         if folder is None:
             return None
         raise ConfigError(f"cannot write to {str(path)!r}: expected a folder for compiled programs")
@@ -139,12 +133,12 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
 
 @cache
 def _hide_false_alarms() -> None:
-    """Let XLA print no errors while JAX has a program looked up, and compiled if none is stored.
-
-    For every stored program, JAX 0.10 prints two long lines about features that are "not supported on the host machine"
-    (jax issue 38445; JAX 0.12 does not). Errors of compiling are raised, too.
-    """
+    """Let XLA print no errors while JAX has a program looked up, and compiled if none is stored: for every stored one,
+    JAX 0.10 prints two long lines about features that are "not supported on the host machine" (jax issue 38445; JAX
+    0.12 does not). Errors of compiling are raised, too."""
     looking: set[int] = set()  # threads
+    named = os.environ.get("TF_CPP_MIN_LOG_LEVEL", "")
+    usual = min(int(named), 3) if named.isdecimal() else 1
 
     def begin_lookup(event: str, **_: Any) -> None:
         if event == "/jax/compilation_cache/compile_requests_use_cache":
@@ -155,7 +149,7 @@ def _hide_false_alarms() -> None:
         if event == "/jax/core/compile/backend_compile_duration":
             looking.discard(threading.get_ident())
             if not looking:
-                utils.absl_set_min_log_level(int(os.environ.get("TF_CPP_MIN_LOG_LEVEL", "1")))
+                utils.absl_set_min_log_level(usual)
 
     jax.monitoring.register_event_listener(begin_lookup)
     jax.monitoring.register_event_duration_secs_listener(end_lookup)

@@ -43,14 +43,15 @@ def init(
     """
     options = config.preprocessing
     clock.check()
-    frame, order, shape, solid = _entered(component)
-    faces = shape.faces
+    frame, order, outside, shape = _entered(component)
+    faces = outside.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
-    vertices, mesh_filter = shape.vertices, None
+    vertices, mesh_filter = outside.vertices, None
     if options.reconstruct_mesh:
         with clock.stage("reconstruction"):
-            vertices, mesh_filter = _rebuilt(vertices, faces, options.reconstruct_mesh, options)
-            vertices[pins] = shape.vertices[pins]
+            exact = options.exact_reconstruction
+            vertices, mesh_filter = _rebuilt(vertices, faces, options.reconstruct_mesh, exact)
+            vertices[pins] = outside.vertices[pins]
     meso = Meso.from_mesh(vertices, faces)
     meso.is_fixed[pins] = True
     meso.weights = None if weights is None else weights[order]
@@ -64,7 +65,7 @@ def init(
         )
     if component.genus:
         with clock.stage("homology"):
-            classes = half_edge_classes(shape.vertices, faces, shape.handles.surface)
+            classes = half_edge_classes(outside.vertices, faces, outside.handles.surface)
             meso.classes = ring_tables.beside_rings(meso.rings, faces, classes)
     clock.check()
     max_rows = GROWTH * meso.num_rows + GROWTH_MARGIN
@@ -73,14 +74,14 @@ def init(
             meso = _resampled(meso, options.resample)
     elif options.refine:
         with clock.stage("refining"):
-            _refine(meso, shape, options.refine)
+            _refine(meso, outside, options.refine)
     max_rows = max(max_rows, GROWTH * meso.num_rows)
     clock.check()
     meso, num_coarsened = _coarsened(meso, config, clock)
     clock.check()
     # A surface that was refined before has more triangles than the solid's own, and is no nearer to it.
-    is_coarsened = len(shape.vertices) > 2 * meso.num_rows and not (options.reconstruct_mesh or options.resample)
-    coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
+    is_coarsened = len(outside.vertices) > 2 * meso.num_rows and not (options.reconstruct_mesh or options.resample)
+    coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else outside
     with clock.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
     clock.check()
@@ -95,7 +96,7 @@ def init(
         limbs = begin(_find_limbs, coarse, config.least_slenderness, config.detail)
     found = None
     if options.use_poles:
-        found = _poles(meso, shape, options, clock)
+        found = _poles(meso, outside, options, clock)
         meso.poles = np.where(found.is_inside[:, None], found.poles, meso.positions)
         meso.has_pole = found.is_inside.copy()  # edits change the surface, not what was found
     start, meso.edits = Start(mesh_filter, meso.edits, found), []
@@ -105,12 +106,11 @@ def init(
         area = np.tile(triangle_areas(meso.positions[faces]), 3)
         ring_area = np.bincount(faces.T.ravel(), weights=area, minlength=meso.num_rows)
     return State(
-        component=component,
         number=number,
         frame=frame,
         order=order,
-        outside=shape,
-        shape=solid,
+        outside=outside,
+        shape=shape,
         coarse=coarse,
         pins=pins,
         first_volume=meso.volume(),
@@ -131,12 +131,12 @@ def _entered(component: Component) -> tuple[UnitFrame, np.ndarray, Enclosure, En
     frame = frame_of(component.vertices)
     entered = frame.enter(component.vertices)
     order, faces = sort_mesh(entered, component.faces)
-    shape = Enclosure(entered[order], faces)
+    outside = Enclosure(entered[order], faces)
     if component.cavities is None:
-        return frame, order, shape, shape
+        return frame, order, outside, outside
     lining, hollow = component.cavities
-    vertices, inner = np.concatenate([shape.vertices, frame.enter(lining)]), hollow + len(order)
-    return frame, order, shape, Enclosure(vertices, np.concatenate([faces, inner]))
+    vertices, inner = np.concatenate([outside.vertices, frame.enter(lining)]), hollow + len(order)
+    return frame, order, outside, Enclosure(vertices, np.concatenate([faces, inner]))
 
 
 def _find_limbs(shape: Enclosure, least: float, detail: float) -> LimbTree:
@@ -147,10 +147,8 @@ def _find_limbs(shape: Enclosure, least: float, detail: float) -> LimbTree:
 
 
 def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:
-    """The surface with its short edges collapsed, and the number of vertices removed.
-
-    The surface is returned unchanged if coarsening would change its volume by more than ``MOST_COARSENED``.
-    """
+    """The surface with its short edges collapsed, and the number of vertices removed; unchanged if its volume would
+    change by more than ``MOST_COARSENED``."""
     if not config.coarsen:
         return meso, 0
     with clock.stage("coarsening"):
@@ -162,8 +160,8 @@ def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:
 
 
 def _refine(meso: Meso, shape: Enclosure, refine: float) -> None:
-    """Split edges that are longer than ``refine``, and long compared with the limb's thickness: else patches slide
-    across holes. A surface whose long edges bound little area is left as it is."""
+    """Split edges that are longer than ``refine``, and long for their limb: else patches slide across holes. A surface
+    whose long edges bound little area is left as it is."""
     a, b = ring_tables.edges_from_rings(meso.rings)
     length = edits.edge_lengths(meso.positions, a, b)
     is_long = length > refine
@@ -180,10 +178,8 @@ def _refine(meso: Meso, shape: Enclosure, refine: float) -> None:
     edits.split_long_edges(meso, np.maximum(limit, least))
 
 
-def _rebuilt(
-    vertices: np.ndarray, faces: np.ndarray, k: int, options: PreprocessingOptions
-) -> tuple[np.ndarray, LowPass | None]:
-    kept = reconstruction.low_pass(faces, len(vertices), k, exact=options.exact_reconstruction)
+def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, exact: bool) -> tuple[np.ndarray, LowPass | None]:
+    kept = reconstruction.low_pass(faces, len(vertices), k, exact=exact)
     return reconstruction.apply(kept, vertices, faces), kept
 
 
@@ -199,20 +195,19 @@ def _resampled(meso: Meso, length: float) -> Meso:
 def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: Clock) -> FoundPoles:
     """Poles of the (reconstructed) surface, and whether each pulls: only inside the input's surface.
 
-    On a thin solid the reconstruction is left out: it keeps too few
-    frequencies, and would leave little more than the axis.
+    On a thin solid the reconstruction, which would leave little more than the axis, is left out.
     """
     sites, faces, kept = meso.positions, meso.faces(), None
     is_thin = meso.scale is not None and bool(np.median(meso.scale) < 1)
     if options.reconstruct_poles and not is_thin:
         with clock.stage("reconstruction"):
-            sites, kept = _rebuilt(sites, faces, options.reconstruct_poles, options)
+            sites, kept = _rebuilt(sites, faces, options.reconstruct_poles, options.exact_reconstruction)
         is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
     if is_thin:
         sites, kept = meso.positions, None
     with clock.stage("poles"):
-        seek = balls.ball_poles if options.poles == "balls" or (options.poles == "auto" and is_thin) else None
-        found = (seek or balls.voronoi_poles)(sites, faces, box=shape.vertices)
+        is_by_balls = options.poles == "balls" or (options.poles == "auto" and is_thin)
+        found = (balls.ball_poles if is_by_balls else balls.voronoi_poles)(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
         return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole)

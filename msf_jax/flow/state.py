@@ -11,7 +11,6 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.gradients.replay import Tape, record
-from msf_jax.meshes.checking import Component
 from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
 from msf_jax.recording.records import ComponentRecord, Recording, Start, Step
@@ -43,13 +42,9 @@ class Iteration(NamedTuple):
 
 @dataclass
 class State:
-    """A component under contraction.
+    """A component under contraction. The first group is set once; the second changes with every iteration."""
 
-    The first group is set once; the second changes with every iteration.
-    """
-
-    component: Component
-    number: int
+    number: int  # of the component
     frame: UnitFrame
     order: np.ndarray  # (V,) the component's vertex for each sorted vertex
     outside: Enclosure  # the input's surface, in the frame

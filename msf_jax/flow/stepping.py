@@ -1,6 +1,6 @@
 """One iteration of the flow (the loop of Algorithm 2): contract and smooth on the device, then edit on the host.
 
-`done` decides whether it was the last one, and says why.
+`ending` decides whether it was the last one, and says why.
 """
 
 from contextlib import nullcontext
@@ -53,8 +53,7 @@ def step(state: State, weights: Weights, config: Config, clock: Clock) -> None:
     meso = state.meso
 
     num, faces = len(order), meso.faces()
-    free, pull = (np.array(values[:num]) for values in (buffers.free, buffers.pull))
-    left = solves.left[:, :num].copy()
+    free, pull, left = (np.array(values) for values in (buffers.free[:num], buffers.pull[:num], solves.left[:, :num]))
     state.steps.append(Step(order, before, rings, degree, free, pull, left, factor, meso.edits))
     meso.edits = []
     state.history.append(
@@ -82,8 +81,8 @@ def step(state: State, weights: Weights, config: Config, clock: Clock) -> None:
 
 
 def packed(state: State, weights: Weights) -> tuple[Layout, np.ndarray, np.ndarray, Buffers, Weights]:
-    """The padded surface for a device step, still on the host: its layout, the vertex in each row, the rows of its
-    neighbours, see `packing.pack`, the buffers, and the weights, one value a row if they are by vertex."""
+    """The padded surface for a device step, still on the host: its layout, what `packing.pack` returns, and the
+    weights, one value a row if they are by vertex."""
     meso = state.meso
     layout = layout_for(meso.num_rows, packing.rows_beyond(meso.degree))
     # Solves end when vertices move by a small part of the least t_c of any limb.
@@ -97,11 +96,8 @@ def packed(state: State, weights: Weights) -> tuple[Layout, np.ndarray, np.ndarr
 def _moved(
     state: State, buffers: Buffers, weights: Weights, layout: Layout, order: np.ndarray, config: Config, clock: Clock
 ) -> tuple[Any, np.ndarray, float, int] | None:
-    """The device's step, repeated with a tenth of w_L while coordinates diverge.
-
-    Returns the solves' reports, the new positions (n, 3), the factor on w_L, and how often the step was repeated; None
-    if coordinates always diverge.
-    """
+    """The device's step, repeated with a tenth of w_L while coordinates diverge: the solves' reports, the new positions
+    (n, 3), the factor on w_L, and how often the step was repeated; None if coordinates always diverge."""
     dtype = np.dtype(real_dtype())
     for retries in range(RETRIES + 1):
         factor = state.w_L_factor * SHORTER**retries
@@ -135,11 +131,8 @@ def _edited(state: State, config: Config, clock: Clock) -> tuple[int, int]:
 
 
 def is_settled(history: list[Iteration], config: Config) -> bool:
-    """Whether little volume is left, and the area has hardly fallen over a whole period of the threshold.
-
-    Membranes between fixed vertices do not contract further: their edges are split as fast as they collapse. A curve
-    is extracted from membranes as from any thin surface.
-    """
+    """Whether little volume is left, and the area has hardly fallen over a whole period of the threshold, as membranes
+    between fixed vertices do not contract further: their edges are split as fast as they collapse."""
     period = max(edits.num_periods(*config.flow.thresholds), SHORTEST_PERIOD)
     volume = abs(history[-1].volume)
     is_thin = volume <= MEMBRANES and volume <= THINNED * history[-1].area

@@ -64,7 +64,7 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     binding, array = checked_vertices(skeleton, vertices)
     rows = slice(None if isinstance(skeleton, Binding) else len(skeleton.vertices))
     if any(isinstance(leaf, Tracer) for leaf in jax.tree.leaves((binding, array))):
-        nodes, radii = _follow(binding, jnp.pad(array, ((0, binding.num_vertices - len(array)), (0, 0))))
+        nodes, radii = _follow(binding, array)
         return Followed(nodes[rows], radii[rows])
     nodes, radii = evaluated(binding, array)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
@@ -80,10 +80,8 @@ _follow = jax.jit(following.follow)
 
 
 def evaluated(binding: Binding, vertices: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and radii with rows of padding, NaN at a node whose section has vanished, computed where ``vertices`` are.
-    NumPy pads, because JAX would compile this for every size."""
-    padded = np.pad(jax.device_get(vertices), ((0, binding.num_vertices - len(vertices)), (0, 0)))
-    return tuple(jax.device_get(_follow(*jax.device_put((binding, padded), _device_of(vertices)))))
+    """Nodes and radii with rows of padding, NaN where a section has vanished, computed where ``vertices`` are."""
+    return tuple(jax.device_get(_follow(*jax.device_put((binding, vertices), _device_of(vertices)))))
 
 
 def _device_of(array: Any) -> Any:
@@ -102,13 +100,13 @@ def binding_of(skeleton: Any) -> Binding:
 
 
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> tuple[Binding, Any]:
-    """The binding of ``skeleton``, and ``vertices`` (V, 3) as an array, whose numbers are checked if it is not traced.
-    Vertices that no face uses may be at any position."""
+    """The binding of ``skeleton``, and ``vertices`` (V, 3) as an array with its rows of padding. Numbers are checked if
+    they are not traced. Vertices that no face uses may be at any position."""
     binding, array = binding_of(skeleton), numbers_of("vertices", vertices, MeshError)
     is_whole = jnp.isdtype(array.dtype, "integral")
     wide = real_dtype() if is_whole else jnp.promote_types(array.dtype, jnp.float32)
     array = array.astype(jax.dtypes.canonicalize_dtype(wide))
-    rows = {len(skeleton.mesh_map) if isinstance(skeleton, Skeleton) else binding.num_vertices}
+    rows = {len(skeleton.mesh_map) if isinstance(skeleton, Skeleton) else binding.capacity.vertices}
     if isinstance(skeleton, Binding) and not isinstance(binding.faces, Tracer):  # padding may be left out
         rows.add(int(np.asarray(binding.live.vertices).sum()))
     if array.ndim != 2 or array.shape[1] != 3 or len(array) not in rows:
@@ -117,11 +115,14 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> tuple[Bindi
             f"vertices has shape {array.shape}: expected ({' or '.join(map(str, sorted(rows)))}, 3), as in the mesh of "
             f"the skeleton{padding}"
         )
-    if not isinstance(array, Tracer) and not isinstance(binding.faces, Tracer):
-        is_used = np.zeros(len(array), dtype=bool)
-        is_used[np.asarray(binding.faces)] = True
-        check_finite(array, is_used)
-    return binding, array
+    more = (0, binding.capacity.vertices - len(array)), (0, 0)
+    if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
+        return binding, jnp.pad(array, more)
+    is_used = np.zeros(len(array), dtype=bool)
+    is_used[np.asarray(binding.faces)] = True
+    check_finite(array, is_used)
+    padded, device = np.pad(jax.device_get(array), more), _device_of(array)  # JAX would compile this for every size
+    return binding, padded if device is None else jax.device_put(padded, device)
 
 
 def numbers_of(name: str, value: Any, error: type[Exception]) -> Any:

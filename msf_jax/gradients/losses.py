@@ -106,8 +106,7 @@ def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
 
 
 def turning(nodes: jax.Array, edges: Any, is_edge: Any) -> tuple[jax.Array, jax.Array]:
-    """One minus the cosine of the turn at each node (N,), and whether it has two neighbours; ``nodes`` (N, 3) in
-    diagonals, ``edges`` (E, 2). See `smoothness`."""
+    """One minus the cosine of the turn at each of ``nodes`` (N, 3), in diagonals, and whether it has two edges."""
     num, (a, b) = len(nodes), edges.T
     along = nodes[b] - nodes[a]
     along = jnp.where(is_edge[:, None], along / jnp.maximum(norm(along), SHORTEST)[:, None], 0.0)

@@ -46,9 +46,8 @@ def chords(found: Any, binding: Binding) -> jax.Array:
 
 @promoting()
 def integrals(found: Any, binding: Binding, values: Any) -> jax.Array:
-    """(E,) the integral of ``values`` (N,) of the nodes along each branch, linear on each edge.
-
-    The resistance of a branch to a flow that Poiseuille describes is 8 viscosity / pi times that of ``radius**-4``.
+    """(E,) the integral of ``values`` (N,) of the nodes along each branch, linear on each edge. (The resistance to a
+    Poiseuille flow is 8 viscosity / pi times that of ``radius**-4``.)
 
     Differentiable in: nodes, values.
     """
@@ -62,27 +61,23 @@ def integrals(found: Any, binding: Binding, values: Any) -> jax.Array:
 
 @promoting()
 def means(found: Any, binding: Binding, values: Any) -> jax.Array:
-    """(E,) the mean of ``values`` (N,) along each branch, such as ``found.radii`` or `areas`.
-
-    Differentiable in: nodes, values.
-    """
+    """(E,) the mean of ``values`` (N,) along each branch, such as ``found.radii`` or `areas`. Differentiable as
+    `integrals` is."""
     length = lengths(found, binding)
     return integrals(found, binding, values) / jnp.where(length > 0, length, 1.0)
 
 
 @promoting()
 def areas(skeleton: Any, vertices: Any) -> jax.Array:
-    """(N,) the area of the cross-section at each node, across the curve, for a mesh with moved ``vertices`` (V, 3).
+    """(N,) the area of the cross-section at each node, across the curve, for arguments of `msf_jax.follow`.
 
     As nodes are weighted means of the centroids of sections, this is that mean of their areas, projected along the
-    curve. NaN at a node that has no section of one limb near it: a pin, a node in a sheet; 0 in padding. Arguments are
-    those of `msf_jax.follow`.
+    curve. NaN at a node that has no section of one limb near it: a pin, a node in a sheet; 0 in padding.
 
     Differentiable in: vertices.
     """
     binding, array = checked_vertices(skeleton, vertices)
-    rows = binding.num_vertices - len(array)
-    area = _areas(binding, jnp.pad(array, ((0, rows), (0, 0))))
+    area = _areas(binding, array)
     return area if isinstance(skeleton, Binding) else area[: len(skeleton.vertices)]
 
 

@@ -1,8 +1,5 @@
-"""`replay`: the curve of a run, from its tape, as a function of its weights and of the mesh's vertices, in pure JAX.
-
-Its gradient is that of the run's geometry with all recorded decisions held fixed. It does not see that other weights
-may collapse, split or fix other vertices, or take more iterations.
-"""
+"""`replay`: the curve of a run, from its tape, as a function of its weights and of the mesh's vertices, in pure JAX. It
+does not see that other weights may collapse, split or fix other vertices, or take more iterations."""
 
 from dataclasses import dataclass, field
 from functools import partial
@@ -89,8 +86,7 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
 
     Args:
         tape: of a run, ``flow.tape``.
-        weights: each a number, or (V,), one value for each vertex of the mesh. Weights of a
-            merged or a new vertex are interpolated as its position is.
+        weights: each a number, or (V,), one for each vertex of the mesh, interpolated at merged and new vertices.
         vertices: (V, 3) of the mesh in the caller's units. The default is the recorded vertices.
         tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed (1e-6
             in float32), and 1e-8 where a derivative is, too, which is three to five times as fast and gives gradients
@@ -116,10 +112,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
 
 
 def replay_meso(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
-    """The vertices (n, 3) of the contracted surface, computed as in `replay`.
-
-    At the recorded weights and vertices they are ``flow.meso_skeleton[0]``.
-    """
+    """The vertices (n, 3) of the contracted surface, computed as in `replay`; at the recorded weights and vertices they
+    are ``flow.meso_skeleton[0]``."""
     return _replayed(tape, weights, vertices, tolerance)[0]
 
 

@@ -15,8 +15,7 @@ from msf_jax.gradients.follow import Followed
 
 
 def follow(skeleton: Any, vertices: Any) -> Followed:
-    """`msf_jax.follow` of a ``torch.Tensor`` (V, 3), float32 or float64, for a loss in PyTorch: tensors of its type and
-    on its device.
+    """`msf_jax.follow` of a ``torch.Tensor`` (V, 3), float32 or float64: tensors of its type and on its device.
 
     Differentiable in: vertices, once.
 

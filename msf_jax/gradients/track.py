@@ -1,8 +1,7 @@
 """`track`: one curve through a sequence of meshes with the same faces; the same nodes in each, and its validity.
 
-It evaluates `follow` for each frame. The recorded cross-sections can look right although a limb has entered another
-one, or a new limb has grown. So a frame is checked against its whole moved surface. A fold inside a bend, or limbs that
-touch, leave the curve where it belongs, and are no faults.
+The recorded cross-sections can look right although a limb has entered another one, or a new limb has grown. So a frame
+is checked against its whole moved surface. A fold inside a bend, or limbs that touch, are no faults.
 """
 
 from collections.abc import Iterable
@@ -58,10 +57,9 @@ class TrackedFrame:
         return bool(len(self.vanished)) or max(1 - self.inside, self.crowded, self.grown) > MOST_LOST
 
     def __repr__(self) -> str:
+        about = f"curve {self.inside:.2%} inside, {self.crowded:.2%} crowded; surface {self.grown:.2%} grown"
         if len(self.vanished):
             about = f"{len(self.vanished)} nodes without a section, the first {self.vanished[0]}"
-        else:
-            about = f"curve {self.inside:.2%} inside, {self.crowded:.2%} crowded; surface {self.grown:.2%} grown"
         return f"frame {self.number}: {about}{'; needs a fresh run' if self.wants_run else ''}"
 
 
@@ -95,9 +93,8 @@ class Track:
         return replace(skeleton, vertices=frame.nodes, radii=np.maximum(frame.radii, 0), report=report, source=None)
 
     def __repr__(self) -> str:
-        wanting = [frame for frame in self.frames if frame.wants_run]
-        lines = [f"{len(self.frames)} frames, {len(wanting)} of them need a fresh run"]
-        return "\n".join(lines + [str(frame) for frame in wanting])
+        lines = [str(frame) for frame in self.frames if frame.wants_run]
+        return "\n".join([f"{len(self.frames)} frames, {len(lines)} of them need a fresh run", *lines])
 
 
 def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) -> Track:

@@ -11,10 +11,8 @@ from msf_jax.topology import graphs
 
 
 class Complex:
-    """A closed surface, and then the remaining simplices; ``root`` is a union-find forest.
-
-    rings: (n, K). classes: (n, K) or None. pinned: vertices that are not merged with each other unless forced.
-    """
+    """A closed surface, and then the remaining simplices; ``root`` is a union-find forest. rings: (n, K). classes:
+    (n, K) or None. pinned: vertices that are not merged with each other unless forced."""
 
     def __init__(self, rings: np.ndarray, classes: np.ndarray | None, pinned: np.ndarray | None) -> None:
         num = len(rings)
@@ -70,11 +68,8 @@ class Complex:
         return True
 
     def open_face(self, edges: list[tuple[int, int]]) -> bool:
-        """Remove a face, with the first of ``edges`` that has no other face. False if no edge has a face.
-
-        This removes faces whose three edges all close cycles. If every edge has several faces, a face of the first edge
-        is removed. `cut_discs` removes cycles that bound a disc in the solid.
-        """
+        """Remove a face, with the first of ``edges`` that has no other face; if every edge has several, a face of the
+        first edge alone, and `cut_discs` removes the cycle later. False if no edge has a face."""
         closed = None
         for u, v in edges:
             u, v = self.find(u), self.find(v)
@@ -118,8 +113,8 @@ class Complex:
 
 
 def cut_discs(num: int, edges: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
-    """Which ``edges`` (E, 2) of class ``value``, of ``num`` vertices, stay if each cycle is cut whose class is zero, or
-    the sum of those of up to three others that come before it in the ``order``."""
+    """Which ``edges`` (E, 2) of class ``value``, of ``num`` vertices, stay if each cycle is cut whose class is zero or
+    the sum of up to three others', earlier in the ``order``."""
     stays = np.ones(len(edges), dtype=bool)
     closing, around, _ = graphs.cycles(num, edges, value, np.argsort(order))
     known, sums = {0}, {0}  # classes of cycles, and sums of two of them

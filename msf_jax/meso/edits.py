@@ -1,13 +1,12 @@
 """The edits of connectivity in an iteration: collapses, splits, and the fixing of vertices (article 3.2.4 to 3.2.6).
 
 Every edge shorter than t_c is collapsed to its midpoint. Collapses leave long thin triangles: an edge with two obtuse
-opposite angles is split where an apex projects on it, which adds a vertex that the contraction can move. The new vertex
-is on the old edge, so the shape does not change. Its pole is interpolated at the same fraction, but does not pull.
+opposite angles is split where an apex projects on it, for a vertex that the contraction can move. Its pole does not
+pull.
 
 Edits are applied in rounds. A round is a maximal set of edges, of which none changes the rings or the link conditions
-of another, shortest or longest first and ties by index. So they can be applied at once, and the surface stays a closed
-manifold of the same genus. After a round only the edges around edited vertices, and those that had to wait, are tested
-again: the cost depends on the number of edits, not on the size of the mesh.
+of another, shortest or longest first and ties by index. So the surface stays a closed manifold of the same genus. After
+a round only the edges around edited vertices, and those that had to wait, are tested again.
 """
 
 from collections.abc import Callable
@@ -16,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.meso import kernels, ring_tables
-from msf_jax.meso.meso import Fixing, Meso
+from msf_jax.meso.meso import Meso
 
 
 class CollapseRound(NamedTuple):
@@ -35,11 +34,8 @@ def edge_lengths(positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndar
 
 
 def shortest_first(a: np.ndarray, b: np.ndarray, length: np.ndarray, unit: float) -> np.ndarray:
-    """Order (c,) of the edges ab by length, ties by index.
-
-    Lengths that agree to 1e-6 of ``unit`` count as tied. So equal edges of a symmetric mesh stay tied although they
-    differ by rounding, and a scaled or shifted mesh is edited alike.
-    """
+    """Order (c,) of the edges ab by length, ties by index. Lengths that agree to 1e-6 of ``unit`` count as tied, so
+    that a symmetric, a scaled or a shifted mesh is edited alike in spite of rounding."""
     rounded = np.round(length / (1e-6 * unit))
     num_bits = int(max(a.max(initial=0), b.max(initial=0))).bit_length()
     if len(a) and rounded.min() >= 0 and rounded.max() < 2 ** (63 - 2 * num_bits):  # one key is sorted faster
@@ -48,10 +44,8 @@ def shortest_first(a: np.ndarray, b: np.ndarray, length: np.ndarray, unit: float
 
 
 def collapse_short_edges(meso: Meso, t_c: float, keep_faces: bool = False) -> list[CollapseRound]:
-    """Collapse in place until no edge shorter than ``t_c`` can be collapsed; returns the rounds.
-
-    With ``keep_faces`` no collapse turns a face by more than 60 degrees.
-    """
+    """Collapse in place until no edge shorter than ``t_c`` can be collapsed; returns the rounds. With ``keep_faces`` no
+    collapse turns a face by more than 60 degrees."""
     rounds, waiting, is_touched = [], Waiting(), np.ones(meso.num_rows, dtype=bool)
     surface = meso.surface()
     while len(waiting.find(kernels.short_edges, meso, is_touched, t_c)):
@@ -103,10 +97,8 @@ def first_apart(claims: np.ndarray, order: np.ndarray, num_vertices: int) -> np.
 
 
 class SplitRound(NamedTuple):
-    """One round of independent splits, (c,) each: the new vertex is (1 - fraction) a + fraction b.
-
-    ``apex`` projects on ab there; it is None if the fraction was given.
-    """
+    """One round of independent splits, (c,) each: the new vertex is (1 - fraction) a + fraction b, where ``apex``
+    projects on ab; that is None if the fraction was given."""
 
     a: np.ndarray
     b: np.ndarray
@@ -116,10 +108,8 @@ class SplitRound(NamedTuple):
 
 
 def split_obtuse_edges(meso: Meso, angle: float, shortest: float, max_rows: int) -> tuple[list[SplitRound], bool]:
-    """Split in place until no edge longer than ``shortest`` has two opposite angles over ``angle`` degrees.
-
-    Returns the rounds, and whether it stopped early because the surface would have more than ``max_rows`` vertices.
-    """
+    """Split in place until no edge longer than ``shortest`` has two opposite angles over ``angle`` degrees. Returns the
+    rounds, and whether it stopped early because the surface would have more than ``max_rows`` vertices."""
     cosine = np.cos(np.radians(angle))
     rounds, waiting, is_touched = [], Waiting(), np.ones(meso.num_rows, dtype=bool)
     whole: dict[str, np.ndarray] = {}
@@ -138,10 +128,8 @@ def split_obtuse_edges(meso: Meso, angle: float, shortest: float, max_rows: int)
 
 
 def split_long_edges(meso: Meso, longest: float | np.ndarray) -> None:
-    """Halve every edge longer than ``longest``, longest first, until none is left.
-
-    ``longest`` may be an array (n,): the limit of an edge, and of the vertex that halves it, is the mean of its ends'.
-    """
+    """Halve every edge longer than ``longest``, longest first, until none is left. Of an array (n,), the limit of an
+    edge, and of the vertex that halves it, is the mean of its ends'."""
     limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
     a, b = ring_tables.edges_from_rings(meso.rings)
     whole: dict[str, np.ndarray] = {}
@@ -187,10 +175,7 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> None:
     every = np.ones(meso.num_rows, dtype=bool)
     a, b, left, right, common = Waiting().find(kernels.short_edges, meso, every, t_f).T
     is_stuck = (common != 2) | (meso.degree[left] <= 3) | (meso.degree[right] <= 3)
-    count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)
-    fresh = (count >= 2) & ~meso.is_fixed
-    meso.is_fixed |= fresh
-    meso.edits.append(Fixing(np.flatnonzero(fresh)))
+    meso.is_fixed |= np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows) >= 2
 
 
 def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> float:

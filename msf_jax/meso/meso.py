@@ -15,12 +15,6 @@ from msf_jax.solid.geometry import signed_volume, triangle_areas
 ROWS = kernels.MesoArrays._fields  # the arrays with a row for each vertex
 
 
-class Fixing(NamedTuple):
-    """An edit: the vertices ``vertex`` (c,) were fixed."""
-
-    vertex: np.ndarray
-
-
 class Compaction(NamedTuple):
     """An edit: rows ``live`` (m,) became rows 0, 1, ..., and the others were dropped."""
 
@@ -32,13 +26,12 @@ class Meso:
     """A closed surface under contraction. Lengths are fractions of the input's bounding-box diagonal.
 
     positions: (n, 3). rings: (n, K), see `ring_tables`. degree: (n,), 0 for a dead row. poles: (n, 3), finite
-    everywhere. has_pole: (n,), False where the pole must not pull. classes: (n, K), the class of every edge (see
-    `solid.handles`), or None for a surface without handles.
-    is_fixed: (n,), True where the vertex has reached the skeleton and no longer moves. node_of_input: (V,), the row
-    that every vertex of the input has been merged into. scale: (n,) factor on lengths, up to 1, smaller on thin limbs
-    (see `inside.balls.scales`), or None if no limb is thin. weights: (n, 4), w_L, w_H, w_M and smoothing of every
-    vertex, or None if they are the same everywhere. edits: the edits of the connectivity, in order: `CollapseRound`,
-    `SplitRound`, `Fixing`, `Compaction`.
+    everywhere. has_pole: (n,), False where the pole must not pull. is_fixed: (n,), True where the vertex has reached
+    the skeleton and no longer moves. node_of_input: (V,), the row that every vertex of the input has been merged into.
+    classes: (n, K), the class of every edge (see `solid.handles`), or None for a surface without handles. scale: (n,)
+    factor on lengths, up to 1, smaller on thin limbs (see `inside.balls.scales`), or None if no limb is thin. weights:
+    (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None if they are the same everywhere. edits: those of the
+    connectivity, in order: `CollapseRound`, `SplitRound`, `Compaction`.
     """
 
     positions: np.ndarray
@@ -122,7 +115,6 @@ class Meso:
                 self.classes = np.pad(self.classes, ((0, 0), (0, missing)))
 
     def copied(self) -> "Meso":
-        """A copy of the surface."""
         return replace(self, **{name: value.copy() for name, value in vars(self).items() if value is not None})
 
     def compacted(self) -> "Meso":

@@ -54,21 +54,18 @@ def slots(rings: np.ndarray, degree: np.ndarray, layout: Layout) -> tuple[np.nda
     after[last] = rings[:, 0]
     before = np.concatenate([rings[last][:, None], rings[:, :-1]], axis=1)
 
-    flat = {name: np.empty(layout.num_slots, dtype=np.int32) for name in ("neighbour", "after", "before")}
-    is_used = np.zeros(layout.num_slots, dtype=bool)
-    slot = 0
+    flat, is_used, slot = np.empty((3, layout.num_slots), dtype=np.int32), np.zeros(layout.num_slots, dtype=bool), 0
     for level in layout.levels:
         own = np.arange(level.rows, dtype=np.int32)
         for k in range(level.slots):  # an unused slot refers to its own row
             part = slice(level.offset + k * level.rows, level.offset + (k + 1) * level.rows)
             count = int(np.searchsorted(-degree, -slot, side="left"))  # rows with more than `slot` neighbours
-            for name, table in (("neighbour", rings), ("after", after), ("before", before)):
-                flat[name][part] = own
-                if count:
-                    flat[name][part][:count] = table[:count, slot]
+            flat[:, part] = own
+            if count:
+                flat[:, part][:, :count] = [table[:count, slot] for table in (rings, after, before)]
             is_used[part][:count] = True
             slot += 1
-    return flat["neighbour"], flat["after"], flat["before"], is_used
+    return *flat, is_used
 
 
 def unpack(rows: np.ndarray, order: np.ndarray) -> np.ndarray:

@@ -1,9 +1,8 @@
 """Ordered one-rings: the connectivity of a closed oriented surface as one table.
 
 Row i of ``rings`` (n, K) lists the neighbours of vertex i counter-clockwise seen from outside, padded with -1. So the
-faces at i are ``(i, rings[i, k], rings[i, k + 1])``, cyclically. The table defines the surface: faces, edges, apexes of
-an edge and the link condition follow from it. An edit changes only nearby rows. The device gathers through the same
-table, transposed. A vertex has one row, and so one fan: pinched vertices cannot be represented.
+faces at i are ``(i, rings[i, k], rings[i, k + 1])``, cyclically: the table defines the surface. A vertex has one row,
+and so one fan: pinched vertices cannot be represented.
 """
 
 import numpy as np

@@ -6,8 +6,7 @@ A half-edge collapse i -> j merges vertex i, with all its edges, into j. Its cos
                                 F_b = |v_i - v_j| sum over the neighbours k of i of |v_i - v_k|,
 
 The shape cost F_a is a quadric: the distance of v_j from the lines of edges (through v, with direction a) that were
-contracted into the two. The sampling cost F_b penalises long edges. The cheapest edge with a face is collapsed first,
-until no edge has a face. `complex.Complex` delays merges that would pinch a loop of the solid.
+contracted into the two. The sampling cost F_b penalises long edges. The cheapest edge with a face is collapsed first.
 """
 
 import heapq
@@ -25,11 +24,9 @@ Quadric = tuple[float, ...]  # xx, xy, xz, yy, yz, zz of M, then M v, and v . M 
 
 
 def operate(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> None:
-    """Collapse, in place, all edges with a face, for vertices at ``positions`` (n, 3) and all edges ab (E,).
-
-    An edge that would pinch a loop waits until no others are left. If only such edges are left, one face is opened, or,
-    without classes, one edge is collapsed. It takes O(E log E) time, except for vertices of many neighbours.
-    """
+    """Collapse, in place, all edges with a face, for vertices at ``positions`` (n, 3) and all edges ab (E,). An edge
+    that would pinch a loop of the solid waits until no others are left. Then one face is opened, or, without classes,
+    one edge is collapsed."""
     work = _Costs(positions, a, b)
     heap = [(work.cost(i, j), i, j) for u, v in zip(a.tolist(), b.tolist(), strict=True) for i, j in ((u, v), (v, u))]
     heapq.heapify(heap)
@@ -138,24 +135,20 @@ def recentred(
 
     The region of a node is its vertices in ``node_of_vertex`` (V,). Boundary loops run half-way between its vertices
     and others, through the faces that have both. The displacement ``contracted - vertices`` (V, 3) is averaged over all
-    loops by length, so that a short loop, around a hole in the region, counts little. A node without a boundary moves
-    like the nearest node with one. A leaf moves like the node before it, because its region is often a patch on one
-    side of a limb, and its own loop would move it to that side.
+    loops by length. A node without a boundary moves like the nearest node with one. A leaf moves like the node before
+    it, because its region is often a patch on one side of a limb.
     """
     label, away = node_of_vertex[faces], contracted - vertices
-    num, ends, weights, moves = len(nodes), [], [], []
+    num, sides = len(nodes), []
     for k in range(3):  # faces with corner k on one side of a boundary, and the two others on the other side
         (c, a, b), (own, other, same) = (np.roll(rows, -k, axis=1).T for rows in (faces, label))
         is_cut = (other == same) & (own != other)
         c, a, b = c[is_cut], a[is_cut], b[is_cut]
         length = np.linalg.norm(vertices[a] - vertices[b], axis=1) / 2
         moved = length[:, None] * (2 * away[c] + away[a] + away[b]) / 4
-        for side in (own[is_cut], other[is_cut]):
-            ends.append(side)
-            weights.append(length)
-            moves.append(moved)
-    end, moved = np.concatenate(ends), np.concatenate(moves)
-    total = np.bincount(end, weights=np.concatenate(weights), minlength=num)
+        sides += [(side, length, moved) for side in (own[is_cut], other[is_cut])]
+    end, length, moved = map(np.concatenate, zip(*sides, strict=True))
+    total = np.bincount(end, weights=length, minlength=num)
     sums = [np.bincount(end, weights=moved[:, axis], minlength=num) for axis in range(3)]
     shift = np.stack(sums, axis=1) / np.where(total > 0, total, 1.0)[:, None]
     known = np.flatnonzero(total > 0)

@@ -1,11 +1,9 @@
 """Compiled loops, for short walks over neighbours, loops and trees, which would need many masks in NumPy.
 
 A kernel is a Python function over arrays that its caller has allocated. It allocates nothing, and of NumPy it uses only
-indexing. Numba translates all kernels to LLVM's intermediate representation, `kernels.ll`, for any processor (`python
--m tests.translate`). LLVM compiles this text in a tenth of a second when the first kernel is called. So running the
-package needs neither Numba nor a compiler, and nothing is stored on disk.
-
-Sums are not reordered: the same source gives the same bits in every process.
+indexing. Numba translates all kernels to LLVM's intermediate representation, `kernels.ll` (`python -m
+tests.translate`), which LLVM compiles in a tenth of a second when the first kernel is called. Sums are not reordered:
+the same source gives the same bits in every process.
 """
 
 import ctypes
@@ -33,11 +31,8 @@ SYMBOLS = ("atan2", "memset")
 
 
 class Kernel:
-    """``function``, compiled on its first call; ``is_part`` if only kernels call it.
-
-    An array that is C-contiguous, writeable and of the annotated type is passed without a copy, others are copied.
-    Arrays for results must therefore be of that kind.
-    """
+    """``function``, compiled on its first call; ``is_part`` if only kernels call it. Arrays that are C-contiguous,
+    writeable and of the annotated type, as those for results must be, are passed without a copy."""
 
     def __init__(self, function: Callable, is_part: bool):
         self.function = function

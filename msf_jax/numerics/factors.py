@@ -7,8 +7,7 @@ A = beta L (see `device.contraction`) and D = shift is nearly the square of
 
 |K x|^2 is at most twice x^T (A^T A + D) x, for any A. If D is constant, and A symmetric and negative, as a cotangent
 Laplacian is, |K x|^2 is at least x^T (A^T A + D) x. Then the eigenvalues of (K^T K)^-1 (A^T A + D) are between 1/2 and
-1, however large w_L is. For varying D the largest was at most ten in experiments. On a mesh of 6,002 vertices conjugate
-gradients then take 5 to 16 steps, where with the operator's diagonal they take 87 to 1,353. K is as sparse as L.
+1, however large w_L is. For varying D the largest was at most ten in experiments. K is as sparse as L.
 """
 
 from collections.abc import Callable

@@ -1,10 +1,9 @@
 """Spectral reconstruction: the surface without its small details, V' = Phi Phi^T V (article 3.1.1).
 
-Phi has the eigenvectors of the k smallest eigenvalues of the symmetric uniform graph Laplacian L = D - A. `reconstruct`
-computes them. A filter that is not exact does not: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue
-and 0 above, and is replaced by a polynomial p(L) with a smooth step. This takes some hundred products with a sparse
-matrix, a twentieth of the time for eigenvectors or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al.
-2016).
+Phi has the eigenvectors of the k smallest eigenvalues of the symmetric uniform graph Laplacian L = D - A. A filter that
+is not exact does without them: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue and 0 above, and is
+replaced by a polynomial p(L) with a smooth step, in a twentieth of the time or less (Chebyshev filtering; Hammond et
+al. 2011, Di Napoli et al. 2016).
 """
 
 from collections.abc import Iterator
@@ -34,11 +33,8 @@ def graph_laplacian(faces: np.ndarray, num_vertices: int) -> sparse.csc_matrix:
 
 
 def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
-    """Orthonormal eigenvectors (V, k) of the ``k`` smallest eigenvalues of the graph Laplacian.
-
-    If k is at least V / 3, the matrix is decomposed densely: the iterative solver is no faster, and cannot return all
-    of the vectors.
-    """
+    """Orthonormal eigenvectors (V, k) of the ``k`` smallest eigenvalues of the graph Laplacian; dense for a k of V / 3
+    or more, where the iterative solver is no faster, and cannot return all of the vectors."""
     laplacian = graph_laplacian(faces, num_vertices)
     if 3 * k >= num_vertices:
         return np.linalg.eigh(laplacian.toarray())[1][:, :k]

@@ -38,10 +38,8 @@ LEAST_SHARE = 1e-2  # of a row's largest entry: smaller entries of a are left ou
 
 
 class BoundSurface(NamedTuple):
-    """The mesh that a curve is bound to.
-
-    solid: the checked mesh. vertex: (v,) the caller's number of each vertex of the solid. node: (v,) its node.
-    """
+    """The mesh that a curve is bound to: the checked ``solid``, the caller's number of each ``vertex`` (v,) of it, and
+    its ``node`` (v,)."""
 
     solid: Solid
     vertex: np.ndarray
@@ -55,10 +53,8 @@ class BoundSurface(NamedTuple):
 
 
 class BoundCorners(NamedTuple):
-    """The corners (C,) of S sections, one section after the other; section: (C,); tail, head, part: `sections.Corners`.
-
-    centroid: (S, 3). node: (S,). weight: (S,) w.
-    """
+    """The corners (C,) of S sections, one section after the other; section: (C,); tail, head, part: `sections.Corners`;
+    centroid: (S, 3); node: (S,); weight: (S,) w."""
 
     section: np.ndarray
     tail: np.ndarray

@@ -1,8 +1,8 @@
 """The records of a run's decisions, and the tape of a component that is made of them on request, for `device.playback`.
 
-The edits before and after the iterations are linear in positions and weights, with known shares, recorded as one
-sparse matrix each. So are all collapses of an iteration, as a group and a share for each row, however many rounds there
-were. A split is not linear: its place, the projection of an apex, is computed anew; its three rows are recorded.
+The edits before and after the iterations are linear in positions and weights: one sparse matrix each. All collapses of
+an iteration are a group and a share for each row. A split is not linear: its place, the projection of an apex, is
+computed anew; its three rows are recorded.
 """
 
 from itertools import pairwise, zip_longest
@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy import sparse
 
-from msf_jax.base.decisions import Basis, Mixing, Part, Polynomial, Stretch
+from msf_jax.base.decisions import Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import Layout, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
@@ -23,8 +23,8 @@ LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product,
 
 
 class FoundPoles(NamedTuple):
-    """Poles (n, 3) of a surface: kept is the filter from its vertices to the sites (n, 3), tetrahedron (n, 4) the sites
-    whose circumcentre the pole is, is_inside (n,) whether it pulls."""
+    """Poles (n, 3) of a surface: kept filters its vertices to the sites (n, 3), tetrahedron (n, 4) has the sites whose
+    circumcentre the pole is, is_inside (n,) whether it pulls."""
 
     kept: LowPass | None
     sites: np.ndarray
@@ -139,7 +139,7 @@ def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]
 
 def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
     """One or two layouts for the iterations, whichever have fewer slots, each after its first iteration and the first
-    one beyond. Each takes seconds to compile; with one for all, late iterations would be mostly padding."""
+    one beyond: each takes seconds to compile, but in one for all, late iterations would be mostly padding."""
 
     def planned(*bounds: int) -> list[tuple[int, int, Layout]]:
         plan = []
@@ -178,9 +178,6 @@ def record_stretch(
             row[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
             apex = done.a if done.apex is None else done.apex
             cut[k, : len(done.a)] = np.stack([row[done.a], row[done.b], row[apex]], axis=1)
-        for edit in step.edits:
-            if isinstance(edit, CollapseRound):
-                site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
         line = Stretch(
             enter=in_rows(row_before[step.order], dtype=np.int32),
             rings=packing.slots(step.rings, step.degree, layout),
@@ -196,7 +193,9 @@ def record_stretch(
         )
         lines.append(line)
         for edit in step.edits:
-            if isinstance(edit, Compaction):
+            if isinstance(edit, CollapseRound):
+                site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
+            elif isinstance(edit, Compaction):
                 row, site = row[edit.live], site[edit.live]
     rings = tuple(np.stack(table) for table in zip(*(line.rings for line in lines), strict=True))
     stacked = {name: np.stack([getattr(line, name) for line in lines]) for name in Stretch._fields if name != "rings"}
@@ -239,20 +238,17 @@ def entries(matrix: Any) -> Mixing:
     return Mixing(row.astype(np.int32), column.astype(np.int32), share)
 
 
-def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> Basis | Polynomial:
+def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> np.ndarray | Polynomial:
     """The filter on vertices ``order`` (n,), with neighbours ``rings`` (n, K), of which ``degree`` (n,) count."""
     if kept.basis is not None:
-        return Basis(kept.basis[order])
+        return kept.basis[order]
     rings = np.where(np.arange(rings.shape[1]) < degree[:, None], rings, 0)
     return Polynomial(rings.astype(np.int32), degree.astype(np.float64), kept.share, np.asarray(kept.top))
 
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
-    """Tetrahedra of the poles, by packed rows (n, ...).
-
-    is_firm: whether the circumcentre of the four sites is well-conditioned; if not, the pole moves with their mean.
-    offset: (n, 3) the pole as it was found, minus the circumcentre or the mean.
-    """
+    """Tetrahedra of the poles, by packed rows (n, ...). is_firm: whether the circumcentre of the four sites is
+    well-conditioned; if not, the pole moves with their mean. offset: (n, 3) of the pole from either."""
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))

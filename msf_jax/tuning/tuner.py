@@ -2,9 +2,8 @@
 
 A finished curve is no continuous function of the weights: decisions of a run depend on them. With `Config.smooth` a run
 decides nothing, and the replay of one tape is the run at any weights. So w_H and w_M, whose ratios to w_L are all that
-matters, become fields over the vertices, moved by Adam (Kingma and Ba 2015) in their logarithms. A distance has a kink
-wherever a nearest point changes, where quasi-Newton methods become slow: 3.07 after 60 evaluations of SciPy's L-BFGS-B,
-where Adam has 1.67.
+matters, become fields over the vertices, moved by Adam (Kingma and Ba 2015) in their logarithms: a distance has a kink
+wherever a nearest point changes, where quasi-Newton methods become slow.
 """
 
 import itertools
@@ -90,7 +89,12 @@ def tune(
         raise ConfigError("the run edits edges: expected Config.smooth()")
     if isinstance(steps, bool) or not isinstance(steps, numbers.Integral) or steps < 1:
         raise ConfigError(f"steps is {steps!r}: expected a whole number of 1 or more")
-    low, high = _checked_bounds(bounds)
+    try:
+        low, high = map(float, bounds)
+    except (TypeError, ValueError):
+        low = high = 0.0
+    if not 0 < low <= high < np.inf:
+        raise ConfigError(f"bounds is {bounds!r}: expected (lowest, highest), finite, with 0 < lowest <= highest")
     for name in FIELDS:
         weight = np.asarray(getattr(weights, name))
         if not ((weight == 0) | ((low <= weight) & (weight <= high))).all():
@@ -168,13 +172,3 @@ def _number(objective: Callable, vertices: Any) -> jax.Array:
         what = f"{number.dtype} of shape {number.shape}"
         raise ConfigError(f"objective returned {what}: expected one floating-point number, shape ()")
     return number
-
-
-def _checked_bounds(bounds: Any) -> tuple[float, float]:
-    try:
-        low, high = (float(end) for end in bounds)
-    except (TypeError, ValueError):
-        low = high = 0.0
-    if not 0 < low <= high < np.inf:
-        raise ConfigError(f"bounds is {bounds!r}: expected (lowest, highest), finite, with 0 < lowest <= highest")
-    return low, high

@@ -28,7 +28,7 @@ from device_cases import (
 from msf_jax.base.options import LAPLACIANS, SolverOptions, StepSettings, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.device.contraction import contracting, relaxed
+from msf_jax.device.contraction import Energy, relaxed
 from msf_jax.device.laplacian import LaplacianRows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
@@ -107,7 +107,7 @@ def test_chain_with_a_fixed_end_by_hand():
     buffers, rows = chain()
     one = jnp.ones(3)
     step = quick_jit(relaxed, static_argnums=(3, 4))
-    new, _ = step(buffers, rows, contracting(one, one, 0 * one), one_level(3, 2), Solver(TIGHT, 100))
+    new, _ = step(buffers, rows, Energy(0 * one, one, one, 0 * one), one_level(3, 2), Solver(TIGHT, 100))
     np.testing.assert_allclose(new, [[0, 0, 0], [1, 0, 0], [5 / 3, 0, 0]], atol=1e-14)
     assert float(new[0, 0]) == 0.0
 

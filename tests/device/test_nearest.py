@@ -65,7 +65,7 @@ def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     expected = solid.diagonal * solid.shape.distances(solid.enter(points))
     is_inside = solid.shape.contains(solid.enter(points))
     assert 5 < is_inside.sum() < len(points) - 5
-    rows = np.zeros((binding.num_vertices, 3))
+    rows = np.zeros((binding.capacity.vertices, 3))
     rows[: len(moved)] = moved
     found = np.asarray(signed(binding, points, rows))
     np.testing.assert_allclose(np.abs(found), expected, rtol=0, atol=1e-12 * solid.diagonal)
@@ -76,7 +76,7 @@ def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
 def test_slopes_are_those_of_the_nearest_triangle():
     """One unit along the normal, and against central differences."""
     vertices, _, binding = bound("limbs")
-    moved = np.zeros((binding.num_vertices, 3))
+    moved = np.zeros((binding.capacity.vertices, 3))
     moved[: len(vertices)] = vertices
     points = about(vertices, len(binding.rest))
     total = jax.jit(jax.grad(lambda *given: nearest.signed_distances(*given).sum(), argnums=(1, 2)))

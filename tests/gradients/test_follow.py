@@ -263,7 +263,7 @@ slope = jax.jit(jax.value_and_grad(value, argnums=1, has_aux=True))
 large = padded(unpadded(batch), type(batch.live)(*(2 * most for most in batch.capacity)))  # a program of its own
 for k, (vertices, skeleton) in enumerate(curves):
     binding = msf_jax.stack([skeleton]).like(large)
-    rows = np.zeros((binding.num_vertices, 3))
+    rows = np.zeros((binding.capacity.vertices, 3))
     rows[: len(vertices)] = split(everywhere, "vertices")[k]
     (_, alone), by_own = slope(binding, rows)
     for one, other in zip(found, alone):

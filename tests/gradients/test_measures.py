@@ -29,7 +29,7 @@ def tube():
 
 
 def rows_of(binding, points):
-    return jnp.zeros((binding.num_vertices, 3)).at[: len(points)].set(points)
+    return jnp.zeros((binding.capacity.vertices, 3)).at[: len(points)].set(points)
 
 
 def bent(points, curvature):
