@@ -1,6 +1,6 @@
-"""A curve as branches: the paths between nodes that do not have two edges; edits of the graph; and measures along
-branches: directions, bending, spacing, and the limb's size. Measures that are linear in the nodes are sparse matrices,
-for use as rows of a least-squares problem.
+"""Branches of a curve, the paths between nodes that do not have two edges: edits of the graph, and measures along them.
+
+Measures that are linear in the nodes are sparse matrices, for use as rows of a least-squares problem.
 """
 
 from math import sqrt
@@ -14,7 +14,6 @@ from msf_jax.solid.geometry import RESOLUTION, arc_length, at
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import dot, minus, norm, point_of
 from msf_jax.topology import graphs
-from msf_jax.topology.graphs import shortest_forest
 
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
 CHUNK = 100  # nodes of a branch at a time that are held against the others: a table of them stays in the cache
@@ -24,22 +23,17 @@ MARGIN = 0.4  # radii of a ball: beside a ball, width of the step from a limb th
 FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 
 
-def nearest_on_branch(
-    nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
-) -> np.ndarray:
-    """The nearest node (P,) of each point (P, 3) on its own branch; for a point at a junction, on any branch there.
-
-    ``node_of_point`` (P,) is the point's node from before nodes moved along their branches and new ones were added.
-    """
-    found = node_of_point.copy()
-    least = np.full(len(points), np.inf)
+def nearest_on_branch(x: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray) -> np.ndarray:
+    """(P,) the node of x (N, 3) nearest to each point (P, 3) on its own branch, or at a junction on any branch there.
+    ``node_of_point`` (P,) is the point's node from before nodes moved along their branches and new ones were added."""
+    found, least = node_of_point.copy(), np.full(len(points), np.inf)
     order = np.argsort(node_of_point, kind="stable")
-    bounds = np.searchsorted(node_of_point[order], np.arange(len(nodes) + 1))
-    for path in graphs.trace(len(nodes), edges):
+    bounds = np.searchsorted(node_of_point[order], np.arange(len(x) + 1))
+    for path in graphs.trace(len(x), edges):
         own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(path)])
         if len(own):
             on_path = np.array(path)
-            away, place = spatial.KDTree(nodes[on_path]).query(points[own])
+            away, place = spatial.KDTree(x[on_path]).query(points[own])
             is_nearer = away < least[own]
             found[own[is_nearer]] = on_path[np.asarray(place)[is_nearer]]
             least[own[is_nearer]] = away[is_nearer]
@@ -47,20 +41,16 @@ def nearest_on_branch(
 
 
 def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """(E,) which edges stay if every loop is cut at its thinnest edge: the spanning forest of the thickest edges.
-
-    The thickness of an edge is the smaller radius at its ends; the larger radius breaks ties.
-    """
+    """(E,) which edges stay if every loop is cut at its thinnest edge: the spanning forest of the thickest edges. The
+    thickness of an edge is the smaller radius at its ends; the larger radius breaks ties."""
     order = np.lexsort((-radii[edges].max(axis=1), -radii[edges].min(axis=1)))
-    return shortest_forest(num_nodes, edges, np.argsort(order))
+    return graphs.shortest_forest(num_nodes, edges, np.argsort(order))
 
 
 def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | None) -> tuple[int, ...]:
     """The node with the largest ball in each component, largest first; ``root``, if given, is first instead."""
-    label = graphs.labels(num_nodes, *edges.T)
-    size = radii.copy()
-    if root is not None:
-        size[root] = np.inf
+    label, size = graphs.labels(num_nodes, *edges.T), radii.copy()
+    size[[] if root is None else root] = np.inf
     order = np.argsort(-size, kind="stable")
     return tuple(order[np.sort(np.unique(label[order], return_index=True)[1])].tolist())
 
@@ -133,6 +123,11 @@ def paths_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> li
     return found
 
 
+def degree_of_ends(paths: list[BranchPath], num: int) -> np.ndarray:
+    """(num,) the number of edges at the nodes where branches end, 0 within branches."""
+    return np.bincount(np.concatenate([path.nodes[[0, -1]] for path in paths]), minlength=num)
+
+
 def spread(x: np.ndarray, paths: list[BranchPath]) -> np.ndarray:
     """Move the nodes (N, 3) along their branches, so that each is at its share of its branch's length again."""
     spaced = x.copy()
@@ -175,11 +170,7 @@ def bending(
         gap = np.diff(arc_length(x[polyline]))
         found.append(np.stack([polyline[:-2], polyline[1:-1], polyline[2:]], axis=1))
         gaps.append(np.stack([gap[:-1], gap[1:]], axis=1))
-        turn = (
-            np.pi * gaps[-1].sum(axis=1) / max(gap[: len(nodes) - 1].sum(), 1e-300)
-            if is_loop
-            else np.zeros(len(gap) - 1)
-        )
+        turn = is_loop * np.pi * gaps[-1].sum(axis=1) / max(gap[: len(nodes) - 1].sum(), 1e-300)
         rest.append((2 * np.cos(turn) - 2)[:, None] * (x[polyline[1:-1]] - x[nodes[1:]].mean(axis=0)))
     triple, gap = np.concatenate(found), np.maximum(np.concatenate(gaps), 1e-12)
     spacing = gap.mean(axis=1)
@@ -193,14 +184,9 @@ def bending(
 def sizes(
     x: np.ndarray, paths: list[BranchPath], size: np.ndarray, weight: np.ndarray, clearance: np.ndarray
 ) -> np.ndarray:
-    """(N,) the size of the limb around each node: a weighted mean of ``size`` along its branch, over nearby nodes.
-
-    The ends of branches, and branches without any ``weight``, get their ``clearance``.
-    """
-    found = clearance.copy()
-    degree = np.zeros(len(x), dtype=np.int64)
-    for path in paths:
-        np.add.at(degree, path.nodes[[0, -1]], 1)
+    """(N,) the size of the limb around each node: a weighted mean of ``size`` along its branch, over nearby nodes. The
+    ends of branches, and branches without any ``weight``, get their ``clearance``."""
+    found, degree = clearance.copy(), degree_of_ends(paths, len(x))
     for nodes, is_loop, _, _ in paths:
         own = weight[nodes]
         if own.sum() > 1e-3:
@@ -214,7 +200,6 @@ def sizes(
                 sums[:, part] = np.einsum("nm,bm->bn", bell, both[:, first:last])
             mean = (sums[0] + FLOOR * both[0].sum()) / (sums[1] + FLOOR * own.sum())
             is_own = (degree[nodes] <= 1) | is_loop
-            is_own[1:-1] = True
             found[nodes[is_own]] = mean[is_own]
     return found
 
@@ -240,18 +225,12 @@ def hold_apart(x: Points, tangent: Points, size: Reals, ball: Reals, branch: Int
 def clear_of_others(
     x: np.ndarray, paths: list[BranchPath], tangent: np.ndarray, size: np.ndarray, ball: np.ndarray
 ) -> np.ndarray:
-    """(N,) a smooth step: 0 at nodes where several limbs are one, 1 where a limb is on its own.
-
-    A node's disc, of the limb's ``size`` (N,) and across its ``tangent`` (N, 3), is its own if no ball, of radius
-    ``ball`` (N,), of a junction or of another branch is near: by a radius of that ball, over a width of `MARGIN` radii.
-    """
-    branch = np.full(len(x), -1)  # of a junction none, and so it is beside all of its branches
-    for number, (nodes, *_) in enumerate(paths):
-        branch[nodes] = number
-    ends, count = np.unique(np.concatenate([path.nodes[[0, -1]] for path in paths]), return_counts=True)
-    is_loop = np.isin(ends, [path.nodes[0] for path in paths if path.is_loop])
-    branch[ends[(count > 1) & ~is_loop]] = -1
-    clear = np.ones(len(x))
+    """(N,) a smooth step: 0 at nodes where several limbs are one, 1 where a limb is on its own: where no ball, of
+    radius ``ball`` (N,), of a junction or of another branch is near the node's disc, of the limb's ``size`` (N,) and
+    across its ``tangent`` (N, 3), by a radius of that ball, over a width of `MARGIN` radii."""
+    branch, clear, degree = np.full(len(x), -1), np.ones(len(x)), degree_of_ends(paths, len(x))
+    for number, (nodes, is_loop, *_) in enumerate(paths):  # a junction has none, and so is beside all of its branches
+        branch[nodes] = np.where((degree[nodes] <= 1) | is_loop, number, -1)
     hold_apart(x, tangent, size, ball, branch, clear)
     return clear
 
@@ -262,31 +241,31 @@ def crossed_again(
     """(N,) whether the branch of a loop comes back through the section of a node, within ``radius`` (N,) of its
     ``centroid`` (N, 3), in the plane across ``tangent`` (N, 3). So it does if the section goes through both sides."""
     found = np.zeros(len(x), dtype=bool)
-    for nodes, is_loop, _, _ in paths:
-        if is_loop:
-            place = x[nodes]
-            axes = np.ascontiguousarray(place.T)
-            for part in np.array_split(np.arange(len(nodes) - 1), len(nodes) // CHUNK + 1):
-                own = nodes[part]
-                # A product of matrices would wake a thread on every core, for less than one has to do.
-                height = np.einsum("ni,im->nm", tangent[own], axes)
-                height -= np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
-                height[np.arange(len(own)), part] = 0.0
-                is_over = height > 0
-                is_crossing = is_over[:, :-1] != is_over[:, 1:]  # flat indices are found many times faster than pairs
-                here, there = np.divmod(np.flatnonzero(is_crossing), len(nodes) - 1)
-                is_other = (there != part[here]) & ((there + 1) % (len(nodes) - 1) != part[here])
-                here, there = here[is_other], there[is_other]
-                low, high = height[here, there], height[here, there + 1]
-                t = (low / (low - high))[:, None]
-                away = np.linalg.norm((1 - t) * place[there] + t * place[there + 1] - centroid[own[here]], axis=1)
-                found[own[here[away < radius[own[here]]]]] = True
+    for nodes in (path.nodes for path in paths if path.is_loop):
+        place, num = x[nodes], len(nodes) - 1
+        axes = np.ascontiguousarray(place.T)
+        for part in np.array_split(np.arange(num), len(nodes) // CHUNK + 1):
+            own = nodes[part]
+            # A product of matrices would wake a thread on every core, for less than one has to do.
+            height = np.einsum("ni,im->nm", tangent[own], axes)
+            height -= np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
+            height[np.arange(len(own)), part] = 0.0
+            is_over = height > 0
+            # Flat indices are found many times faster than pairs.
+            here, there = np.divmod(np.flatnonzero(is_over[:, :-1] != is_over[:, 1:]), num)
+            is_other = (there != part[here]) & ((there + 1) % num != part[here])
+            here, there = here[is_other], there[is_other]
+            low, high = height[here, there], height[here, there + 1]
+            t = (low / (low - high))[:, None]
+            away = np.linalg.norm((1 - t) * place[there] + t * place[there + 1] - centroid[own[here]], axis=1)
+            found[own[here[away < radius[own[here]]]]] = True
     return found
 
 
-def usual(paths: list[BranchPath], known: np.ndarray) -> np.ndarray:
-    """(N,) the median of ``known`` (N,) along each node's branch, without NaN; NaN if all are NaN."""
-    found = np.full(len(known), np.nan)
+def usual(paths: list[BranchPath], num: int, node: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """(num,) the median along each node's branch of the ``value`` (L,) of ``node`` (L,); NaN if none has one there."""
+    known, found = np.full((2, num), np.nan)
+    known[node] = value
     for path in paths:
         along = known[path.nodes]
         if not np.isnan(along).all():

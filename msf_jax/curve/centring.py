@@ -12,18 +12,15 @@ shares of their branch's length, so they move across it only; those of a loop ge
 cross-section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the
 junction comes to where the axes of its limbs meet.
 
-A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
-with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
-(`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. The
-rounds end when the nodes hardly move any more.
+A section turns with the curve, and in a wide one the centroid moves much farther than the nodes: an iteration with c
+held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
+(`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before.
 
 Each move of a curve's nodes keeps edges inside, and around the same handles. A node takes its step if afterwards
 
     the node is inside, no nearer to the surface than it may be, and so is the way to its new place;
     an edge that was inside is inside;
     an edge is of the class of its old place, changed by the classes of the steps of its two ends (see `Handles`).
-
-So a loop around a hole cannot slip off it.
 """
 
 from typing import NamedTuple
@@ -70,10 +67,8 @@ def places_of(shape: Enclosure, x: np.ndarray) -> Places:
 
 
 def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, edges: np.ndarray) -> Places:
-    """The places after each ``step`` (N, 3) that the rule allows. A node outside does not move.
-
-    ``shape`` may be about the same surface as that of ``handles`` with fewer triangles.
-    """
+    """The places after each ``step`` (N, 3) that the rule allows. A node outside does not move. ``shape`` may be about
+    the same surface as that of ``handles`` with fewer triangles."""
     x, goal = places.x, Places(*(field.copy() for field in places))
     is_free = step.any(axis=1) & (places.clearance > 0)
     goal.x[is_free] += step[is_free]
@@ -102,13 +97,9 @@ def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndar
         rows, is_back = np.flatnonzero(is_bad[edges].any(axis=1)), is_back | is_bad
 
 
-def _keeps_class(
-    handles: Handles, places: Places, y: np.ndarray, edges: np.ndarray, class_of: np.ndarray
-) -> np.ndarray:
-    """(E,) whether ``edges`` (E, 2) of class ``class_of`` (E,) go around the same handles when nodes move to y (N, 3).
-
-    They do if the places of both ends, old and new, are in one ball around an old end, which is convex and inside.
-    """
+def _keeps_class(handles: Handles, places: Places, y: np.ndarray, edges: np.ndarray, classes: np.ndarray) -> np.ndarray:
+    """(E,) whether ``edges`` (E, 2) of ``classes`` (E,) go around the same handles when nodes move to y (N, 3), as they
+    do if the places of both ends, old and new, are in one ball around an old end, which is convex and inside."""
     if not handles.genus:
         return np.ones(len(edges), dtype=bool)
     x, is_in_doubt = places.x, np.ones(len(edges), dtype=bool)
@@ -117,7 +108,7 @@ def _keeps_class(
         is_in_doubt &= np.linalg.norm(away, axis=2).max(axis=1) >= SURE * places.clearance[one]
     a, b = edges[is_in_doubt].T
     along, *steps = np.split(handles.classes(np.r_[y[a], x[a], x[b]], np.r_[y[b], y[a], y[b]]), 3)
-    is_in_doubt[is_in_doubt] = along != class_of[is_in_doubt] + steps[1] - steps[0]
+    is_in_doubt[is_in_doubt] = along != classes[is_in_doubt] + steps[1] - steps[0]
     return ~is_in_doubt
 
 
@@ -136,11 +127,9 @@ def centre(
     is_far: bool = True,
     handles: Handles | None = None,
 ) -> np.ndarray:
-    """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
-
-    ``is_far`` says that the curve is not near the middle yet: the first round then ignores distances to centroids.
-    Steps keep the rule of `take_steps`, with the ``handles`` of the solid, default those of ``shape``.
-    """
+    """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move. ``is_far``: it is not
+    near the middle yet, and the first round ignores distances to centroids. Steps keep the rule of `take_steps`, with
+    the ``handles`` of the solid, default those of ``shape``."""
     paths, size = measures.paths_of(vertices, edges, is_held), None
     if not paths:
         return vertices.copy()
@@ -151,11 +140,8 @@ def centre(
     at = places_of(shape, vertices)
     for number in range(rounds):
         x, clearance, near, _ = at
-        limbs = limb_sections(shape, x, edges, paths, is_held, clearance, near, size)
-        size = limbs.size
-        wide = np.full(len(x), np.nan)
-        wide[limbs.node] = limbs.found.radius
-        wide = measures.usual(paths, wide)
+        limbs = limb_sections(shape, x, paths, is_held, clearance, near, size)
+        size, wide = limbs.size, measures.usual(paths, len(x), limbs.node, limbs.found.radius)
         # Arcs of a loop with junctions have no circle for rest: all the width would draw them to their hole.
         reach = np.where(is_arc, np.sqrt(wide * size), wide)
         system = _System(x, paths, np.where(wide > measures.WIDE * size, reach, size), limbs, is_held)
@@ -176,12 +162,11 @@ def centre(
 
 
 class LimbSections(NamedTuple):
-    """The sections of the limbs that a curve of N nodes runs in, and what they say of the middle.
+    """The sections of the limbs that a curve of N nodes runs in.
 
     node: (L,) the nodes that a section of their limb is around. found: these sections. weight: (L,) of each, before its
     distance from the node counts. size: (N,) of the limb at every node. chord: (N, N) the matrix to the nodes' chords.
-    tangent: (N, 3) their directions, which the sections are across.
-    """
+    tangent: (N, 3) their directions, which the sections are across."""
 
     node: np.ndarray
     found: sections.Sections
@@ -198,20 +183,17 @@ class LimbSections(NamedTuple):
 def limb_sections(
     shape: Enclosure,
     x: np.ndarray,
-    edges: np.ndarray,
     paths: list[BranchPath],
     is_off: np.ndarray,
     clearance: np.ndarray,
     near: np.ndarray,
     size: np.ndarray | None = None,
 ) -> LimbSections:
-    """The sections of a curve ``(x (N, 3), edges (E, 2))`` with these ``paths``; nodes ``is_off`` (N,) have none.
-
-    ``clearance``, ``near`` (N,): of a ball at each node, and a triangle near it. ``size`` (N,): an estimate of the size
-    of the limb; without, limbs are measured first.
-    """
+    """The sections of a curve with the nodes x (N, 3) along ``paths``; nodes ``is_off`` (N,) have none. ``clearance``,
+    ``near`` (N,): of a ball at each node, and a triangle near it. ``size`` (N,): an estimate of the size of the limb;
+    without, limbs are measured first."""
     if size is None:
-        size = limb_sections(shape, x, edges, paths, is_off, clearance, near, clearance).size
+        size = limb_sections(shape, x, paths, is_off, clearance, near, clearance).size
     chord = measures.chords(x, paths, size)
     ahead = chord @ x
     tangent = unit(ahead)
@@ -224,19 +206,17 @@ def limb_sections(
     middle[node], reach[node] = found.centroid, found.radius
     is_own = found.is_around & ~measures.crossed_again(x, paths, tangent, middle, reach)[node]
     node, found = node[is_own], sections.Sections(*(field[is_own] for field in found))
-    weight, width = clear[node], np.full(len(x), np.nan)
-    width[node[weight > 1e-6]] = found.radius[weight > 1e-6]
-    weight = weight * np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[node] / found.radius)) ** ROUNDNESS
+    is_clear = clear[node] > 1e-6
+    width = measures.usual(paths, len(x), node[is_clear], found.radius[is_clear])
+    weight = clear[node] * np.minimum(1.0, np.nan_to_num(width[node] / found.radius)) ** ROUNDNESS
     everywhere = np.zeros((2, len(x)))
     everywhere[:, node] = found.size, weight
     return LimbSections(node, found, weight, measures.sizes(x, paths, *everywhere, clearance=clearance), chord, tangent)
 
 
 class _System:
-    """A Gauss-Newton step: the rows of a least-squares problem in the nodes' steps.
-
-    off: (L, 3) P (x - c) of the nodes with a section. ``size`` (N,): the length over which branches are stiff.
-    """
+    """A Gauss-Newton step: the rows of a least-squares problem in the nodes' steps. off: (L, 3) P (x - c) of the nodes
+    with a section. ``size`` (N,): the length over which branches are stiff."""
 
     def __init__(
         self, x: np.ndarray, paths: list[BranchPath], size: np.ndarray, limbs: LimbSections, is_held: np.ndarray

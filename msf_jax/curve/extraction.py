@@ -2,8 +2,8 @@
 
 The contracted surface is thin but still a surface. Its edges are visited in the order of their initial length, ties by
 index. Each edge that has a face at its turn is merged. When no face is left, the remaining edges are the curve. A node
-is the centroid of the meso vertices merged into it. The surgery of Au et al. 2008 uses another order, and a node is the
-meso vertex that is left (see `meso.surgery`).
+is the centroid of the meso vertices merged into it. Au's surgery (2008) uses another order, and a node is the meso
+vertex that is left (see `meso.surgery`).
 """
 
 from typing import NamedTuple
@@ -35,9 +35,7 @@ def extract_curve(
     """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
 
     With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `solid.handles`). Vertices of
-    ``pinned`` are merged with each other only if no other edge can be merged.
-    The order makes this step sequential: one loop over the edges of the meso-skeleton, after the flow.
-    """
+    ``pinned`` are merged with each other only if no other edge can be merged."""
     a, b = ring_tables.edges_from_rings(rings)
     complex_ = Complex(rings, classes, pinned)
     if by_surgery:
@@ -53,15 +51,14 @@ def extract_curve(
                 for edge in edges:  # no merge is allowed any more; the report shows the lost cycles
                     complex_.merge(*edge, force=True)
                 break
-            if is_stuck and not complex_.open_face(list(reversed(edges))):
+            if is_stuck and not complex_.open_face(edges[::-1]):
                 break
             edges = waiting
     root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
     is_counted = (root == np.arange(len(rings))) | (not by_surgery)
     node_of_meso = np.unique(root, return_inverse=True)[1]
     own = node_of_meso[is_counted]
-    sums = [np.bincount(own, weights=axis) for axis in positions[is_counted].T]
-    nodes = np.stack([total / np.bincount(own) for total in sums], axis=1)
+    nodes = np.stack([np.bincount(own, axis) / np.bincount(own) for axis in positions[is_counted].T], axis=1)
     left = np.stack([a, b], axis=1)
     if complex_.has_classes:  # the complex lists its remaining edges, without those that were opened
         left, value = complex_.edges()

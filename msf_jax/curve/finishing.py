@@ -1,8 +1,7 @@
 """From the flow's curve to the finished curve: inside, pruned, centred, and extended to the ends of the limbs.
 
-Each step is a pass: a function from a `Draft` to a `Draft`. The flow's nodes that stay keep their order, and new nodes
-come after them. So a function of the flow's nodes, such as a loss on a replay, means the same nodes in the finished
-curve.
+Each step is a pass from a `Draft` to a `Draft`. The flow's nodes that stay keep their order, and new nodes come after
+them: a function of the flow's nodes, such as a loss on a replay, means the same nodes in the finished curve.
 """
 
 from collections.abc import Callable
@@ -15,7 +14,6 @@ from scipy import spatial
 from msf_jax.base.clock import Clock, Stopped
 from msf_jax.curve import branches, centring, handle_loops, junctions
 from msf_jax.inside import containment
-from msf_jax.inside.containment import Roadmap
 from msf_jax.limbs import one_branch, reeb_curve
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
@@ -23,8 +21,7 @@ from msf_jax.topology import graphs
 
 SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
-# Part of its length outside: with more, the flow's curve is astray, as in a frame of few triangles; 0.03 is usual
-ASTRAY = 0.05
+ASTRAY = 0.05  # share of its length outside: with more, the flow's curve is astray; 0.03 is usual
 
 
 class Draft(NamedTuple):
@@ -32,11 +29,10 @@ class Draft(NamedTuple):
 
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the number of each node in the
     flow's curve, ascending; -1 for new nodes, which come last. node_of_flow: (n,) the node for each of the flow's
-    nodes: itself, or the junction that its branch was pruned from.
-    is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
-    that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
-    finer: limbs of a finer detail, as the least detail and the place (3,) of the end of each.
-    """
+    nodes: itself, or the junction that its branch was pruned from. is_sparse: whether nodes are farther apart than
+    `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: ends of branches that were removed because they are no
+    limbs, and that were added because the flow had missed them. finer: limbs of a finer detail, as the least detail and
+    the place (3,) of the end of each."""
 
     vertices: np.ndarray
     edges: np.ndarray
@@ -50,13 +46,9 @@ class Draft(NamedTuple):
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The draft with moved nodes, new ones last, and with other edges if they are given."""
-        new = (0, len(vertices) - len(self.vertices))
-        return self._replace(
-            vertices=vertices,
-            edges=self.edges if edges is None else edges,
-            is_held=np.pad(self.is_held, new),
-            origin=np.pad(self.origin, new, constant_values=-1),
-        )
+        new, edges = (0, len(vertices) - len(self.vertices)), self.edges if edges is None else edges
+        is_held, origin = np.pad(self.is_held, new), np.pad(self.origin, new, constant_values=-1)
+        return self._replace(vertices=vertices, edges=edges, is_held=is_held, origin=origin)
 
     def is_leaf(self) -> np.ndarray:
         """(N,) True for a node with one edge."""
@@ -64,18 +56,15 @@ class Draft(NamedTuple):
 
 
 class Job(NamedTuple):
-    """The inputs of all passes.
-
-    shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
-    prune: least slenderness of a limb, 0 for no pruning (see `limbs.tree`). roadmap: paths through the solid.
-    detail: of limbs (see `Config`). limbs: returns the merge trees of the surface.
-    is_coarse: whether its triangles are too few for the rings of all limbs.
-    """
+    """The inputs of all passes. shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles,
+    fine enough for centring. prune: least slenderness of a limb, 0 for no pruning (see `limbs.tree`). roadmap: paths
+    through the solid. limbs: returns the merge trees of the surface. detail: of limbs (see `Config`). is_coarse:
+    whether the surface's triangles are too few for the rings of all limbs."""
 
     shape: Enclosure
     coarse: Enclosure
     prune: float
-    roadmap: Roadmap
+    roadmap: containment.Roadmap
     limbs: Callable[[], LimbTree]
     detail: float
     is_coarse: bool = False
@@ -83,30 +72,20 @@ class Job(NamedTuple):
 
 def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
     """The draft with the nodes of ``stays`` (N,) only; the others are replaced by their ``target`` (N,)."""
-    x, e, is_held = draft.vertices, draft.edges, draft.is_held
     rank = np.cumsum(stays) - 1
-    left = rank[e[stays[e].all(axis=1)]]
-    of_flow = rank[target[draft.node_of_flow]]
-    return draft._replace(
-        vertices=x[stays],
-        edges=left,
-        is_held=is_held[stays],
-        origin=draft.origin[stays],
-        node_of_flow=of_flow,
-    )
+    edges, of_flow = rank[draft.edges[stays[draft.edges].all(axis=1)]], rank[target[draft.node_of_flow]]
+    x, is_held, origin = draft.vertices[stays], draft.is_held[stays], draft.origin[stays]
+    return draft._replace(vertices=x, edges=edges, is_held=is_held, origin=origin, node_of_flow=of_flow)
 
 
 class Finished(NamedTuple):
-    """A finished curve, and its Roadmap, which knows the limits that searches reached.
-
-    is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
-    target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
-    node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
-    is_cut: whether the run had to end before all passes were done.
-    """
+    """A finished curve, and its Roadmap, which knows the limits that searches reached. is_kept: (n,) which of the
+    flow's nodes are in it. They come first, in their order. target: (n,) the flow's node that represents each: itself,
+    or the junction that its branch was pruned from. node_of_vertex: (V,) for a Reeb curve, the node of each vertex of
+    the solid; else None. is_cut: whether the run had to end before all passes were done."""
 
     draft: Draft
-    roadmap: Roadmap
+    roadmap: containment.Roadmap
     is_kept: np.ndarray
     target: np.ndarray
     node_of_vertex: np.ndarray | None
@@ -135,15 +114,12 @@ def finish(
 ) -> Finished:
     """Finish the ``draft`` of the flow's curve; its held nodes do not move.
 
-    A solid that is too coarse for the flow gets a Reeb curve (see `limbs.reeb_curve`), if it has thin limbs, or more
-    than `ASTRAY` of the flow's curve is outside, and that is no more astray. ``centre`` and ``extend`` must be True,
-    and no node held.
-
-    ``centre`` and ``extend`` switch those passes. ``is_thin`` says that the solid has thin limbs. ``is_tangle`` says
-    that the flow ended in a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve.
-    ``outside`` is the surface without cavities. ``first`` is a pass that comes before all others. If ``clock`` says
-    that the run has to end, the curve is the one after the last pass that was done.
-    """
+    ``centre`` and ``extend`` switch those passes. If both are on and no node is held, a solid that is too coarse for
+    the flow gets a Reeb curve (see `limbs.reeb_curve`): if it ``is_thin``, or more than `ASTRAY` of the flow's curve is
+    outside, and the Reeb curve is no more astray. ``is_tangle`` says that the flow ended in a tangle that no pass can
+    repair: it stays as it is, unless there is a Reeb curve. ``outside`` is the surface without cavities. ``first`` is a
+    pass that comes before all others. If ``clock`` says that the run has to end, the curve is the one after the last
+    pass that was done."""
     nodes, laid, is_cut = draft.vertices, None, False
     try:
         if centre and extend and not draft.is_held.any():
@@ -168,8 +144,7 @@ def finish(
 def _by_wavefronts(
     outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_thin: bool, is_tangle: bool
 ) -> reeb_curve.ReebCurve | None:
-    """The Reeb curve of a coarse solid that ``is_thin``, or whose curve by the flow is astray, if it has one
-    that is not more astray. The flow's can be inside because it lost limbs."""
+    """The Reeb curve that takes the place of the flow's, see `finish`. That can be inside because it lost limbs."""
     astray = 1.0 if is_tangle else _outside(job, nodes, edges)
     if not (is_thin or astray > ASTRAY):
         return None
@@ -180,9 +155,9 @@ def _by_wavefronts(
 
 def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
     """The share of a curve's length in edges that are not inside: rings of a body with arms are no sections of it."""
-    a, b = nodes[edges[:, 0]], nodes[edges[:, 1]]
-    length = np.linalg.norm(a - b, axis=1)
-    return float(length[~containment.is_inside(job.shape, a, b)].sum() / max(length.sum(), 1e-300))
+    is_out = ~containment.is_inside(job.shape, *nodes[edges.T])
+    length = graphs.lengths(nodes, edges)
+    return float(length[is_out].sum() / max(length.sum(), 1e-300))
 
 
 def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray) -> Draft:
@@ -220,10 +195,8 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
     """Junctions inside the ball of another one are merged."""
     if not job.prune:
         return draft
-    x = draft.vertices
-    stays, target, edges = branches.merge_junctions(
-        x, draft.edges, job.shape.nearest(x, is_exact=False)[0], draft.is_held, job.shape.handles
-    )
+    x, radii = draft.vertices, job.shape.nearest(draft.vertices, is_exact=False)[0]
+    stays, target, edges = branches.merge_junctions(x, draft.edges, radii, draft.is_held, job.shape.handles)
     return reduced(draft._replace(edges=edges), stays, target)
 
 
@@ -249,10 +222,8 @@ def refine(draft: Draft, job: Job) -> Draft:
 
 
 def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
-    """Every limb of the solid has one branch, and no other branch ends in a leaf, but for held nodes.
-
-    ``extend``: whether branches are laid to the ends of their limbs, and limbs without a branch get one.
-    """
+    """Every limb of the solid has one branch, and no other branch ends in a leaf, but for held nodes. ``extend``:
+    whether branches are laid to the ends of their limbs, and limbs without a branch get one."""
     if not (job.prune or extend):
         return draft
     tree = job.limbs()

@@ -28,14 +28,11 @@ AT_ONCE = 8  # loops added in a round: at least so many, or a quarter of the mis
 
 
 class Proof(NamedTuple):
-    """rank: independent handles of the solid that a curve's cycles go around.
-
-    The rest are edges (k,) of the curve, one for each doubtful cycle. none: it goes around no handle. again: it depends
-    on the cycles before it. several: it goes around a handle several times, also after cycles before it are subtracted,
-    so the cycles are no basis of the solid's loops. outside: it leaves the solid, which proves nothing.
-
-    unproved: handles of solids that have too many for a proof, see `MOST_LINKING`.
-    """
+    """rank: independent handles of the solid that a curve's cycles go around. unproved: handles of solids that have too
+    many for a proof, see `MOST_LINKING`. The others are edges (k,) of the curve, one for each doubtful cycle. none: it
+    goes around no handle. again: it depends on the cycles before it. several: it goes around a handle several times,
+    also after cycles before it are subtracted, so the cycles are no basis of the solid's loops. outside: it leaves the
+    solid, which proves nothing."""
 
     rank: int
     none: np.ndarray
@@ -48,9 +45,8 @@ class Proof(NamedTuple):
 def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None) -> Proof:
     """Which cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around handles of the solid ``shape``.
 
-    If the solid has several components, which may overlap, each part of the curve is tested in its own component: that
-    of the vertices that ``node_of_vertex`` (V,) maps to its nodes, or else the smallest that contains it.
-    """
+    Of a solid of several components, which may overlap, each part of the curve is tested in its own: that of the
+    vertices that ``node_of_vertex`` (V,) maps to its nodes, or else the smallest that contains it."""
     part = graphs.labels(len(vertices), *edges.T)
     is_closing = ~graphs.shortest_forest(len(vertices), edges, np.zeros(len(edges)))
     with_cycles = np.unique(part[edges[is_closing, 0]])
@@ -93,19 +89,15 @@ def _solids(
         else:
             mine = part[node_of_vertex[body.vertices]]
         count[row] = np.bincount(mine, minlength=len(part))
-    size = [abs(signed_volume(solid.vertices, solid.faces)) for solid in solids]
-    order = np.argsort(size, kind="stable")
+    order = np.argsort([abs(signed_volume(solid.vertices, solid.faces)) for solid in solids], kind="stable")
     owner = order[count[order][:, asked].argmax(axis=0)]
     return [(solids[row], asked[owner == row]) for row in np.unique(owner).tolist()]
 
 
 def _cycles(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The edge (C,) that closes each cycle of a curve, shortest first, its linking numbers (C, 2g), and whether it
-    leaves the solid (C,).
-
-    An edge outside counts as longer than all edges inside. An edge may graze the surface: a stretch outside that is
-    shorter than the solid's resolution proves nothing.
-    """
+    leaves the solid (C,). An edge outside counts as longer than all edges inside. An edge may graze the surface: a
+    stretch outside that is shorter than the solid's resolution proves nothing."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length, is_out = np.linalg.norm(a - b, axis=1), ~is_inside(shape, a, b, sliver=RESOLUTION)
     length += np.where(is_out, length.sum(), 0.0)
@@ -114,10 +106,8 @@ def _cycles(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[
 
 
 def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(E,) which edges stay if each cycle that depends on others, or goes around no handle, is cut at its longest edge.
-
-    If there are too many handles, all edges stay.
-    """
+    """(E,) which edges stay if each cycle that depends on others, or goes around no handle, is cut at its longest edge;
+    all if there are too many handles."""
     stays = np.ones(len(edges), dtype=bool)
     if not are_too_many(shape, edges):
         closing, windings, _ = _cycles(shape, vertices, edges)
@@ -142,21 +132,19 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
     return vertices, edges
 
 
-def _new_loops(
-    roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, most: int
-) -> list[tuple[int, int, np.ndarray]]:
+def _new_loops(roadmap: Roadmap, x: np.ndarray, edges: np.ndarray, most: int) -> list[tuple[int, int, np.ndarray]]:
     """Up to ``most`` paths of `Roadmap.loops_from` that close loops independent of the curve's and of each other."""
-    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
+    a, b = x[edges[:, 0]], x[edges[:, 1]]
     handles, chosen, span = roadmap.shape.handles, [], Span()
-    _, windings, along = graphs.cycles(len(vertices), edges, handles.linking(a, b), np.linalg.norm(a - b, axis=1))
+    _, windings, along = graphs.cycles(len(x), edges, handles.linking(a, b), np.linalg.norm(a - b, axis=1))
     span.add(windings)
-    found = roadmap.loops_from(vertices, edges)
+    found = roadmap.loops_from(x, edges)
     while len(chosen) < most and (some := list(islice(found, BLOCK))):
         roadmap.num_linked += 2 * handles.genus * len(some)
         if roadmap.num_linked > MOST_LINKING:
             roadmap.is_cut_short = True
             break
-        lines = [np.concatenate([vertices[[start]], path, vertices[[end]]]) for start, end, path in some]
+        lines = [np.concatenate([x[[start]], path, x[[end]]]) for start, end, path in some]
         row = np.repeat(np.arange(len(some)), [len(line) - 1 for line in lines])
         a, b = (np.concatenate([line[ends] for line in lines]) for ends in (slice(None, -1), slice(1, None)))
         start, end = np.array([each[:2] for each in some]).T

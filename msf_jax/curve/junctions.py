@@ -10,8 +10,7 @@ do not tell, to the middle c of the largest ball there:
 
 Where all branches are thin beside the ball, as the neurites of a soma, their lines are too far away to tell its middle.
 
-A side branch, much thinner than its trunk, begins where its line meets its trunk. The flow leaves its junction anywhere
-in the trunk, whose ball is larger.
+A side branch, much thinner than its trunk, begins where its line meets its trunk: the flow leaves it anywhere in there.
 """
 
 import itertools
@@ -53,10 +52,8 @@ class Axis(NamedTuple):
 
 
 class Branches:
-    """The branches of a curve ``(x (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) around its nodes.
-
-    paths: of all branches. usual: the usual radius of each. degree: (N,).
-    """
+    """The branches of a curve ``(x (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) around its nodes. paths: of all
+    branches. usual: the usual radius of each. degree: (N,)."""
 
     def __init__(self, x: np.ndarray, edges: np.ndarray, radii: np.ndarray):
         traced = branches.paths_of(x, edges, np.zeros(len(x), dtype=bool))
@@ -188,8 +185,8 @@ def nearest_to_lines(line: np.ndarray, ball: np.ndarray) -> tuple[np.ndarray, np
 def attached(
     shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with each side branch on a straight line from its axis to where that meets its trunk: nodes (M, 3), new
-    ones last, and edges (E, 2). A new node of the trunk takes it."""
+    """The curve with each side branch on a straight line from its axis to where that meets its trunk, at a new node:
+    nodes (M, 3), new ones last, and edges (E, 2)."""
     x, radii = x.copy(), radii.copy()
     sides, is_trunk = side_branches(x, edges, is_held, radii)
     for side in sides:

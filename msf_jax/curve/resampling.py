@@ -27,7 +27,7 @@ def resample(
     """
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     is_end = (degree != 2) | is_held
-    polylines, stops = [], []
+    stretches: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []  # the nodes, their arc lengths, those of new ones
     joined_ends: set[tuple[int, int]] = set()
     for path in graphs.trace(len(vertices), edges):
         cuts = [0, *(np.flatnonzero(is_end[path[1:-1]]) + 1).tolist(), len(path) - 1]
@@ -38,24 +38,17 @@ def resample(
             along = arc_length(vertices[nodes])
             least = 3 if ends[0] == ends[1] else 2 if ends in joined_ends else 1
             joined_ends.add(ends)
-            polylines.append((nodes, along))
-            stops.append(stops_of(vertices[nodes], along, least))
+            stretches.append((nodes, along, stops_of(vertices[nodes], along, least)))
     rank = np.cumsum(is_end) - 1
     node_of_old = np.where(is_end, rank, -1)
     new_vertices, new_edges, count = [vertices[is_end]], [np.empty((0, 2), dtype=np.int64)], int(is_end.sum())
-    for (nodes, along), stop in zip(polylines, stops, strict=True):
+    for nodes, along, stop in stretches:
         chain = np.r_[rank[nodes[0]], np.arange(count, count + len(stop) - 2), rank[nodes[-1]]]
         new_vertices.append(at(vertices[nodes], along, stop[1:-1]))
         new_edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
         count += len(stop) - 2
-        node_of_old[nodes[1:-1]] = chain[nearest_of(stop, along[1:-1])]
+        node_of_old[nodes[1:-1]] = chain[np.searchsorted((stop[:-1] + stop[1:]) / 2, along[1:-1])]  # the nearest
     return np.concatenate(new_vertices), np.concatenate(new_edges), node_of_old
-
-
-def nearest_of(stops: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """(P,) which of ``stops`` (S,), at least two in ascending order, is nearest to each of ``along`` (P,)."""
-    after = np.clip(np.searchsorted(stops, along), 1, len(stops) - 1)
-    return np.where(along - stops[after - 1] <= stops[after] - along, after - 1, after)
 
 
 def corner_stops(points: np.ndarray, along: np.ndarray, least: int, tolerance: float) -> np.ndarray:
@@ -79,10 +72,8 @@ def add_corners(points: np.ndarray, stops: list[int], tolerance: float) -> list[
 
 def even_stops(points: np.ndarray, along: np.ndarray, least: int, spacing: float, solid: Solid | None) -> np.ndarray:
     """Arc lengths of the ends of edges about ``spacing`` long along ``points`` (k, 3), as few as stay inside ``solid``,
-    where an edge that would leave it is bisected.
-
-    Instead of many bisections, a few more equal edges may be enough. So a larger spacing never needs more nodes.
-    """
+    where an edge that would leave it is bisected. Instead of many bisections, a few more equal edges may be enough: so
+    a larger spacing never needs more nodes."""
     num = max(least, round(along[-1] / spacing))
     fewest = _bisected(points, along, num, solid)
     while num + 1 < len(fewest) - 1:

@@ -78,7 +78,7 @@ def record(
     distance, nearest = shape.nearest(x)
     here, paths = shape.winding_numbers(x), measures.paths_of(x, edges, is_held)
     inside = here > 0
-    loops, size = _sections(solid, x, edges, paths, is_held, np.where(inside, distance, 0.0), nearest)
+    loops, size = _sections(solid, x, paths, is_held, np.where(inside, distance, 0.0), nearest)
     corners = _with_clouds(surface, edges, loops, len(x))
     a = _smoothing(x, edges, size, corners, is_held)
     offset = np.where(is_held[:, None], 0.0, x - a @ corners.centroid)
@@ -132,7 +132,6 @@ def record(
 def _sections(
     solid: Solid,
     x: np.ndarray,
-    edges: np.ndarray,
     paths: list[measures.BranchPath],
     is_held: np.ndarray,
     radii: np.ndarray,
@@ -144,7 +143,7 @@ def _sections(
     if not paths:
         none = np.zeros(0, dtype=np.int64)
         return BoundCorners(none, none, none, none, np.zeros((0, 3)), none, none), radii
-    limbs = centring.limb_sections(shape, x, edges, paths, is_held, radii, nearest)
+    limbs = centring.limb_sections(shape, x, paths, is_held, radii, nearest)
     node, found, normal = limbs.node, limbs.found, limbs.tangent
     weight = limbs.robust(x[node] - found.centroid)
     is_whole = (moved_inside(x, normal, solid.openings) == x).all(axis=1)

@@ -43,11 +43,12 @@ SURE = 0.3  # least weight of a section that counts, however wide beside the bal
 ROUND = 1.2  # largest ratio of a disc's radius to the ball's at a node whose section counts, however wide on its branch
 
 Columns = dict[str, np.ndarray]
+Paths = Sequence[list[int] | np.ndarray]  # the nodes of each branch
 
 
 def tangents_of(points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The tangents (n, 3), unit vectors, and the curvature (n,), in 1/length, of a branch through ``points`` (n, 3),
-    n >= 2, of some length, in a limb of ``radii`` (n,)."""
+    """The unit tangents (n, 3) and the curvature (n,), in 1/length, of a branch through ``points`` (n, 3), n >= 2, of
+    some length, in a limb of ``radii`` (n,)."""
     num, along = len(points), arc_length(points)
     tangent, curvature = np.empty((num, 3)), np.empty(num)
     for k in range(num):
@@ -86,8 +87,7 @@ def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict
     node where several limbs are one. In the caller's units.
 
     A node at an opening, or so near an oblique or uneven one that the plane cuts its lid, has the section just inside
-    the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim.
-    """
+    the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim."""
     shape, given, none = solid.shape, solid.enter(vertices), np.zeros(len(vertices), dtype=bool)
     paths = branches.paths_of(given, edges, none)
     if not paths:
@@ -95,16 +95,15 @@ def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict
     size = solid.radii(vertices) / solid.diagonal
     x = moved_inside(given, unit(branches.chords(given, paths, size) @ given), solid.openings)
     ball, near = shape.approximate_clearance(x)
-    limbs = centring.limb_sections(shape, x, edges, paths, none, ball, near)
+    limbs = centring.limb_sections(shape, x, paths, none, ball, near)
     node, weight, normal = limbs.node, limbs.weight, limbs.tangent[limbs.node]
     cut, axes = sections.corners(shape, x[node], normal, limbs.size[node], near[node]), axes_across(normal)
     middle = vertices[node] + solid.diagonal * (x - given)[node]
     corners, bounds = solid.leave(cut.places(shape)), np.searchsorted(cut.loop, np.arange(len(node) + 1))
+    found = zip(node.tolist(), middle, axes, bounds[:-1], bounds[1:], weight.tolist(), strict=True)
     return {
-        number: SectionLoop(at, across, (corners[first:last] - at) @ across.T, float(value))
-        for number, at, across, first, last, value in zip(
-            node.tolist(), middle, axes, bounds[:-1], bounds[1:], weight, strict=True
-        )
+        number: SectionLoop(at, across, (corners[first:last] - at) @ across.T, value)
+        for number, at, across, first, last, value in found
     }
 
 
@@ -118,13 +117,12 @@ class Section(NamedTuple):
 
 def section_of(corners: np.ndarray) -> Section:
     """The properties of the polygon ``corners`` (n, 2), counterclockwise: sums over its edges (Green's theorem)."""
-    start = corners[0]
-    a = corners - start
-    b = np.roll(a, -1, axis=0)
-    twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    start, corners = corners[0], corners - corners[0]
+    after = np.roll(corners, -1, axis=0)
+    twice = corners[:, 0] * after[:, 1] - corners[:, 1] * after[:, 0]
     area = twice.sum() / 2
-    centroid = (twice[:, None] * (a + b)).sum(axis=0) / (6 * area)
-    a, b = a - centroid, b - centroid
+    centroid = (twice[:, None] * (corners + after)).sum(axis=0) / (6 * area)
+    a, b = corners - centroid, after - centroid
     twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     pairs = sum(np.einsum("n,ni,nj->ij", twice, each, each) for each in (a, b, a + b))
     return Section(float(area), start + centroid, np.asarray(pairs) / 24)
@@ -132,7 +130,7 @@ def section_of(corners: np.ndarray) -> Section:
 
 def profile_of(corners: np.ndarray) -> tuple[float, float, float, float]:
     """Of the polygon ``corners`` (n, 2): the area, the perimeter, and the largest and least diameter between parallel
-    lines, as measured by a calliper; NaN for these if all corners are in a line."""
+    lines, by a calliper; NaN for these if all corners are in a line."""
     perimeter = float(np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1).sum())
     try:
         hull = spatial.ConvexHull(corners)
@@ -145,23 +143,15 @@ def profile_of(corners: np.ndarray) -> tuple[float, float, float, float]:
 
 
 def volumes_of(
-    shape: Enclosure,
-    nodes: np.ndarray,
-    paths: Sequence[list[int] | np.ndarray],
-    radii: np.ndarray,
-    node_of_vertex: np.ndarray | None,
+    shape: Enclosure, nodes: np.ndarray, paths: Paths, radii: np.ndarray, node_of_vertex: np.ndarray | None
 ) -> np.ndarray:
     """(B,) the volume between each branch of a curve through ``nodes`` (N, 3), by its nodes in ``paths``, and the faces
     that belong to it: to that of their first corner's node, ``node_of_vertex`` (V,), or the nearest if None.
 
-    The corners of each face move straight to their nodes. The sides of the volume that a face sweeps are shared with
-    its neighbours, so the volumes of all faces add up to the enclosed one, because a curve encloses none. A face longer
-    than the limb is thick, by the ``radii`` (N,), is split, and its new corners belong to the nearest node.
-    """
-    branch = np.full(len(nodes), -1)
-    for number, path in reversed(list(enumerate(paths))):
-        branch[path] = number
-    x, faces, tree = shape.vertices, shape.faces, spatial.KDTree(nodes)
+    The corners of each face move straight to their nodes. Neighbours share the sides of the volume that a face sweeps,
+    so the volumes of all faces add up to the enclosed one, because a curve encloses none. A face longer than the limb
+    is thick, by the ``radii`` (N,), is split, and its new corners belong to the nearest node."""
+    branch, x, faces, tree = first_of(paths, len(nodes)), shape.vertices, shape.faces, spatial.KDTree(nodes)
     node = np.asarray(tree.query(x)[1]) if node_of_vertex is None else node_of_vertex
     for _ in range(MOST_SPLITS):
         longest = np.linalg.norm(x[faces] - np.roll(x[faces], 1, axis=1), axis=2).max(axis=1)
@@ -178,6 +168,14 @@ def volumes_of(
         six += np.einsum("fi,fi->f", cross(a[q], a[p]), b[p] + b[q]) / 2
         six += np.einsum("fi,fi->f", cross(b[p], b[q]), a[p] + a[q]) / 2
     return np.bincount(branch[node[faces[:, 0]]], weights=six / 6, minlength=len(paths))
+
+
+def first_of(paths: Paths, num: int) -> np.ndarray:
+    """(num,) the number of the first of ``paths`` that goes through each node, -1 for none."""
+    first = np.full(num, -1)
+    for number, nodes in reversed(list(enumerate(paths))):
+        first[nodes] = number
+    return first
 
 
 def direct_paths(
@@ -208,7 +206,7 @@ def direct_paths(
 class Directed(NamedTuple):
     """The branches of a curve, away from its roots. paths: the nodes of each, the end nearer to the root first. parent:
     (B,) the branch before each, -1 for those at a root. outwards: their numbers, from roots on. whole: (B,) which of
-    `Skeleton.branches` each is, or is a part of. degree: (N,) the number of edges at each node."""
+    `Skeleton.branches` each is, or is a part of. degree: (N,)."""
 
     paths: list[np.ndarray]
     parent: np.ndarray
@@ -244,10 +242,10 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
     paths, parent, _, whole, degree = direct_branches(skeleton)
     known, along = skeleton.branches, measures_along(skeleton, paths, degree)
     length, chord = along.pop("length"), along.pop("chord")
-    surface = [known[number].surface for number in whole]
-    for number in np.flatnonzero(np.bincount(whole)[whole] > 1).tolist():  # parts of a branch, which a root splits
-        own = np.isin(skeleton.mesh_map, paths[number][1:][degree[paths[number][1:]] < 3])
-        surface[number] = np.nan if skeleton.source is None else skeleton.source.areas[own].sum()
+    surface = np.full(len(paths), np.nan)
+    if skeleton.source is not None:  # a root that splits a branch belongs to its first part, and a junction to none
+        branch = np.where(degree < 3, first_of(paths, len(degree)), len(paths))[skeleton.mesh_map]
+        surface = np.bincount(branch, skeleton.source.areas, len(paths) + 1)[:-1]
     with np.errstate(divide="ignore", invalid="ignore"):
         tortuosity = np.where(chord > 0, length / chord, np.where(length > 0, np.inf, np.nan))
     return {
@@ -263,18 +261,18 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "volume": _branch_volumes(skeleton, paths),
         "angle": _fork_angles(skeleton, paths, parent),
         "slenderness": np.array([known[number].slenderness for number in whole], dtype=float),
-        "surface": np.array(surface, dtype=float),
+        "surface": surface,
     }
 
 
 def node_columns(skeleton: "Skeleton") -> Columns:
     """The columns of the table of nodes. A junction belongs to the first of its branches."""
-    num, branch = len(skeleton.vertices), np.full(len(skeleton.vertices), -1)
+    paths, num = direct_branches(skeleton).paths, len(skeleton.vertices)
     along, curvature = np.full((2, num), np.nan)
     tangent = np.full((num, 3), np.nan)
-    for number, nodes in reversed(list(enumerate(direct_branches(skeleton).paths))):
+    for nodes in reversed(paths):
         points = skeleton.vertices[nodes]
-        branch[nodes], along[nodes] = number, arc_length(points)
+        along[nodes] = arc_length(points)
         if len(nodes) > 1 and arc_length(points)[-1] > 0:
             tangent[nodes], curvature[nodes] = tangents_of(points, skeleton.radii[nodes])
     profiles = np.full((num, 4), np.nan)
@@ -285,7 +283,7 @@ def node_columns(skeleton: "Skeleton") -> Columns:
         "node": np.arange(num),
         **dict(zip("xyz", skeleton.vertices.T, strict=True)),
         "radius": skeleton.radii,
-        "branch": branch,
+        "branch": first_of(paths, num),
         "along": along,
         **dict(zip(("tangent_x", "tangent_y", "tangent_z"), tangent.T, strict=True)),
         "curvature": curvature,
@@ -447,10 +445,10 @@ def cylinder_columns(skeleton: "Skeleton") -> Columns:
 
     Numbers begin with 1, and 0 is none. ``radius`` is that of a disc with the area of the limb's section, between known
     ones in proportion: balls are smaller in uneven limbs, and larger at forks. An axis begins at the surface of its
-    parent. So cylinders have the solid's volume. ``UnmodRadius`` is the mean of the skeleton's radii at both ends.
-    """
+    parent. So cylinders have the solid's volume. ``UnmodRadius`` is the mean of the skeleton's radii at both ends."""
     (axes, *_), disc = axes_of(skeleton), _disc_radii(skeleton)
     sizes, rows, parent, branch = list[np.ndarray](), [np.empty((0, 8))], list[int](), list[int]()
+    trees = {n: spatial.KDTree(skeleton.vertices[axes[n].nodes]) for n in {each.parent for each in axes} if n >= 0}
     into: dict[tuple[int, int], int] = {}  # the cylinder of an axis that ends in a node
     for number, axis in enumerate(axes):
         nodes, known, last = axis.nodes, np.isfinite(disc[axis.nodes]), 0
@@ -458,7 +456,7 @@ def cylinder_columns(skeleton: "Skeleton") -> Columns:
         own = np.interp(along, along[known], disc[nodes[known]]) if known.any() else skeleton.radii[nodes]
         sizes.append(own)
         if axis.parent >= 0 and len(nodes) > 1:
-            away, nearest = spatial.KDTree(skeleton.vertices[axes[axis.parent].nodes]).query(points)
+            away, nearest = trees[axis.parent].query(points)
             depth = sizes[axis.parent][nearest] - away
             last = int(np.append(depth[1:-1] < 0, True).argmax())  # the node before the parent's surface
             share = float(np.clip(depth[last] / max(depth[last] - depth[last + 1], 1e-300), 0.0, 1.0))
@@ -473,21 +471,21 @@ def cylinder_columns(skeleton: "Skeleton") -> Columns:
                 branch.append(number)
         radii = np.stack([own, skeleton.radii[nodes[last:]]], axis=1)
         rows.append(np.hstack([points[:-1], points[1:], (radii[:-1] + radii[1:]) / 2]))
-    axis_of, above = _whole(branch), _whole(parent)
+    axis_of = _whole(branch)
     first = np.searchsorted(axis_of, axis_of)
-    is_first = first == np.arange(len(axis_of))
-    extension = np.append(np.where(is_first[1:], 0, np.arange(2, len(axis_of) + 1)), 0)[: len(axis_of)]
+    own = np.arange(1, len(axis_of) + 1)
+    extension = np.append(np.where(np.diff(axis_of) > 0, 0, own[1:]), 0)[: len(axis_of)]  # the next one of the axis
     tail, head, radii = np.split(np.concatenate(rows), [3, 6], axis=1)
     return {
         "radius": radii[:, 0],
         "length": np.linalg.norm(head - tail, axis=1),
         **dict(zip(("start.x", "start.y", "start.z"), tail.T, strict=True)),
         **dict(zip(("axis.x", "axis.y", "axis.z"), unit(head - tail).T, strict=True)),
-        "parent": above,
+        "parent": _whole(parent),
         "extension": extension,
         "added": np.zeros(len(axis_of), dtype=np.int64),
         "UnmodRadius": radii[:, 1],
         "branch": axis_of + 1,
         "BranchOrder": _whole([axis.order for axis in axes])[axis_of],
-        "PositionInBranch": np.arange(len(axis_of)) - first + 1,
+        "PositionInBranch": own - first,
     }

@@ -1,10 +1,9 @@
 """`Frame`: a solid of bars as beams for structural analysis, and its files, for Abaqus and CalculiX.
 
-The graph comes first. Joints whose balls are nearer than the tolerance are one, and a branch that ends nearer to a
-joint's ball is no member. A branch is cut where it bends (Douglas and Peucker 1973), but not near a joint, where it
-bends towards its middle. The axis of a member is the line nearest to the centroids of its limb's cross-sections in its
-middle half. A joint is where the axes of its members meet, as junctions of a curve are (see `curve.junctions`), and an
-end without one where the axis leaves the solid.
+Joints whose balls are nearer than the tolerance are one, and a branch that ends nearer to a joint's ball is no member.
+A branch is cut where it bends (Douglas and Peucker 1973), but not near a joint, where it bends towards its middle. The
+axis of a member is the line nearest to the centroids of its limb's cross-sections in its middle half. A joint is where
+the axes of its members meet (see `curve.junctions`), and an end without one where the axis leaves the solid.
 
 The torsion constant is Saint-Venant's estimate from the area A and the second moments, exact for an ellipse,
 
@@ -143,8 +142,7 @@ def trace_wires(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tolerance: float
 ) -> tuple[np.ndarray, np.ndarray, list[np.ndarray]]:
     """The joints and members of a curve, see the module: the mean place (J, 3) of the nodes of each joint, the joints
-    (M, 2) of each member, and the nodes along it, from its first joint to the second. Lengths are in the units of
-    ``vertices``."""
+    (M, 2) of each member, and the nodes along it, from its first joint to the second."""
     degree = graphs.degrees(len(vertices), edges)
     short, wires = [np.empty((0, 2), dtype=np.int64)], []
     for nodes in (np.array(path) for path in graphs.trace(len(vertices), edges) if len(path) > 1):
@@ -186,7 +184,7 @@ def _find_corners(points: np.ndarray, radii: np.ndarray, tolerance: float, is_lo
 
 def _measure_bar(loops: dict[int, SectionLoop], skeleton: "Skeleton", nodes: np.ndarray) -> tuple[np.ndarray, ...]:
     """Of the member along ``nodes``: a point (3,) on its axis, its direction (3,), the areas (k,) of its sections, and
-    their mean second moments (3, 3), the integral of x x^T over the section."""
+    the mean of their integrals of x x^T (3, 3)."""
     along = arc_length(skeleton.vertices[nodes])
     in_middle = nodes[np.abs(along - along[-1] / 2) <= along[-1] / 4]
     own = [loops[node] for node in in_middle.tolist() if node in loops and loops[node].weight > 1 / 2]

@@ -5,27 +5,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import plotly.graph_objects as go
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.meshes import reading
-from msf_jax.meshes.reading import MeshLike
 from msf_jax.view import ABOVE, looking
 
 if TYPE_CHECKING:
-    from plotly.graph_objects import Figure
-
     from msf_jax.skeleton.skeleton import Skeleton
 
 GREY, GREEN = "#8c9eb8", "#5b8c5a"  # colours of the surface, and of the contraction
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
 
 
-def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.PathLike[str] | None = None) -> "Figure":
+def view(skeleton: "Skeleton", mesh: "reading.MeshLike | None", path: str | os.PathLike[str] | None) -> go.Figure:
     """See `Skeleton.view`."""
-    import plotly.graph_objects as go
-
     if path is not None and Path(path).suffix.lower() != ".html":
         raise ConfigError(f"a page is written as .html, not as {Path(path).suffix!r}")
     middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is precise enough around it
@@ -62,7 +58,7 @@ def view(skeleton: "Skeleton", mesh: "MeshLike | None" = None, path: str | os.Pa
     return drawing
 
 
-def _surface(skeleton: "Skeleton", mesh: "MeshLike | None") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _surface(skeleton: "Skeleton", mesh: "reading.MeshLike | None") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Vertices and faces of the ``mesh``, or of that which the curve was made from, and the node of each vertex."""
     if mesh is None:
         solid = skeleton.known_source.solid
@@ -75,9 +71,7 @@ def _surface(skeleton: "Skeleton", mesh: "MeshLike | None") -> tuple[np.ndarray,
     return vertices, faces, np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
 
 
-def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **style: Any) -> Any:
-    import plotly.graph_objects as go
-
+def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **style: Any) -> go.Mesh3d:
     corners = dict(zip("ijk", np.asarray(faces, dtype=np.int32).T, strict=True))
     return go.Mesh3d(**dict(zip("xyz", vertices.astype(np.float32).T, strict=True)), **corners, name=name, **style)
 
@@ -100,10 +94,8 @@ def _scene(box: np.ndarray) -> dict[str, Any]:
     return {"aspectmode": "manual", "aspectratio": ratio, "camera": {"eye": eye, "up": up}, **axes}
 
 
-def _line(curve: "Skeleton", middle: np.ndarray) -> Any:
+def _line(curve: "Skeleton", middle: np.ndarray) -> go.Scatter3d:
     """Every edge as a line, coloured by radius, with a gap after it; a curve without edges as dots."""
-    import plotly.graph_objects as go
-
     bar = {"title": "radius", "len": 0.5, "thickness": 14, "x": 1, "xanchor": "right"}
     points, radius = (curve.vertices - middle).astype(np.float32), curve.radii.astype(np.float32)
     if len(curve.edges):

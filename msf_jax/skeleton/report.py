@@ -42,12 +42,8 @@ MOST_UNEXPLAINED = 0.08  # likewise
 # So it turns by 166 degrees or more. In the corner of bars that meet at 25 degrees it rightly turns by 155: it is 0.22.
 FOLDED = 0.125
 SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle 2.6 times as wide as thick
-# Mean radius of a sheet's section, over twice its area over its edge: 1 for a disc, 1.1 for a square, 1.4 for the
-# rectangle above
-FLAT_SECTION = 1.35
+FLAT_SECTION = 1.35  # its mean radius over twice its area over its edge: of a disc 1, a square 1.1, that rectangle 1.4
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
-EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
-UNMEASURED = "not measured, as the mesh or the finished curve is not known"
 NOT_SURE = "NOT SURE"  # in a note that is printed first: a root that may be in no soma
 
 
@@ -56,33 +52,27 @@ class Report:
     """The results of a run, and how far to trust them.
 
     Attributes:
-        components: connected components of the curve; should equal ``mesh_components``.
-        mesh_components: connected components of the mesh.
-        genus: sum of the genera of the mesh's components.
-        cycles: independent cycles of the curve; should equal ``genus``.
+        components, mesh_components: connected components of the curve, and of the mesh; should be equal.
+        genus, cycles: sum of the genera of the mesh's components; independent cycles of the curve. Should be equal.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None without the mesh, or if there are too many to prove, which is a doubt.
         in_sheets: share of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a void,
             where the path is arbitrary; over half is a doubt. None if not known, as the next two.
-        unexplained: share that exceeds limbs of its cross-sections with the solid's volume: the curve winds, or has two
-            strands in one limb.
+        unexplained: share of its length beyond limbs of its cross-sections with the solid's volume.
         elongation: the largest length of a branch in its median diameters.
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
-        joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places; None
-            without it.
+        joined_handles: of `repair="join"`, where parts touch or overlap in several places; None without it.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
-        converged: whether the flow converged.
-        reason: why the flow stopped: one clause for each distinct reason of a component.
+        converged, reason: whether the flow converged; why it stopped, one clause for each reason of a component.
         iterations: of the flow, the sum over components.
         fixed, live: vertices of the meso-skeleton at the end: those that were fixed, and all.
         coarsened: vertices that coarsening removed before the flow, see ``Config.coarsen``.
-        pruned, grown: branches that were removed because they are no limbs (see `Branch`), also by `Skeleton.prune`;
-            and branches that were added in thin limbs that the flow had lost, of which some may be pruned again.
+        pruned, grown: branches that were removed because they are no limbs, also by `Skeleton.prune`; and that were
+            added in thin limbs that the flow had lost.
         wavefronts: components whose curves geodesic wavefronts made, as edges are longer than limbs are thick.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
-        solve_steps, out_of_steps: CG steps of all solves; iterations in which a solve ended by
-            ``SolverOptions(max_steps=...)``, or by an equation that is not positive definite.
+        solve_steps, out_of_steps: CG steps of all solves; iterations in which one ended unsolved.
         doubts: reasons not to trust the curve, such as a loop that goes around no handle, a sentence each.
         repairs, notes: changes of the input mesh, and other unusual events, a sentence each.
         figures: `metrics.evaluate` of the finished curve, with ``Config(evaluate=True)``.
@@ -130,29 +120,27 @@ class Report:
     @property
     def are_limbs(self) -> bool:
         """Whether the solid consists of limbs, and the curve is their axes, so that its lengths, radii and angles mean
-        something. `is_sound` says whether the topology is right; where most of the curve is in sheets, it is False,
-        too, as the curve could as well be elsewhere. See ``not_limbs``."""
+        something; see ``not_limbs``. `is_sound` says whether the topology is right."""
         return not self.not_limbs
 
     @property
     def not_limbs(self) -> tuple[str, ...]:
         """Why `are_limbs` is False, a sentence each. A curve without its mesh, and the flow's own, are not measured."""
-        measured = (self.in_sheets, self.unexplained, self.elongation)
-        in_sheets, unexplained, elongation = (np.nan if each is None else each for each in measured)
-        if None in measured:
-            return (UNMEASURED,)
-        parts, handles = (counted(self.left_out, "part"), counted(self.joined_handles or 0, "handle"))
-        found = (
-            (elongation < 1, "no part is longer than it is wide"),
-            (in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(in_sheets)),
-            (unexplained > MOST_UNEXPLAINED, f"{unexplained:.0%} of the curve's length {EXCESS}"),
-            (self.left_out > 0, f"repair left out {parts}, which {'has' if self.left_out == 1 else 'have'} no curve"),
-            ((self.joined_handles or 0) > 0, f"joining made {handles}, where parts touch in several places"),
+        if self.in_sheets is None or self.unexplained is None or self.elongation is None:
+            return ("not measured, as the mesh or the finished curve is not known",)
+        excess = f"{self.unexplained:.0%} of the curve's length is more than the solid explains"
+        parts, handles = self.left_out, self.joined_handles or 0
+        reasons = (
+            (self.elongation < 1, "no part is longer than it is wide"),
+            (self.in_sheets > MOST_IN_SHEETS, IN_SHEETS.format(self.in_sheets)),
+            (self.unexplained > MOST_UNEXPLAINED, f"{excess}: it winds, or two strands are in one limb"),
+            (parts > 0, f"repair left out {counted(parts, 'part')}, which {'has' if parts == 1 else 'have'} no curve"),
+            (handles > 0, f"joining made {counted(handles, 'handle')}, where parts touch in several places"),
         )
-        return tuple(reason for is_so, reason in found if is_so)
+        return tuple(reason for is_so, reason in reasons if is_so)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values, for a table; what is not known of a curve without its mesh is NaN, as in the report."""
+        """Plain values, for a table."""
         return asdict(self)
 
     def __repr__(self) -> str:
@@ -198,9 +186,7 @@ def loops_of(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
 ) -> dict[str, Any]:
     """The report's ``loops`` and ``doubts`` for a curve ``(vertices (N, 3), edges (E, 2))``, in its solid's units.
-
-    ``node_of_vertex`` (V,) is the node of each vertex of the solid, if known.
-    """
+    ``node_of_vertex`` (V,) is the node of each vertex of the solid, if known."""
     found = handle_loops.proof(shape, vertices, edges, node_of_vertex)
     doubts = []
     for closing, what in (
@@ -228,10 +214,9 @@ def assessed(
     is_joined: bool = False,
 ) -> dict[str, Any]:
     """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`. Its branches
-    are only asked for where many of them end. Where the solid's parts were joined, ``is_joined``, that is no advice."""
-    about = loops_of(shape, vertices, edges, node_of_vertex)
+    are only asked for if it has many ends. Where the solid's parts were joined, ``is_joined``, that is no advice."""
+    about, doubts = loops_of(shape, vertices, edges, node_of_vertex), list[str]()
     shares = shares_of(shape, vertices, edges, node_of_vertex)
-    doubts = []
     if len(leaves_of(edges)) >= MANY:
         slender = [branch.slenderness for branch in branches_of() if np.isfinite(branch.slenderness)]
         stubs = sum(each < STUB for each in slender)
@@ -260,7 +245,7 @@ def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[st
         for run in np.split(fold, np.flatnonzero(np.diff(fold) > 1) + 1) if len(fold) else ():
             found.add(int(path[run[share[run].argmin()]]))
     doubts = [f"the curve turns back at node {node}" for node in sorted(found)[:MOST_NAMED]]
-    return doubts + ([f"and at {len(found) - MOST_NAMED} more"] if len(found) > MOST_NAMED else [])
+    return doubts + [f"and at {len(found) - MOST_NAMED} more"] * (len(found) > MOST_NAMED)
 
 
 def _overlaps(
@@ -320,10 +305,7 @@ def shares_of(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
 ) -> dict[str, float]:
     """The report's ``in_sheets``, ``unexplained`` and ``elongation`` of a curve ``(vertices (N, 3), edges (E, 2))`` in
-    the solid ``shape``.
-
-    ``node_of_vertex`` (V,) is the node of each vertex of the solid; the nearest one if not given.
-    """
+    the solid ``shape``. ``node_of_vertex`` (V,) is the node of each of its vertices; the nearest one if not given."""
     radius, near = shape.approximate_clearance(vertices)
     paths = branches.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
     length, degree = graphs.lengths(vertices, edges), graphs.degrees(len(vertices), edges)

@@ -1,7 +1,7 @@
 """`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`.
 
-Its verbs give other curves of the same mesh: pruned, with other nodes, with radii of another kind; and trees. What else
-can be made of a skeleton are functions in other modules, which its methods import when they are called.
+Its verbs give other curves of the same mesh. What else can be made of a skeleton are functions in other modules, which
+its methods import when they are called.
 """
 
 import numbers
@@ -17,14 +17,12 @@ from scipy import sparse, spatial
 
 from msf_jax import metrics
 from msf_jax.base import binding as bindings
-from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import counted, write_whole
 from msf_jax.curve import branches, finishing, resampling
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.limbs import one_branch
-from msf_jax.limbs.one_branch import Branch
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording.following import BoundSurface, record
@@ -60,9 +58,8 @@ class Stage(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class Source:
     """The data that a curve was made from. areas: (V,) share of the surface's area that belongs to each input vertex.
-    pins: (k,) input vertices held in place; the first of several welded vertices. stages: a few surfaces of the
-    contraction, from first to last. input_of_vertex: (v,) of each vertex of the solid; None if repair has added some.
-    """
+    pins: (k,) input vertices held in place; the first of several welded vertices. stages: some surfaces of the flow,
+    from first to last. input_of_vertex: (v,) of each vertex of the solid; None if repair has added some."""
 
     solid: Solid
     areas: np.ndarray
@@ -130,14 +127,11 @@ class Skeleton:
         return int((np.bincount(self.edges.ravel()) == 1).sum())
 
     @property
-    def branches(self) -> list[Branch]:
+    def branches(self) -> list[one_branch.Branch]:
         """The paths between nodes whose degree is not 2, with their length, slenderness and surface."""
-        share = None
-        if self.source is not None:
-            share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
-        known = self._slenderness
-        slenderness = one_branch.by_balls(self.vertices, self.radii) if known is None else known
-        return one_branch.measure(self.vertices, self.edges, slenderness, share)
+        source = self.source
+        share = None if source is None else np.bincount(self.mesh_map, source.areas, len(self.vertices))
+        return one_branch.measure(self.vertices, self.edges, self._slenderness, share)
 
     @property
     def known_source(self) -> Source:
@@ -151,8 +145,7 @@ class Skeleton:
 
     @property
     def bound_surface(self) -> BoundSurface:
-        """The checked mesh, with the input vertex and the node of each of its vertices; a `ConfigError` if it is not
-        known, or if repair has added vertices to it."""
+        """The checked mesh, with the input vertex and the node of each of its vertices; a `ConfigError` without it."""
         source = self.known_source
         if source.input_of_vertex is None:
             raise ConfigError(
@@ -162,20 +155,18 @@ class Skeleton:
         return BoundSurface(source.solid, source.input_of_vertex, self.mesh_map[source.input_of_vertex])
 
     @cached_property
-    def _slenderness(self) -> np.ndarray | None:
-        """(N,) the slenderness of each leaf on the solid's surface, which a run knows; None if branches are measured by
-        their balls."""
+    def _slenderness(self) -> np.ndarray | one_branch.Worth:
+        """(N,) the slenderness of each leaf on the solid's surface, which a run knows; else a function of the balls."""
         if self.source is None or self.report.wavefronts:
-            return None
+            return one_branch.by_balls(self.vertices, self.radii)
         return one_branch.slenderness(self.source.limbs, self.source.solid.enter(self.vertices), self.edges)
 
     def prune(self, slenderness: float = 0.5) -> "Skeleton":
         """A new skeleton without the branches of limbs that are less slender, see `Branch`; other limbs keep one each.
 
-        Nothing less slender than half a ball, 0.5, is a limb, unless it stands out at the detail 0.5, as in `Config`; 0
-        keeps all branches. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a
-        pruned branch go to its junction. Without its mesh, or if wavefronts made the curve, branches are pruned by
-        their balls, the least slender first.
+        Nothing below 0.5, half a ball, is a limb, unless it stands out at the detail 0.5, as in `Config`; 0 keeps all
+        branches. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a pruned
+        branch go to its junction. Without its mesh, or if wavefronts made the curve, branches go by their balls.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
@@ -195,8 +186,8 @@ class Skeleton:
         return replace(result, report=replace(result.report, pruned=pruned))
 
     def resample(self, spacing: float) -> "Skeleton":
-        """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends, pins and
-        openings stay. An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
+        """A new skeleton with nodes about every ``spacing`` along branches, a length. Ends, pins and openings stay. An
+        edge that would leave the solid is bisected. A larger spacing never gives more nodes.
 
         Raises:
             ConfigError: ``spacing`` is not above 0, or would give more than ten million nodes.
@@ -223,15 +214,13 @@ class Skeleton:
         return changed(self, *resampling.resample(self.vertices, self.edges, is_held, stops_of))
 
     def to_tree(self, root: Any = None) -> "Skeleton":
-        """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
-
-        Nodes and map are the same. ``report.cut`` counts the loops; ``report.notes`` says where they were cut, and
-        whether the soma is sure.
+        """A new skeleton without loops: each loop is cut at its thinnest edge. ``report.cut`` counts the loops, and
+        ``report.notes`` says where they were cut, and whether the soma is sure.
 
         Args:
             root: id of the node that is the root of its component, or a point (x, y, z) for the node nearest to it; for
                 the tip if that node is within two radii of one. Or "soma" (see `soma`). The default is the thickest
-                node, as in the other components. See ``roots``.
+                node, as in the other components.
 
         Raises:
             ConfigError: the curve has no such node.
@@ -300,9 +289,8 @@ class Skeleton:
         """The same curve with another kind of radii, which saved files then have, too.
 
         Args:
-            of: "ball", the radius of the largest inscribed ball around each node; or "section", that of a disc with the
-                area of the cross-section there. In a flat limb the second is larger. A node without a cross-section,
-                such as beyond a limb's end, has the ball's.
+            of: "ball", of the largest inscribed ball around each node; or "section", of a disc with the area of the
+                cross-section there, if it has one. In a flat limb the second is larger.
 
         Raises:
             ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
@@ -313,10 +301,9 @@ class Skeleton:
         return with_balls if of == "ball" else _with_sections(with_balls)
 
     @cached_property
-    def binding(self) -> Binding:
-        """The curve as a function of the mesh's vertices, for `msf_jax.follow`; made on first access.
-
-        A pytree of NumPy arrays, padded to one of few capacities, for each of which a jitted function is compiled once.
+    def binding(self) -> bindings.Binding:
+        """The curve as a function of the mesh's vertices, for `msf_jax.follow`: a pytree of NumPy arrays, padded to one
+        of few capacities, for each of which a jitted function is compiled once.
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
@@ -342,11 +329,9 @@ class Skeleton:
         num, num_sections, many = len(binding.rest), len(binding.node), len(binding.vertices)
         entered = (padded.vertices - padded.centre) / padded.unit
         slopes = np.asarray(_slopes(padded, entered.astype(real_dtype())), dtype=np.float64)  # axis, corner, axis
-        corner = np.arange(len(binding.section))
-        ends: Any = sparse.coo_matrix(
-            (np.r_[1 - binding.part, binding.part], (np.tile(corner, 2), np.r_[binding.tail, binding.head])),
-            shape=(len(corner), many),
-        ).tocsr()
+        corner, share = np.arange(len(binding.section)), np.r_[1 - binding.part, binding.part]
+        of_ends = share, (np.tile(corner, 2), np.r_[binding.tail, binding.head])
+        ends: Any = sparse.csr_matrix(of_ends, shape=(len(corner), many))
         a: Any = sparse.csr_matrix((binding.a_value, (binding.a_row, binding.a_column)), shape=(num, num_sections))
         b: Any = sparse.csr_matrix((binding.b_value, (binding.b_row, binding.b_column)), shape=(num, many))
         total: Any = sparse.kron(b, sparse.eye_array(3), format="csr")
@@ -366,7 +351,7 @@ class Skeleton:
                 (V,) one for each vertex of the input mesh.
 
         Returns:
-            (N, 3, 3) covariances, in the mesh's units squared. They do not cover other decisions of a run.
+            (N, 3, 3), in the mesh's units squared. They do not cover other decisions of a run.
 
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
@@ -387,9 +372,9 @@ class Skeleton:
     def columns(self, of: str = "branches") -> dict[str, np.ndarray]:
         """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
-        The table is a dictionary of arrays, as `pandas.DataFrame` takes it; `save` writes the same. Lengths are in the
-        caller's units, angles in degrees; unknown values are NaN. Branches are directed away from the root of
-        `to_tree`, or from the tip of the thickest limb; one with that root within has two rows.
+        The table is a dictionary of arrays, as `pandas.DataFrame` takes it. Lengths are in the caller's units, angles
+        in degrees; unknown values are NaN. Branches are directed away from the root of `to_tree`, or from the tip of
+        the thickest limb; one with that root within has two rows.
 
         - "branches": start and end nodes; parent, the branch before it, or -1; is_tip; length, chord, tortuosity
           (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
@@ -424,9 +409,8 @@ class Skeleton:
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
           number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.
-        - ``.polylines.txt`` (CGAL's), ``.obj`` (line elements).
-        - ``.vtp``: VTK PolyData, with the `columns` of branches and nodes. ``.csv``, ``.nodes.csv``, ``.axes.csv``,
-          ``.cylinders.csv``: its tables.
+        - ``.polylines.txt`` (CGAL's), ``.obj`` (line elements). ``.vtp``: VTK PolyData, with the `columns` of branches
+          and nodes. ``.csv``, ``.nodes.csv``, ``.axes.csv``, ``.cylinders.csv``: tables, see `columns`.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
           where it has none), on the bones of ``rig()``. For another rig use ``rig(...).save(path, mesh)``.
 
@@ -442,17 +426,16 @@ class Skeleton:
     def rig(self, mesh: "MeshLike | None" = None, names: str | None = None) -> "Rig":
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
-        Joints are where limbs begin, where they bend most, and at regular distances along a long limb; both sides of a
-        symmetric shape have the same. The root is the pelvis of a body, on two legs or four, or the thickest junction.
-        Loops are cut where they are thinnest. A vertex has at most four bones. For fewer bones, `prune` before.
+        Joints are where limbs begin, where they bend most, and along a long limb; both sides of a symmetric shape have
+        the same. The root is the pelvis of a body, on two legs or four, or the thickest junction. Loops are cut where
+        they are thinnest. A vertex has at most four bones. For fewer bones, `prune` before.
 
         Args:
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
-            names: "mixamo", "vrm" or "unreal": those of a biped's joints. Axes are the mesh's; others keep theirs.
+            names: "mixamo", "vrm" or "unreal": those of a biped's joints. Axes are the mesh's.
 
         Raises:
-            ConfigError: the surface that the curve was made from is not known, or names were asked for and the shape is
-                no biped, with the reason.
+            ConfigError: no mesh is known, or names were asked for and the shape is no biped, with the reason.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
         from msf_jax.skeleton.rigging import rig
@@ -468,8 +451,7 @@ class Skeleton:
                 nearer become one, and branches are cut where they bend by more.
 
         Raises:
-            ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no cross-section, or the
-                surface that the curve was made from is not known.
+            ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no section, or no mesh known.
         """
         from msf_jax.skeleton import framing
 
@@ -493,15 +475,14 @@ class Skeleton:
         return page.view(self, mesh, path)
 
     def plot(self, mesh: "MeshLike | None" = None) -> "Figure":
-        """A matplotlib figure: the mesh, if it is given, translucent, and the curve coloured by radius; see
-        `view.panels`."""
+        """A matplotlib figure: the mesh, if given, translucent, and the curve coloured by radius; see `view.panels`."""
         from msf_jax import view
 
         return view.panels([view.Panel(mesh=mesh, curves={"": self})], size=8)
 
 
 @jax.jit
-def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
+def _slopes(binding: bindings.Binding, entered: jax.Array) -> jax.Array:
     """(3, C, 3): derivative of a centroid along axis i with respect to each corner of its section along axis j. No two
     sections share a corner, so three products with the transpose give the derivatives of all centroids."""
     place = following.corners(binding, entered)
@@ -511,18 +492,15 @@ def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
-    """A skeleton of a curve without its mesh, as files of other programs have it: without a map, and with a report that
-    has only the counts."""
+    """A skeleton of a curve without its mesh, as files of other programs have it, with counts only in its report."""
     components, cycles = graphs.cycle_count(len(vertices), edges)
     report = Report(components, components, cycles, cycles, float("nan"), True, "read from a file")
     return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)
 
 
 def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> Skeleton:
-    """A skeleton of the same mesh with another curve, and an updated report.
-
-    ``node_of_old`` (N,) is the new node for each node of ``skeleton``.
-    """
+    """A skeleton of the same mesh with another curve, and an updated report. ``node_of_old`` (N,) is the new node for
+    each node of ``skeleton``."""
     edges, mesh_map, source = finishing.in_order(edges), node_of_old[skeleton.mesh_map], skeleton.source
     if source is None:
         radii = skeleton.radii[spatial.KDTree(skeleton.vertices).query(vertices)[1]]
@@ -535,12 +513,9 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
     result = replace(skeleton, **curve, roots=roots, openings=openings, radius_of="ball")
     if source is None:
         return result
-    solid, vertex = source.solid, source.input_of_vertex
-    followed = None if vertex is None else mesh_map[vertex]
-    found = assessed(
-        solid.shape, solid.enter(vertices), edges, followed, lambda: result.branches, report.joined_handles is not None
-    )
-    found["inside"] = _share_inside(result, edges)
+    vertex, is_joined = source.input_of_vertex, report.joined_handles is not None
+    placed = source.solid.shape, source.solid.enter(vertices), edges, None if vertex is None else mesh_map[vertex]
+    found = assessed(*placed, lambda: result.branches, is_joined) | {"inside": _share_inside(result, edges)}
     result = replace(result, report=replace(report, **found))
     return result if skeleton.radius_of == "ball" else _with_sections(result)
 
@@ -570,8 +545,7 @@ def _relinked(skeleton: Skeleton, edges: np.ndarray, note: str, **counts: Any) -
 
 
 def _held(skeleton: Skeleton) -> np.ndarray:
-    """(N,) True for nodes that stay in every curve made from this one: of pinned vertices of the mesh, and of
-    openings."""
+    """(N,) whether a node stays in every curve made from this one: of a pinned vertex, or an opening."""
     is_held = np.zeros(len(skeleton.vertices), dtype=bool)
     is_held[list(skeleton.openings)] = True
     if skeleton.source is not None:

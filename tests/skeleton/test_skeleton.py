@@ -65,6 +65,9 @@ def test_branches_cover_the_curve_and_the_surface(whole):
     junctions = np.flatnonzero(np.bincount(skeleton.edges.ravel()) > 2)
     at_junctions = skeleton.source.areas[np.isin(skeleton.mesh_map, junctions)].sum()
     assert sum(branch.surface for branch in found) + at_junctions == pytest.approx(1.0)
+    nodes = max((branch.nodes for branch in found), key=len)
+    split = skeleton.to_tree(nodes[len(nodes) // 2]).columns()  # by a root, which belongs to one of both pieces
+    assert len(split["surface"]) == len(found) + 1 and split["surface"].sum() + at_junctions == pytest.approx(1.0)
     degree = np.bincount(skeleton.edges.ravel())
     for branch in found:
         is_limb = min(degree[branch.nodes[0]], degree[branch.nodes[-1]]) == 1

@@ -33,8 +33,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     ``.polylines.txt``.
 
     That of an ``.npz`` has all but the stages of the flow. Others have an empty map, and a report with counts only. SWC
-    has radii, its roots, and of files of this program the units; edges that it cut are joined again, without a root. In
-    polylines radii are 0, and coincident ends become one node.
+    has radii and roots, and our files the units; edges that were cut are joined again, without a root. In polylines
+    radii are 0, and coincident ends become one node.
 
     Raises:
         ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was
@@ -118,13 +118,8 @@ def _read_swc(lines: list[str]) -> Curve:
         if components != len(roots):
             raise ValueError("some are their own ancestors")
     units = next((line.removeprefix(UNITS).strip() for line in lines if line.startswith(UNITS)), "")
-    return {
-        "vertices": table[:, :3],
-        "edges": edges,
-        "radii": table[:, 3],
-        "units": units,
-        "roots": () if cuts else roots,
-    }
+    curve: Curve = {"vertices": table[:, :3], "edges": edges, "radii": table[:, 3]}
+    return curve | {"units": units, "roots": () if cuts else roots}
 
 
 def _read_json(lines: list[str]) -> Curve:
@@ -173,7 +168,7 @@ def _of_arrays(arrays: Mapping[str, Any]) -> Curve:
 
 def checked(name: str, values: Any, shape: tuple[int, ...], below: int | None = None) -> np.ndarray:
     """``values`` as float64 if they are finite numbers of that ``shape``, in which -1 is any length; or as int64, if
-    ``below`` is given, and they are whole, below that, and not negative. Else it raises a ValueError."""
+    ``below`` is given, and they are whole, below that, and not negative. Else raises a ValueError."""
     array, kind = np.asarray(values), "float" if below is None else "int"
     if not array.size:  # of any type, and in a text without its second side
         array = np.empty((0, *shape[1:]), dtype=kind)

@@ -72,11 +72,8 @@ def swc(skeleton: "Skeleton", label: int | None = None) -> str:
 
 def gather_soma(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[int, ...]]:
     """Vertices, edges, radii and roots of the curve with one node, 0, for the first root and all nodes in its ball,
-    moved to where that is largest if the surface is known.
-
-    Each edge out of the ball begins with a new node on the ball, as wide as the edge's other end. So the area of the
-    surface is the ball's and that of the cones along all edges but those in the ball.
-    """
+    moved to where that is largest if the surface is known. Each edge out of the ball begins with a new node on the
+    ball, as wide as the edge's other end: the area is the ball's and that of the cones along the edges outside."""
     from msf_jax.curve.junctions import middle_of_ball
     from msf_jax.solid.geometry import unit
 

@@ -1,17 +1,15 @@
 """Bones from a curve: the joints, the parent of each bone, and its part of the curve.
 
 A bone turns about its joint, where it begins. The root's joint is at the pelvis or the thickest junction; its part of
-the curve is inside the ball there. Each branch at a junction begins with its own joint, where it leaves the junction's
-ball, as an arm leaves a shoulder. A branch has more bones where it bends most, or where it is long. In a shape with a
-mirror plane both sides have the same joints and cuts: those of the mean of a branch and its mirror image. Left is the
-side with the larger coordinate across the plane: of a figure that looks along z with y up, as in glTF, or along -y with
-z up, as in Blender.
+the curve is inside the ball there. Each branch at a junction begins where it leaves the junction's ball, as an arm
+leaves a shoulder, and has more bones where it bends most, or is long. In a shape with a mirror plane both sides have
+the joints of the mean of a branch and its mirror image. Left is the side with the larger coordinate across the plane:
+of a figure that looks along z with y up, as in glTF, or along -y with z up, as in Blender.
 
 Girdles are where pairs of limbs meet the body: pelvis, shoulders, and often a head with ears or horns. The trunk lies
 between the two neighbours whose connection is thickest at its narrowest place, since a neck is narrower than a trunk.
-A trunk ends in a pair of legs, which go on from it, and in a head, see `find_girdles`. No direction in space decides,
-and which way is down is not known. Limbs that are across a trunk at both ends are the legs and the wings of a bird,
-which go different ways, or legs of a body that is no biped.
+A trunk ends in a pair of legs, which go on from it, and in a head, see `find_girdles`. No direction in space decides.
+Limbs that are across a trunk at both ends are the legs and the wings of a bird, or legs of a body that is no biped.
 """
 
 from dataclasses import dataclass
@@ -137,8 +135,7 @@ def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mi
 
     Tried are planes across the coordinate axes, and across the principal axes of the curve. Each is moved to half-way
     between tips and their images, then to where it fits best, and counts by the length that has a mirror image; at
-    least two tips must be each other's image.
-    """
+    least two tips must be each other's image."""
     if len(tips) < 2:
         return None
     used = np.unique(edges)
@@ -180,8 +177,7 @@ def find_mirror(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mi
 class Girdles(NamedTuple):
     """nodes: where pairs of limbs begin. pelvis and shoulders: the ends of the trunk, or -1. legs and arms: (2, 3) the
     directions of the longest limbs at these, on both sides of the plane. angle: between the legs and the way on from
-    the trunk, in radians. is_sure: whether it is known which end is the pelvis.
-    """
+    the trunk, in radians. is_sure: whether it is known which end is the pelvis."""
 
     nodes: list[int]
     pelvis: int = -1
@@ -231,8 +227,7 @@ def find_girdles(
         where the trunk ends, the number of pairs beyond, whether a limb in the middle is, and whether limbs that do not
         go on are apart, as wings; the mean radius of the outer half of the limb in the middle, as a head is blunter
         than a tail; the end, and the directions and the angle of its longest limbs."""
-        longest = max(pair for pair in pairs if pair[1] == half[0])[2]
-        pair = np.array([longest[0], longest[-1]])
+        pair = np.array(max(pair for pair in pairs if pair[1] == half[0])[2])[[0, -1]]  # of the longest limbs
         limbs = unit(vertices[pair[np.argsort(plane.height(vertices[pair]))]] - vertices[half[0]])
         angle = between(limbs, unit(vertices[half[0]] - vertices[other]))
         beyond = {end: nodes for start in half for end, nodes in nx.single_source_shortest_path(rest, start).items()}
@@ -240,13 +235,8 @@ def find_girdles(
         middle = max(beyond.values(), key=lambda nodes: float(arc_length(vertices[nodes])[-1]))
         along = arc_length(vertices[middle])
         is_out, is_wing = bool(along[-1] > (1 + LEAST_LIMB) * radii[middle[0]]), min(angle, between(*limbs)) > ASTRIDE
-        return (
-            (angle > ASTRIDE, count, is_out, is_wing),
-            radii[middle][along >= along[-1] / 2].mean(),
-            half[0],
-            limbs,
-            angle,
-        )
+        thick = float(radii[middle][along >= along[-1] / 2].mean())
+        return (angle > ASTRIDE, count, is_out, is_wing), thick, half[0], limbs, angle
 
     inner = len(trunk) // 2
     ends = describe_end(trunk[:inner], trunk[-1]), describe_end(trunk[: -inner - 1 : -1], trunk[0])
@@ -333,9 +323,8 @@ def _longest_pair(paths: list[BonePath], node: int) -> list[BonePath]:
 def _find_ankle(path: BonePath) -> float:
     """The place where the lower part of a leg bends most, or `ANKLE`."""
     _, where = find_bend(path, LOWER, 1.0, LIMB)
-    one, other = np.diff(at(path.line, STOPS, np.array([LOWER, where, 1.0])), axis=0)
-    turn = np.arccos(np.clip(unit(one) @ unit(other), -1, 1))
-    return where if turn > STRAIGHT and LOWER < where < 0.95 else ANKLE
+    one, other = unit(np.diff(at(path.line, STOPS, np.array([LOWER, where, 1.0])), axis=0))
+    return where if between(one, other) > STRAIGHT and LOWER < where < 0.95 else ANKLE
 
 
 class Bones(NamedTuple):
@@ -393,10 +382,8 @@ def _contract_short(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Contract limbs that are too short for a bone to their junctions, and then trunks without length for one, because
     how many junctions a hand or a head has is chance; the shortest first. The nodes of ``stays`` stay where they are.
-    Other junctions of a trunk become one in their middle, of their largest size.
-
-    Returns vertices (N, 3), edges, sizes (N,), and the node that stands for each (N,).
-    """
+    Other junctions of a trunk become one in their middle, of their largest size. Returns vertices (N, 3), edges, sizes
+    (N,), and the node that stands for each (N,)."""
     vertices, size, target = vertices.copy(), size.copy(), np.arange(len(vertices))
     count = np.ones(len(vertices))  # of junctions that became one
     while True:
@@ -530,8 +517,7 @@ def _lay_bones(
     """The bones of the roots, and of the pieces into which branches are cut, each with a name of its own: ``root``;
     ``trunk2_1`` for the first bone of the second branch between two junctions; ``limb5_3.L`` for the third bone of the
     fifth branch that ends in a tip. Two branches that are mirror images have the same number, with ``.L`` and ``.R``,
-    by which Blender finds the other side. A biped's bones have those of the ``standard``.
-    """
+    by which Blender finds the other side. A biped's bones have those of the ``standard``."""
     which = STANDARDS.index(standard) if standard else 0
     ends, parents = [*starts], [-1] * len(roots)
     names = ["root" if len(roots) == 1 else f"root{number}" for number in range(1, len(roots) + 1)]

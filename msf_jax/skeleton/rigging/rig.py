@@ -10,8 +10,8 @@ where b is the nearest visible bone. Here it is 1 at vertices that the flow maps
 arm that touches a leg keeps its own bones. Weights sum to 1 as p does, and none is negative.
 
 A file is binary glTF 2.0: trimesh writes the mesh, with materials, UVs, normals and colours, and this module adds the
-skin. A vertex of the format has one of each attribute, so a vertex with several, at a seam, is written several times. A
-joint has the name of its bone, and its "extras" the end. Numbers are float32, so a mesh should be near the origin.
+skin. A vertex at a seam is written several times. A joint has the name of its bone, and its "extras" the end. Numbers
+are float32, so a mesh should be near the origin.
 """
 
 import os
@@ -30,7 +30,6 @@ from msf_jax.base.writing import write_whole
 from msf_jax.curve import branches
 from msf_jax.limbs.ends import laplacian
 from msf_jax.meshes import reading, scenes
-from msf_jax.meshes.reading import MeshLike
 from msf_jax.numerics.factors import surface_factor
 from msf_jax.skeleton.rigging.bones import STANDARDS, bones_of
 from msf_jax.solid.geometry import repeated
@@ -76,7 +75,7 @@ class Rig:
         """The number of vertices of the mesh."""
         return len(self.weights.indptr) - 1
 
-    def save(self, path: str | os.PathLike[str], mesh: "MeshLike") -> None:
+    def save(self, path: str | os.PathLike[str], mesh: "reading.MeshLike") -> None:
         """Write ``mesh``, as `skeletonize` took it, on these bones to a ``.glb`` file, atomically.
 
         Raises:
@@ -115,7 +114,7 @@ class Rig:
         return np.einsum("vab,vb->va", blended[:, :3, :3], points) + blended[:, :3, 3]
 
 
-def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> Rig:
+def rigged(skeleton: "Skeleton", mesh: "reading.MeshLike | None", names: str | None) -> Rig:
     """See `Skeleton.rig`."""
     if names is not None and names not in STANDARDS:
         raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(STANDARDS)}")
@@ -126,7 +125,7 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
         vertices, faces = surface.given(num), surface.vertex[surface.solid.shape.faces]
     else:
         vertices, faces = reading.read(mesh)
-    reading.check_map(skeleton.mesh_map, len(vertices))
+        reading.check_map(skeleton.mesh_map, len(vertices))
     nodes, edges, node = skeleton.vertices, skeleton.edges, skeleton.mesh_map
     vertices = np.where(np.isfinite(vertices).all(axis=1, keepdims=True), vertices, nodes[node])
     size = _sizes(skeleton, np.linalg.norm(vertices - nodes[node], axis=1))
@@ -147,8 +146,7 @@ def rigged(skeleton: "Skeleton", mesh: "MeshLike | None", names: str | None) -> 
 
 def _sizes(skeleton: "Skeleton", away: np.ndarray) -> np.ndarray:
     """(N,) the size of the limb at each node: the larger of its ball's radius and the mean distance ``away`` (V,) of
-    its vertices and its neighbours'. In a sheet the ball has half the thickness, but bones are as long as it is wide.
-    """
+    its vertices and its neighbours'. In a sheet the ball has half the thickness; bones are as long as it is wide."""
     num, node = len(skeleton.vertices), skeleton.mesh_map
     ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
     beside = graphs.weighted(num, *ends.T) + sparse.eye(num)
@@ -179,8 +177,7 @@ def reduce_along_tree(weights: np.ndarray, parents: np.ndarray) -> np.ndarray:
     Each bone but a root represents the edge to its parent, one of ``parents`` (B,). This edge splits the sum of a row
     into c, for the bone and its descendants, and 1 - c. With t the `INFLUENCES`-th largest of all min(c, 1 - c), c
     becomes (c - t) / (1 - 2 t), clipped to 0 and 1. Fewer edges have c between t and 1 - t, and these are connected, so
-    at most `INFLUENCES` bones remain. No weight jumps over the surface, as it would if the smallest were set to 0.
-    """
+    at most `INFLUENCES` bones remain. No weight jumps over the surface, as it would if the smallest were set to 0."""
     num = weights.shape[1]
     if num <= INFLUENCES:
         return weights
@@ -197,10 +194,8 @@ def reduce_along_tree(weights: np.ndarray, parents: np.ndarray) -> np.ndarray:
 
 def subtract_rest(weights: np.ndarray) -> np.ndarray:
     """Reduce each row (n, B) to at most `INFLUENCES` weights with sum 1: subtract the largest weight that is left out.
-
-    It needs no tree of bones, which cannot follow the loops of a surface. Weights stay continuous here, too, but they
-    change quickly where many of them are similar.
-    """
+    No tree of bones is needed, which cannot follow the loops of a surface. Weights stay continuous here, too, but they
+    change quickly where many of them are similar."""
     if weights.shape[1] <= INFLUENCES:
         return weights
     few = weights - np.sort(weights, axis=1)[:, -INFLUENCES - 1, None]
@@ -210,13 +205,8 @@ def subtract_rest(weights: np.ndarray) -> np.ndarray:
     return few / few.sum(axis=1, keepdims=True)
 
 
-def glb_of(rig: Rig, mesh: "MeshLike") -> bytes:
-    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
-
-    Raises:
-        ConfigError: there are more bones than the format can number.
-        MeshError: the mesh cannot be read, or has another number of vertices than the rig.
-    """
+def glb_of(rig: Rig, mesh: "reading.MeshLike") -> bytes:
+    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``; see `Rig.save`."""
     if len(rig.joints) > (most := np.iinfo(np.uint16).max):
         raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {most}")
     parts = reading.parts(mesh)
@@ -272,7 +262,11 @@ def _add_skin(document: dict[str, Any], data: Any, rig: Rig, rows: list[np.ndarr
         if name not in meshes:  # a part without faces
             continue
         attributes = document["meshes"][meshes[name]]["primitives"][0]["attributes"]
-        bound, weights = _four_of_each(rig.weights[row])
+        bound, weights = np.zeros((len(row), 4), dtype=np.uint16), np.zeros((len(row), 4), dtype=np.float32)
+        own: Any = rig.weights[row]  # at most four values in each row
+        place = repeated(np.diff(own.indptr))
+        bound[place], weights[place] = own.indices, own.data
+        weights /= weights.sum(axis=1, keepdims=True)
         attributes |= {"JOINTS_0": add(bound, "VEC4"), "WEIGHTS_0": add(weights, "VEC4")}
         nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0})
     top = len(nodes)
@@ -283,11 +277,3 @@ def _add_skin(document: dict[str, Any], data: Any, rig: Rig, rows: list[np.ndarr
     document["nodes"], document["scenes"] = nodes, [{"nodes": list(range(num, top + 1))}]
     document["skins"] = [{"inverseBindMatrices": binds, "joints": list(range(num)), "skeleton": top}]
     document["asset"]["generator"] = f"msf_jax {VERSION}"
-
-
-def _four_of_each(rows: Any) -> tuple[np.ndarray, np.ndarray]:
-    """The joints (v, 4) uint16 and weights (v, 4) float32 in the sparse ``rows`` (v, B) of at most four values."""
-    bound, weights = np.zeros((rows.shape[0], 4), dtype=np.uint16), np.zeros((rows.shape[0], 4), dtype=np.float32)
-    place = repeated(np.diff(rows.indptr))
-    bound[place], weights[place] = rows.indices, rows.data
-    return bound, weights / weights.sum(axis=1, keepdims=True)
