@@ -175,7 +175,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray) -> Draft:
 
 def contain(draft: Draft, job: Job) -> Draft:
     """Nodes and edges are inside."""
-    return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.roadmap))
+    return draft.changed(*containment.contain(job.roadmap, draft.vertices, draft.edges, draft.is_held))
 
 
 def complete_cycles(draft: Draft, job: Job) -> Draft:
@@ -227,7 +227,8 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     if not (job.prune or extend):
         return draft
     tree = job.limbs()
-    choice = one_branch.choose(tree, job.coarse, draft.vertices, draft.edges, draft.is_held, job.prune, job.detail)
+    limbs = tree.limbs(job.prune, job.detail)
+    choice = one_branch.choose(tree, limbs, job.coarse, draft.vertices, draft.edges, draft.is_held)
     num_leaves, is_end, leaf, missing = int(draft.is_leaf().sum()), choice.is_end, np.array(choice.leaf, np.int64), 0
     if job.prune:
         if extend:
@@ -245,7 +246,7 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
         draft = contain(draft.changed(*one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
-    finer = tuple((each.detail, each.place) for each in tree.limbs(job.prune, job.detail).finer)
+    finer = tuple((each.detail, each.place) for each in limbs.finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 
 

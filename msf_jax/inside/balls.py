@@ -41,6 +41,9 @@ NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thic
 FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
 
 
+Radius = float | np.ndarray
+
+
 class Poles(NamedTuple):
     """position: (V, 3), the vertex itself if it has no pole. tetrahedron: (V, 4) the sites whose circumcentre the pole
     is, -1 without a pole. radius: (V,) distance from vertex to pole, 0 without a pole."""
@@ -59,8 +62,7 @@ def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
     """Circumcentres (T, 3) of the tetrahedra; not finite for a tetrahedron without volume.
 
     Lifted to the paraboloid z = |x|^2, a tetrahedron spans the hyperplane n . x + m z + c = 0, and its circumcentre is
-    -n / 2m. Qhull computes one for all tetrahedra of the same empty ball, of which some may be flat.
-    """
+    -n / 2m. Qhull computes one for all tetrahedra of the same empty ball, of which some may be flat."""
     plane = diagram.equations
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         return -plane[:, :3] / (2 * diagram.paraboloid_scale * plane[:, 3:4])
@@ -107,26 +109,18 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None =
 
 
 def shrinking_balls(
-    points: np.ndarray,
-    normals: np.ndarray,
-    tree: spatial.KDTree,
-    first: float | np.ndarray,
-    largest: float | np.ndarray,
-    own: np.ndarray | None = None,
+    points: np.ndarray, normals: np.ndarray, tree: spatial.KDTree, first: Radius, largest: Radius, own: np.ndarray | int
 ) -> tuple[np.ndarray, np.ndarray]:
     """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
 
     Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
-    the tree, because a point is not its own hit. Leave it out if the points are not in the tree.
+    the tree, because a point is not its own hit, or -1 if the points are not in the tree.
 
     Returns the radii (P,), and the other point (P,) that each ball touches; -1 if it touches none, because it has the
-    largest radius, or the point has no normal and its ball the first radius.
-    """
-    num = len(points)
-    largest = np.broadcast_to(largest, num)
+    largest radius, or the point has no normal and its ball the first radius."""
+    num, touching = len(points), np.full(len(points), -1)
+    largest, own = np.broadcast_to(largest, num), np.broadcast_to(own, num)
     radius = np.broadcast_to(np.minimum(first, largest), num).astype(np.float64)
-    touching = np.full(num, -1)
-    own = np.full(num, -1) if own is None else own
     # Points without a normal keep the first radius.
     active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
     grows = np.ones(num, dtype=bool)
@@ -153,11 +147,8 @@ def shrinking_balls(
 
 
 def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
-    """The centre of the ball at every vertex of the closed mesh ``(sites, faces)``, in the form of `voronoi_poles`.
-
-    Instead of a tetrahedron, it has the two vertices that the ball touches, each twice. A pole outside the bounding box
-    of the points ``box`` (by default ``sites``) counts as not found.
-    """
+    """The centre of the ball at every vertex, in the form of `voronoi_poles`: instead of a tetrahedron with the two
+    vertices that the ball touches, each twice. A pole outside the bounding box of ``box`` counts as not found."""
     normals, every = unit(vertex_normals(sites, faces)), np.arange(len(sites))
     extent, box = float(np.ptp(sites, axis=0).max()), sites if box is None else box
     radius, touching = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, extent, every)
@@ -169,13 +160,19 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
 
 def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
     """(V,) the limb's radius at each vertex over `THIN`, at most 1; None if it is 1 nearly everywhere. ``vertices``
-    (V, 3) are of diagonal 1, ``faces`` (F, 3) closed and oriented."""
-    normals, tree = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices)
-    every = np.arange(len(vertices))
-    radius = shrinking_balls(vertices, normals, tree, 2 * THIN, 2 * THIN, every)[0]
+    (V, 3) are of diagonal 1, ``faces`` (F, 3) closed and oriented.
+
+    The limb's radius is the maximum of r_u - SLOPE |u - v| over all u, with |u - v| along edges: the largest r, 2 THIN,
+    minus a shortest path to v, from an extra node with an edge of length 2 THIN - r_u to each u."""
+    normals, tree, num, most = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices), len(vertices), 2 * THIN
+    every = np.arange(num)
+    radius = shrinking_balls(vertices, normals, tree, most, most, every)[0]
     if (radius < THIN).mean() > FEW:
-        pairs = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
-        radius = limb_radii(vertices, pairs, every, radius, 2 * THIN)
+        tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+        length = SLOPE * np.linalg.norm(vertices[tail] - vertices[head], axis=1)
+        cost = np.maximum(np.r_[length, most - radius], 1e-12)
+        paths = graphs.weighted(num + 1, np.r_[tail, np.full(num, num)], np.r_[head, every], cost)
+        radius = most - csgraph.dijkstra(paths, directed=False, indices=num)[:num]
     if (radius < THIN).mean() <= FEW:
         return None
     return np.clip(radius / THIN, LEAST_THICKNESS, 1.0)
@@ -185,8 +182,7 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     """(P,) the longest edge at each of ``points`` (P, 3), of a solid of diagonal 1, that still resolves the limb.
 
     Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
-    them would cost most of the time. The balls touch samples of the surface, which are also between its vertices.
-    """
+    them would cost most of the time. The balls touch samples of the surface, which are also between its vertices."""
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree, limit = spatial.KDTree(samples), np.zeros(len(points))
     for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
@@ -198,18 +194,3 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
         radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
         limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
     return limit
-
-
-def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: np.ndarray, most: float) -> np.ndarray:
-    """(P,) lower bounds of the solid's radius at all points, from balls of ``radius``, up to ``most``, at ``some``.
-
-    ``pairs`` (E, 2) are edges between ``points`` (P, 3) of the surface or the curve.
-
-    The maximum of r_u - SLOPE |u - v| over all u is computed as ``most`` minus a shortest path to v, from an extra node
-    with an edge of length most - r_u to each u.
-    """
-    (tail, head), num = pairs.T, len(points)
-    length = SLOPE * np.linalg.norm(points[tail] - points[head], axis=1)
-    cost = np.maximum(np.r_[length, most - radius], 1e-12)
-    paths = graphs.weighted(num + 1, np.r_[tail, np.full(len(some), num)], np.r_[head, some], cost)
-    return most - csgraph.dijkstra(paths, directed=False, indices=num)[:num]

@@ -38,8 +38,7 @@ class Network(NamedTuple):
 
     centre: (B, 3). radius: (B,). size: (B,) of each ball, as a power of two; -inf for ends of paths and nodes of the
     curve, which may have links to balls of all sizes. links: (E, 2) balls between which the segment is inside.
-    others: (U, 2) those between which it is not known to be, the shortest for their radii first.
-    """
+    others: (U, 2) those between which it is not known to be, the shortest for their radii first."""
 
     centre: np.ndarray
     radius: np.ndarray
@@ -61,8 +60,7 @@ class Roadmap:
 
     num_refused: edges for which the last `paths` found none because of a bound. num_closed: edges between points inside
     that have none. num_linked, is_cut_short, num_unsought: of the search for loops (see `handle_loops.completed`), the
-    linking numbers that were computed, whether a bound was reached, and handles left without a loop because of it.
-    """
+    linking numbers that were computed, whether a bound was reached, and handles left without a loop because of it."""
 
     def __init__(self, shape: Enclosure):
         self.shape = shape
@@ -108,8 +106,7 @@ class Roadmap:
 
     def paths(self, x: np.ndarray, radii: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
         """Points (k, 3) of a path inside from x[a] to x[b] for each of ``pairs`` (E, 2), without its ends; empty if
-        there is none. ``radii`` (N,) are clearances. The path is short, near the edge, and has large clearance.
-        """
+        there is none. ``radii`` (N,) are clearances. The path is short, near the edge, and has large clearance."""
         self.num_closed = self.num_refused = 0
         return [self._path(x[pair], radii[pair]) if radii[pair].all() else np.empty((0, 3)) for pair in pairs]
 
@@ -166,12 +163,8 @@ class Roadmap:
         centre, (tail, head), cost = network.centre, network.links.T, network.costs()
         value = self.shape.handles.classes(centre[tail], centre[head])
         tail, head, cost, value = np.r_[tail, head], np.r_[head, tail], np.tile(cost, 2), np.r_[value, -value]
-        away, before, source = csgraph.dijkstra(
-            graphs.weighted(len(centre), tail, head, cost),
-            indices=np.arange(first, len(centre)),
-            return_predecessors=True,
-            min_only=True,
-        )
+        paths, ends = graphs.weighted(len(centre), tail, head, cost), np.arange(first, len(centre))
+        away, before, source = csgraph.dijkstra(paths, indices=ends, return_predecessors=True, min_only=True)
         a, b = x[edges[:, 0]], x[edges[:, 1]]
         of_curve = graphs.cycles(len(x), edges, self.shape.handles.classes(a, b), np.linalg.norm(a - b, axis=1))[2]
         last, is_step = np.zeros(len(before), dtype=np.int64), before[head] == tail
@@ -225,10 +218,8 @@ def _tested(shape: Enclosure, network: Network, is_joining: bool) -> Network:
 
 
 def _shortest(network: Network, ends: np.ndarray) -> np.ndarray:
-    """The centres (k, 3) of a shortest path between the last two balls of a network, the ``ends`` (2, 3); or none.
-
-    The cost of a link grows with the detour over it, so that a path stays on its own side of a hole.
-    """
+    """The centres (k, 3) of a shortest path between the last two balls of a network, the ``ends`` (2, 3); or none. The
+    cost of a link grows with the detour over it, so that a path stays on its own side of a hole."""
     num = len(network.centre)
     detour = np.linalg.norm(network.centre[:, None] - ends, axis=2).sum(axis=1)
     cost = network.costs() * detour[network.links].max(axis=1) / max(float(np.linalg.norm(ends[1] - ends[0])), TOUCHING)
@@ -247,32 +238,24 @@ def _ascent(before: np.ndarray, last: int) -> list[int]:
 
 
 def balls_behind(shape: Enclosure, points: np.ndarray, normals: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Centres (P, 3) of balls that touch ``points`` (P, 3) of the surface from inside, and their clearances (P,).
-
-    The balls are found among samples of the surface, which can miss a far nearer wall, such as the other side of a
-    plate of two triangles: none reaches beyond half of the chord behind its point.
-    """
+    """Centres (P, 3) of balls that touch ``points`` (P, 3) of the surface from inside, and their clearances (P,). Among
+    samples of the surface a far nearer wall, such as the other side of a plate of two triangles, can be missed: none
+    reaches beyond half of the chord behind its point."""
     points = points - TOUCHING / 2 * normals
-    radius = balls.shrinking_balls(points, normals, shape.samples.tree, balls.FIRST, 1.0)[0]
+    radius = balls.shrinking_balls(points, normals, shape.samples.tree, balls.FIRST, 1.0, own=-1)[0]
     centre = points - shape.ray_lengths(points, -normals, 2 * radius)[:, None] / 2 * normals
     return centre, shape.clearance(centre)
 
 
 def contain(
-    shape: Enclosure,
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    is_held: np.ndarray,
-    roadmap: Roadmap | None = None,
+    roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Move the curve ``(vertices, edges)`` into a solid of diagonal 1: returns its nodes, new ones last, and its edges.
 
-    Nodes of ``is_held`` do not move. An edge for which no path inside is found stays as it is.
-    """
-    x, edges = vertices.copy(), edges.copy()
+    Nodes of ``is_held`` do not move. An edge for which no path inside is found stays as it is."""
+    x, shape = vertices.copy(), roadmap.shape
     radii = shape.clearance(x)
     is_out = (radii < TOUCHING) & ~is_held
-    roadmap = Roadmap(shape) if roadmap is None else roadmap
     if is_out.any():
         triangle = shape.nearest(x[is_out])[1]
         weights = barycentric(x[is_out], shape.triangles[triangle], 0.05)
@@ -294,34 +277,19 @@ def is_inside(
     shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None, sliver: float = ROUNDING
 ) -> np.ndarray:
     """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid, up to stretches shorter than
-    ``sliver`` between its ends.
-
-    A segment shorter than ``covered`` (E,) is inside without a test: the sum of the radii of balls around its ends.
-    """
-    if covered is None:
-        return shape.holds(a, b, sliver)
-    is_in = np.linalg.norm(b - a, axis=1) < covered
+    ``sliver`` between its ends. A segment shorter than ``covered`` (E,), the sum of the radii of balls around its ends,
+    is inside without a test."""
+    is_in = np.zeros(len(a), dtype=bool) if covered is None else np.linalg.norm(b - a, axis=1) < covered
     rows = np.flatnonzero(~is_in)
     is_in[rows] = shape.holds(a[rows], b[rows], sliver)
     return is_in
 
 
-def between(num_nodes: int, edges: np.ndarray) -> np.ndarray:
-    """(3, k) the nodes with two edges, and the two neighbours of each."""
-    ends = np.concatenate([edges, edges[:, ::-1]])
-    ends = ends[np.argsort(ends[:, 0], kind="stable")]
-    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=num_nodes) == 2)
-    start = np.searchsorted(ends[:, 0], inner)
-    return np.stack([inner, ends[start, 1], ends[start + 1, 1]])
-
-
 def refine(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float, most: int
 ) -> tuple[np.ndarray, np.ndarray, bool]:
-    """Split edges longer than ``spacing`` times the smaller radius at their ends, and longer than 1/400 diagonal.
-
-    If that would need more than ``most`` nodes, all edges are split less, and the third result is True.
-    """
+    """Split edges longer than ``spacing`` times the smaller radius at their ends, and longer than 1/400 diagonal. If
+    that would need more than ``most`` nodes, all edges are split less, and the third result is True."""
     radii = shape.nearest(vertices, is_exact=False)[0]
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)

@@ -56,6 +56,5 @@ def voronoi_poles(mesh: "MeshLike") -> np.ndarray:
     for component, member in zip(checked.components, checked.members, strict=True):
         centre = (component.vertices.min(axis=0) + component.vertices.max(axis=0)) / 2
         found = balls.voronoi_poles(component.vertices - centre, component.faces)
-        is_found = found.is_found
-        positions[member[is_found]] = centre + found.position[is_found]
+        positions[member[found.is_found]] = centre + found.position[found.is_found]
     return positions

@@ -26,8 +26,7 @@ class Levels(NamedTuple):
     the ring goes around the solid. perimeter: (R,) of a ring. size: (R,) twice its area over its perimeter, the radius
     of a disc. below, above: (R,) the pieces that meet there. level: (R,) the number of steps. height: (R,) the function
     there. piece: (V,) the piece of each vertex. contents: (P, 5) of each piece, also of those without a vertex, its
-    area, its area vector, and the sum of x . n over it. step: between levels.
-    """
+    area, its area vector, and the sum of x . n over it. step: between levels."""
 
     centre: np.ndarray
     normal: np.ndarray

@@ -20,7 +20,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.inside.containment import is_inside
 from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis
-from msf_jax.limbs.tree import LimbTree
+from msf_jax.limbs.tree import Limbs, LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.solid.solid import JUST_INSIDE, Lid, Solid, is_end, lids_of
@@ -40,8 +40,7 @@ class Branch(NamedTuple):
     (see `by_balls`). Infinite for a branch without a junction or between junctions: its removal would change the
     curve's components or cycles.
 
-    surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
-    """
+    surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown."""
 
     nodes: list[int]
     length: float
@@ -61,8 +60,7 @@ def prune(
 
     When two branches are left at a junction, they become one, and the ``worth`` of its leaf may rise or fall.
     Components and cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes
-    stay (N,), and the target of each node (N,): itself, or the nearest one that stays, along the branches that went.
-    """
+    stay (N,), and the target of each node (N,): itself, or the nearest one that stays, along the branches that went."""
     beside: list[set[int]] = [set() for _ in range(num_nodes)]
     for a, b in edges.tolist():
         beside[a].add(b)
@@ -140,20 +138,13 @@ class Choice(NamedTuple):
 
 
 def choose(
-    tree: LimbTree,
-    shape: Enclosure,
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    is_held: np.ndarray,
-    least: float,
-    detail: float,
+    tree: LimbTree, limbs: Limbs, shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> Choice:
-    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of a solid (see `LimbTree.limbs`).
+    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the ``limbs`` of a solid (see `LimbTree.limbs`).
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
-    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead.
-    """
-    leaves, limbs = leaves_of(edges), tree.limbs(least, detail)
+    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead."""
+    leaves = leaves_of(edges)
     foot = feet(tree.shape, vertices[leaves])
     own, time = limbs.owner[foot], limbs.time
     is_end, leaf, axes = np.zeros(len(vertices), dtype=bool), list[int](), list[LimbAxis]()
@@ -214,9 +205,8 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
 
     is_tree = np.bincount(component) - np.bincount(component[edges[:, 0]], minlength=component.max() + 1) == 1
     count = np.bincount(component, stays)
-    first = np.where(
-        count == 1, largest_of_each(component, stays), farthest(np.unique(component, return_index=True)[1])
-    )
+    any_node = np.unique(component, return_index=True)[1]
+    first = np.where(count == 1, largest_of_each(component, stays), farthest(any_node))
     found = np.zeros(num, dtype=bool)
     for each in (first, farthest(first)):
         found[each[is_tree & (count < 2)]] = True
@@ -227,8 +217,7 @@ def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Cho
     """The curve in the solid ``shape`` with a branch in each limb without a leaf: nodes, new ones last, and edges.
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
-    finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
-    """
+    finger beside it. The way there must be inside: a hand at the hip does not begin in the body."""
     x, radius = vertices, shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
     for leaf, axis in zip(choice.leaf, choice.axes, strict=True):
@@ -246,8 +235,7 @@ def laid(
 
     ``leaf`` is the leaf of each limb, or -1, and ``axes`` are those of the limbs. The last stretch of its branch,
     `LAST` widths of the limb, is replaced, but no held node. A branch that runs back is replaced from its nearest
-    point on.
-    """
+    point on."""
     x, is_held = vertices, is_held.copy()
     axis_of = {node: axis for node, axis in zip(leaf, axes, strict=True) if node >= 0 and not is_held[node]}
     for _ in range(2):  # of a branch with two ends, one end each
@@ -311,8 +299,7 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
 
     A leaf that is no farther from a middle than the rim is a limb's end there. Within this distance a lid cuts off a
     part of the limb's sections, which drew the curve to one side, so the branch goes straight there. A limb without a
-    leaf, which is short, gets a straight branch.
-    """
+    leaf, which is short, gets a straight branch."""
     shape, start, num = solid.shape, solid.enter(nodes), len(nodes)
     wanted = [lid for lid in lids_of(shape.vertices, shape.faces, lids) if is_end(shape, lid)]
     x, ball, ends, led = start, shape.approximate_clearance(start)[0], [], [lids[:0]]

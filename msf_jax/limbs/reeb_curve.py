@@ -77,8 +77,7 @@ def _joined(shape: Enclosure, found: Levels, start: np.ndarray, piece_of_start: 
     """The curve through the rings' centres, joined by a shortest tree in each piece, and the ``start`` (3,) in its
     piece, to which all rings there are joined.
 
-    Edges inside the solid are preferred. The curve has as many cycles as the graph of rings and pieces.
-    """
+    Edges inside the solid are preferred. The curve has as many cycles as the graph of rings and pieces."""
     num = len(found.centre)
     vertices = np.concatenate([found.centre, start[None]])
     piece = np.concatenate([found.below, found.above, [piece_of_start]])

@@ -52,8 +52,7 @@ class Arcs(NamedTuple):
     counts, -inf without enough of them. of_vertex, value: (V,) the arc of each vertex, and the function.
 
     The levels of all arcs, each arc's from its top down: arc (r,), height (r,), area (r,) above, and slenderness (r,)
-    of the ring that cuts it off, -inf where that cuts off no limb.
-    """
+    of the ring that cuts it off, -inf where that cuts off no limb."""
 
     top: np.ndarray
     parent: np.ndarray
@@ -135,8 +134,7 @@ class LimbTree:
 
         At a detail d, a persistence of `PERSISTENCE` ``least`` (1 - d) / d is enough; of slender ones, always that of
         the detail 0.5. On a component with handles only slender ones count: others are often the blunt ends of a body
-        around a hole.
-        """
+        around a hole."""
         if (least, detail) in self._found:
             return self._found[least, detail]
         limbs, finer, halves = list[Limb](), list[Limb](), list[Limb]()
@@ -159,8 +157,7 @@ class LimbTree:
     def _parted(self, halves: list[Limb], least: float, detail: float) -> list[Limb]:
         """The halves of components, or the limbs of a half that has more than one, as the head of a hammer has.
 
-        The function is how far from the half's end the mean exit time is, see `ends`.
-        """
+        The function is how far from the half's end the mean exit time is, see `ends`."""
         owner, time = self._times(halves)
         last = np.zeros(len(halves) + 1)
         np.maximum.at(last, owner, time)
@@ -210,10 +207,8 @@ def _patches(shape: Enclosure) -> list[Patch]:
     from manifold3d import Manifold, Mesh64
 
     found, num = list[Patch](), 0
-    of_face = graphs.labels_of_faces(shape.faces, len(shape.vertices))[shape.faces[:, 0]]
-    first = np.cumsum(np.unique(of_face, return_counts=True)[1])[:-1]  # a vertex without a face has a label, too
-    for faces in np.split(shape.faces[np.argsort(of_face, kind="stable")], first):
-        member, faces = np.unique(faces, return_inverse=True)
+    for own in graphs.by_label(graphs.pieces(shape.faces, len(shape.vertices))):
+        member, faces = np.unique(shape.faces[own], return_inverse=True)
         x, faces = shape.vertices[member], faces.reshape(-1, 3)
         corners = x[faces]
         finest = float(np.sqrt(triangle_areas(corners).sum() / SPLIT))
@@ -294,8 +289,7 @@ def _limbs_of(part: Patch, arcs: Arcs, chosen: list[int], least: float) -> list[
 def average_distance(shape: Enclosure, component: np.ndarray, spread: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
     """(V,) the average geodesic distance of each vertex from its ``component`` (V,), numbered in order.
 
-    ``spread``: see `fronts.distances`.
-    """
+    ``spread``: see `fronts.distances`."""
     x, faces = shape.vertices, shape.faces
     share = np.bincount(faces.ravel(), np.repeat(triangle_areas(shape.triangles) / 3, 3), len(x))
     whole, first = np.bincount(component, share), np.flatnonzero(np.diff(component, prepend=-1))
@@ -368,8 +362,7 @@ def merge_tree(
     surface below by itself. Such a part is filled, and belongs to the limb. Else the limb is a part of a handle there.
 
     How far a top is above a level is the difference of their heights. With ``last`` (V,), heights are last - d for the
-    distance d from the end of a limb by the mean exit time; squares of d add up (see `ends`).
-    """
+    distance d from the end of a limb by the mean exit time; squares of d add up (see `ends`)."""
     low, high = float(height.min()), float(height.max())
     step = max(high - low, 1e-300) / LEVELS
     found = levels(vertices, faces, height - low, step, OFFSET)

@@ -11,7 +11,6 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import MeshError
-from msf_jax.meshes import joining
 from msf_jax.meshes.reading import OR_REPAIR, MeshLike, count, read
 from msf_jax.meshes.repair import (
     FEWEST_TO_JOIN,
@@ -36,8 +35,7 @@ class Component:
     """One closed connected surface.
 
     vertices: (V, 3) float64, the caller's units. faces: (F, 3). genus: handles. cavities: vertices (W, 3) and faces of
-    those inside it, wound inwards. cavity_genus: their handles, around which a curve of the solid has loops, too.
-    """
+    those inside it, wound inwards. cavity_genus: their handles, around which a curve of the solid has loops, too."""
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -141,6 +139,8 @@ def prepare(mesh: "MeshLike", repair: bool | str | Repair = False) -> Surface:
 
 def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     """The checked surface after joining closed parts; see `joining`."""
+    from msf_jax.meshes import joining  # imported here, because most runs join nothing
+
     parts = _checked(vertices, faces, is_joined=False)
     done = joining.joined([_with_cavities(part) for part in parts.components], reach)
     faces, crumbs, _ = with_volume(done.vertices, done.faces)
@@ -178,8 +178,7 @@ def _with_cavities(part: Component) -> tuple[np.ndarray, np.ndarray]:
 def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) -> Surface:
     """The surface of a valid mesh, after the repairs that are never in doubt.
 
-    If not ``is_joined``, its parts will be joined later: then they may be smaller.
-    """
+    If not ``is_joined``, its parts will be joined later: then they may be smaller."""
     given = vertices, faces
     repairs: list[str] = []
     vertex_of_input = np.arange(len(vertices))
@@ -198,9 +197,8 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     used = np.zeros(len(vertices), dtype=bool)
     used[faces] = True
     if not used.all():
-        repairs.append(
-            f"left out vertices that no face uses: {int((~used).sum())} (mapped to the node nearest to them)"
-        )
+        num = int((~used).sum())
+        repairs.append(f"left out vertices that no face uses: {num} (mapped to the node nearest to them)")
         number = np.where(used, np.cumsum(used) - 1, -1)
         strays = vertices[vertex_of_input[number[vertex_of_input] < 0]]
         vertices, faces, vertex_of_input = vertices[used], number[faces], number[vertex_of_input]
@@ -238,12 +236,13 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     components, linings = [], []
     for number in np.flatnonzero(~is_cavity).tolist():
         within = np.flatnonzero(is_cavity & (owner == number)).tolist()
-        linings.append(np.concatenate([members[k] for k in within]) if within else np.empty(0, dtype=np.int64))
-        local[linings[-1]] = np.arange(len(linings[-1]))
-        hollow = local[np.concatenate([faces[faces_of[k]] for k in within])] if within else None
-        genus = sum(parts[k][0].genus for k in within)
-        cavities = None if hollow is None else (vertices[linings[-1]], hollow)
-        components.append(replace(parts[number][0], cavities=cavities, cavity_genus=genus))
+        linings.append(np.concatenate([members[0][:0], *(members[k] for k in within)]))
+        part = parts[number][0]
+        if within:
+            local[linings[-1]] = np.arange(len(linings[-1]))
+            hollow = vertices[linings[-1]], local[np.concatenate([faces[faces_of[k]] for k in within])]
+            part = replace(part, cavities=hollow, cavity_genus=sum(parts[k][0].genus for k in within))
+        components.append(part)
     return Surface(
         vertices=vertices,
         faces=faces,
@@ -270,10 +269,8 @@ def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 
 def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
-    """Raise a `MeshError` unless every edge has two faces of consistent orientation.
-
-    ``caller_number`` are the caller's ids of vertices, for messages.
-    """
+    """Raise a `MeshError` unless every edge has two faces of consistent orientation. ``caller_number`` are the caller's
+    ids of vertices, for messages."""
     if len(faces) == 0:
         raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
     edge, _, count = edge_codes(faces)
@@ -306,10 +303,8 @@ def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
 
 
 def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """One vertex per fan: the first fan keeps the vertex's id, the others get new vertices at the end.
-
-    Returns vertices, faces, and the old vertex for each new one.
-    """
+    """One vertex per fan: the first fan keeps the vertex's id, the others get new vertices at the end. Returns
+    vertices, faces, and the old vertex for each new one."""
     parted, source = cut_apart(faces, half_edges(faces).twin)
     extra = np.flatnonzero(np.append(False, source[1:] == source[:-1]))
     extra = extra[np.argsort(np.unique(parted, return_index=True)[1][extra])]  # in the order of their first corners

@@ -67,9 +67,7 @@ def of_off(content: bytes) -> MeshArrays:
         raise ValueError(f"it counts {num} vertices and {num_faces} faces")
     rows, sides = lines[1 : num + 1], lines[num + 1 : num + 1 + num_faces]
     is_by_line = (len(rows), len(sides)) == (num, num_faces) and all(len(row) >= 3 for row in rows)
-    if not (
-        is_by_line and all(len(side) > int(side[0]) for side in sides)
-    ):  # line breaks have no meaning, or it is cut
+    if not (is_by_line and all(len(side) > int(side[0]) for side in sides)):  # lines have no meaning, or it is cut
         words, sides = [word for line in lines[1:] for word in line], []
         rows = [words[start : start + 3] for start in range(0, min(3 * num, len(words)), 3)]
         start = 3 * num
@@ -137,13 +135,8 @@ def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
         if not lid:
             raise ValueError(f"a face of {len(polygon)} corners cannot be cut into triangles")
         ears += lid
-    return np.concatenate(
-        [
-            corners[start[count == 3][:, None] + np.arange(3)],
-            _halves(vertices, quads),
-            np.array(ears, dtype=np.int64).reshape(-1, 3),
-        ]
-    )
+    triangles, cut = corners[start[count == 3][:, None] + np.arange(3)], np.array(ears, dtype=np.int64).reshape(-1, 3)
+    return np.concatenate([triangles, _halves(vertices, quads), cut])
 
 
 def _halves(vertices: np.ndarray, quads: np.ndarray) -> np.ndarray:
@@ -184,9 +177,8 @@ def of_ply(content: bytes) -> MeshArrays:
         columns[name], at = _columns(data, at, num, properties) if num and properties else ({}, at)
     axes = [columns["vertex"].get(axis, []) for axis in "xyz"]
     vertices = np.stack([np.asarray(axis, dtype=np.float64) for axis in axes], axis=1)
-    lists = [
-        one.name for name, num, properties in elements if name == "face" and num for one in properties if one.length
-    ]
+    of_faces = (one for name, num, properties in elements if name == "face" and num for one in properties)
+    lists = [one.name for one in of_faces if one.length]
     name = next((name for name in (*CORNERS, *lists) if name in lists), None)
     rows = [] if name is None else columns["face"][name]
     flat = np.concatenate([np.empty(0), *map(np.ravel, rows)])
@@ -253,13 +245,10 @@ def _columns(data: bytes, at: int, num: int, properties: list[Property]) -> tupl
     element ends."""
     widths = [len(values) for values in _row(data, at, properties)[0]]
     # If all lists are as long as those of the first row, a row is a record; else it is read value by value.
-    record = np.dtype(
-        [
-            field
-            for one, width in zip(properties, widths, strict=True)
-            for field in [(f"length of {one.name}", one.length)] * bool(one.length) + [(one.name, one.kind, (width,))]
-        ]
-    )
+    fields: list[Any] = []
+    for one, width in zip(properties, widths, strict=True):
+        fields += [(f"length of {one.name}", one.length)] * bool(one.length) + [(one.name, one.kind, (width,))]
+    record = np.dtype(fields)
     if sum(widths) <= WIDEST and at + num * record.itemsize <= len(data):
         table, end = _taken(data, at, record, num)
         lists = [(one.name, width) for one, width in zip(properties, widths, strict=True) if one.length]

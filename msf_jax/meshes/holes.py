@@ -58,10 +58,8 @@ def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
 
 
 def lid_of(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[Face]:
-    """Triangles over a rim by ear clipping: convex ears first, among these the shortest chord.
-
-    ``known`` are the half-edges of the mesh. A chord may not be one of them, in either direction. The half-edges of the
-    triangles are added to them. Returns no triangles if the rim cannot be closed.
+    """Triangles over a rim by ear clipping: convex ears first, among these the shortest chord; none if the rim cannot
+    be closed. No chord may be one of the half-edges ``known``, in either direction; those of the triangles are added.
     """
     # Plain numbers, because a file can have thousands of small holes, and NumPy is slow for short vectors.
     points, (nx, ny, nz) = vertices[loop].tolist(), _area_vector(vertices[loop]).tolist()
@@ -101,20 +99,14 @@ def lid_of(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -
     return faces
 
 
-class Extruded(NamedTuple):
-    """vertices: (V, 3), those given, then those of extrusions. faces: (F, 3), without holes. source: (M,) the vertex of
-    the rim for each new vertex. repairs: the changes, a sentence each."""
-
-    vertices: np.ndarray
-    faces: np.ndarray
-    source: np.ndarray
-    repairs: list[str]
-
-
-def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extruded:
+def extruded(
+    vertices: np.ndarray, faces: np.ndarray, holes: list[Hole], repairs: list[str]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The surface of ``faces`` (F, 3) with the lids of ``holes``; the longest rim of a piece is extruded if its lid
-    cuts through the piece."""
-    sources, vertices_of, repairs, num_cut = [np.empty(0, dtype=np.int64)], [vertices], [], 0
+    cuts through the piece. ``repairs`` gets a sentence for each change.
+
+    Returns the vertices, new ones last, the faces, and the vertex of the rim for each new vertex."""
+    sources, vertices_of, num_cut = [np.empty(0, dtype=np.int64)], [vertices], 0
     lids = [hole.lid for hole in holes]
     for number, mine, others in _uneven(vertices, faces, holes):
         known = np.concatenate([faces[mine], *(holes[other].lid for other in others)])
@@ -137,7 +129,7 @@ def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extr
     if num_cut:
         cut = "the lid of 1 hole cuts" if num_cut == 1 else f"the lids of {num_cut} holes cut"
         repairs.append(f"{cut} through the surface, and so would an extruded rim: the curve may be outside there")
-    return Extruded(np.concatenate(vertices_of), np.concatenate([faces, *lids]), source, repairs)
+    return np.concatenate(vertices_of), np.concatenate([faces, *lids]), source
 
 
 def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> float:

@@ -12,9 +12,10 @@ which the surface winds at least once. A place where a piece still crosses itsel
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from manifold3d import Manifold, Mesh64, OpType
 from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
@@ -23,9 +24,6 @@ from msf_jax.meshes.repair import WELD, radius_of
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume, triangle_areas, unit, vertex_normals
 from msf_jax.topology import graphs
-
-if TYPE_CHECKING:
-    from manifold3d import Manifold
 
 SWELL = 0.01  # radii of a part, by which it is swollen for the union
 TOUCH = WELD  # diagonals: solids closer than this touch
@@ -44,8 +42,7 @@ MeshArrays = tuple[np.ndarray, np.ndarray]
 class Joined(NamedTuple):
     """vertices: (V, 3). faces: (F, 3). source: (V,) the vertex of the parts, counted through all of them, or -1 for one
     that the union made. vertex_of_part: (P,) the new vertex for each vertex of the parts, or -1 if it is inside now or
-    was cut away. repairs: the changes, a sentence each.
-    """
+    was cut away. repairs: the changes, a sentence each."""
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -83,10 +80,7 @@ def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
 
     Parts that overlap become one; their cavities, wound inwards, stay. Gaps are bridged up to ``reach``, in diagonals
     of the whole mesh, or up to the radius of the smaller solid if that is larger. With a ``reach`` of 0, only solids
-    that touch are bridged.
-    """
-    from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
-
+    that touch are bridged."""
     every = np.concatenate([vertices for vertices, _ in parts])
     low, high = every.min(axis=0), every.max(axis=0)
     centre, diagonal = low + (high - low) / 2, float(np.linalg.norm(high - low))
@@ -95,12 +89,8 @@ def joined(parts: Sequence[MeshArrays], reach: float) -> Joined:
     solids = [solid_of(moved, part.faces) for moved, part in zip(swollen, simple, strict=True)]
     united = Manifold.batch_boolean(solids, OpType.Add)
     whole, voids = _filled(united), _given(solids, united)
-    num_solids, num_resolved, num_folds = (
-        len(whole.decompose()),
-        sum(p.num for p in simple),
-        sum(p.num_left for p in simple),
-    )
-    repairs = []
+    num_solids, repairs = len(whole.decompose()), []
+    num_resolved, num_folds = sum(part.num for part in simple), sum(part.num_left for part in simple)
     if num_solids < len(parts):
         repairs.append(f"joined {len(parts)} parts that overlap or touch to {counted(num_solids, 'solid')}")
     elif len(parts) > 1:
@@ -132,10 +122,8 @@ def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(away), found, -1)
 
 
-def _bridged(whole: "Manifold", reach: float, diagonal: float, repairs: list[str]) -> "Manifold":
+def _bridged(whole: Manifold, reach: float, diagonal: float, repairs: list[str]) -> Manifold:
     """The solid with capsules over its gaps of up to ``reach``, and sentences about them in ``repairs``."""
-    from manifold3d import Manifold, OpType
-
     bodies, bridged = [Enclosure(*arrays_of(piece)) for piece in whole.decompose()], []
     num_solids = len(bodies)
     for tries in range(MOST_TRIES):
@@ -168,21 +156,19 @@ def _swollen(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return vertices + SWELL * 3 * signed_volume(vertices, faces) / area * unit(vertex_normals(vertices, faces))
 
 
-def _parted(whole: "Manifold") -> tuple[list["Manifold"], list["Manifold"]]:
+def _parted(whole: Manifold) -> tuple[list[Manifold], list[Manifold]]:
     """The surfaces of a solid: those around solids, and those around voids, wound inwards."""
     pieces = whole.decompose()
     return [piece for piece in pieces if piece.volume() > 0], [piece for piece in pieces if piece.volume() <= 0]
 
 
-def _filled(whole: "Manifold") -> "Manifold":
+def _filled(whole: Manifold) -> Manifold:
     """The solid without its voids."""
-    from manifold3d import Manifold, OpType
-
     outer, voids = _parted(whole)
     return Manifold.batch_boolean(outer, OpType.Add) if voids else whole
 
 
-def _given(parts: list["Manifold"], united: "Manifold") -> list["Manifold"]:
+def _given(parts: list[Manifold], united: Manifold) -> list[Manifold]:
     """The voids of ``united`` that are what is left of cavities of ``parts``, as solids."""
     cavities = [arrays_of(piece)[0] for part in parts for piece in _parted(part)[1]]
     if not cavities:
@@ -191,20 +177,16 @@ def _given(parts: list["Manifold"], united: "Manifold") -> list["Manifold"]:
     return [solid_of(x, faces[:, ::-1]) for x, faces in found if (_same_place(known, x) >= 0).any()]
 
 
-def _hollowed(whole: "Manifold", voids: list["Manifold"], united: "Manifold") -> "Manifold":
+def _hollowed(whole: Manifold, voids: list[Manifold], united: Manifold) -> Manifold:
     """The solid ``whole`` without ``voids``, but with the solids of ``united`` in them."""
-    from manifold3d import Manifold, OpType
-
     shapes = [Enclosure(*arrays_of(void)) for void in voids]
     within = [piece for piece in _parted(united)[0] if any(one.contains(arrays_of(piece)[0][:1])[0] for one in shapes)]
     return Manifold.batch_boolean([Manifold.batch_boolean([whole, *voids], OpType.Subtract), *within], OpType.Add)
 
 
 def _spanning(bodies: list[Enclosure], reach: float) -> list[Gap]:
-    """The gaps of a spanning tree that are short enough to bridge, shortest first.
-
-    Gaps are found between samples of the surfaces, and then measured between the surfaces.
-    """
+    """The gaps of a spanning tree that are short enough to bridge, shortest first: found between samples of the
+    surfaces, and then measured between the surfaces."""
     radius = np.array([radius_of(body) for body in bodies])
     low, high = (np.array([end(body.vertices, axis=0) for body in bodies]) for end in (np.min, np.max))
     found = []
@@ -249,10 +231,8 @@ def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
     return feet[np.linalg.norm(feet - point, axis=1).argmin()]
 
 
-def _capsule(bodies: list[Enclosure], gap: Gap, factor: float) -> "Manifold":
+def _capsule(bodies: list[Enclosure], gap: Gap, factor: float) -> Manifold:
     """The capsule that bridges ``gap``: the hull of two balls around its ends, ``factor`` times the usual thickness."""
-    from manifold3d import Manifold
-
     pair = bodies[gap.one], bodies[gap.other]
     smaller, chords = min(map(radius_of, pair)), []
     for body, end, face in zip(pair, gap.ends, gap.faces, strict=True):
@@ -265,8 +245,6 @@ def _capsule(bodies: list[Enclosure], gap: Gap, factor: float) -> "Manifold":
 
 def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
     """Resolve where the closed part ``vertices`` (V, 3), ``faces`` (F, 3) crosses itself."""
-    from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
-
     shape = Enclosure(vertices, faces)
     pairs = shape.crossed.pairs
     places, boxes, strands = _places(shape, pairs) if len(pairs) else [], [], []
@@ -287,18 +265,16 @@ def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
     return Untangled(made, faces, _same_place(vertices, made), len(boxes), len(places) - len(boxes))
 
 
-def solid_of(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
-    from manifold3d import Manifold, Mesh64
-
+def solid_of(vertices: np.ndarray, faces: np.ndarray) -> Manifold:
     return Manifold(Mesh64(np.ascontiguousarray(vertices), np.ascontiguousarray(faces, dtype=np.uint64)))
 
 
-def arrays_of(solid: "Manifold") -> MeshArrays:
+def arrays_of(solid: Manifold) -> MeshArrays:
     mesh = solid.to_mesh64()
     return np.array(mesh.vert_properties)[:, :3], np.array(mesh.tri_verts).astype(np.int64)
 
 
-def _is_simple(piece: "Manifold") -> bool:
+def _is_simple(piece: Manifold) -> bool:
     """Whether a piece is a solid, no cavity, and does not cross itself."""
     return piece.volume() > 0 and not Enclosure(*arrays_of(piece)).crossed.pairs.size
 
@@ -310,19 +286,13 @@ def _places(shape: Enclosure, pairs: np.ndarray) -> list[tuple[np.ndarray, np.nd
     # Faces that cross, and faces with a corner in common, are of one place.
     corner, of_face = shape.faces[face].ravel(), np.repeat(np.arange(len(face)), 3)
     ends = np.concatenate([one, of_face]), np.concatenate([other, len(face) + corner])
-    num = len(face) + len(shape.vertices)
-    label = graphs.labels(num, *ends)
-    corners = shape.triangles[face]
-    boxes = []
-    for number in np.unique(label[: len(face)]):
-        own = corners[label[: len(face)] == number].reshape(-1, 3)
-        boxes.append((own.min(axis=0), own.max(axis=0)))
+    place = graphs.labels(len(face) + len(shape.vertices), *ends)[: len(face)]
+    low, high = shape.triangles[face].min(axis=1), shape.triangles[face].max(axis=1)
     while True:
+        boxes = [(low[place == each].min(axis=0), high[place == each].max(axis=0)) for each in np.unique(place)]
         low, high = (np.array(each) for each in zip(*boxes, strict=True))
         reach = MARGINS[0] * (high - low)
         meet = ((low - reach)[:, None] <= (high + reach)[None]).all(axis=2)
-        meet &= meet.T
-        group = graphs.labels(len(low), *np.nonzero(meet))
-        boxes = [(low[group == number].min(axis=0), high[group == number].max(axis=0)) for number in np.unique(group)]
-        if len(boxes) == len(low):
+        place = graphs.labels(len(low), *np.nonzero(meet & meet.T))
+        if place.max() + 1 == len(low):
             return sorted(boxes, key=lambda box: -float(np.prod(box[1] - box[0])))

@@ -79,8 +79,7 @@ class Repaired(NamedTuple):
     vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. is_made: (V,) new vertices of an extruded
     rim, whose source is the vertex of the rim. vertex_of_given: (V_in,) the new vertex for each given one, or -1.
     repairs: the changes, a sentence each. rims: the given vertices around each filled hole. num_left_out: pieces beyond
-    ``most_parts``.
-    """
+    ``most_parts``."""
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -120,8 +119,10 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     diagonal = float(np.linalg.norm(np.ptp(corners.reshape(-1, 3), axis=0))) if len(faces) else 0.0
     edge = float(np.median(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2))) if len(faces) else 0.0
     for radius in (0.0, min(WELD * diagonal, LARGEST_WELD * edge)):
-        rim = np.unique(_rim(faces))
-        if len(rim):
+        edge_of, _, count = edge_codes(faces)
+        is_single = (count[edge_of] == 1).reshape(-1, 3)
+        if is_single.any():
+            rim = np.unique(np.stack([faces, faces[:, [1, 2, 0]]])[:, is_single])
             target = _welded(given, rim, radius)
             moved = int((target != np.arange(len(given)))[rim].sum())
             note("welded {} at the rim of a hole to another", moved, "vertex")
@@ -143,13 +144,11 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     note("doubled {} in which sheets met", len(source) - len(np.unique(source)), "vertex")
     holes = filled(given[source], parted, options.largest_hole * diagonal)
     note(f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole")
-    closed = extruded(given[source], parted, holes)
-    repairs += closed.repairs
-    rims = tuple(source[hole.loop] for hole in holes)
-    vertices, faces, is_made = closed.vertices, closed.faces, np.arange(len(closed.vertices)) >= len(source)
-    source = np.concatenate([source, source[closed.source]])
+    vertices, faces, of_rim = extruded(given[source], parted, holes, repairs)
+    rims, is_made = tuple(source[hole.loop] for hole in holes), np.arange(len(vertices)) >= len(source)
+    source = np.concatenate([source, source[of_rim]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
-    most = options.most_parts if options.join is None else len(faces)
+    most = options.most_parts if options.join is None else np.inf
     faces, left_out, num_beyond = with_volume(vertices, faces, options.smallest_part, fewest, most)
     repairs += left_out
     if len(faces) == 0:
@@ -178,13 +177,6 @@ def has_corner_twice(faces: np.ndarray) -> np.ndarray:
     return (faces == np.roll(faces, 1, axis=1)).any(axis=1)
 
 
-def _rim(faces: np.ndarray) -> np.ndarray:
-    """The ends of the half-edges without another face."""
-    edge, _, count = edge_codes(faces)
-    half = np.flatnonzero(count[edge] == 1)
-    return np.concatenate([faces.ravel()[half], faces[:, [1, 2, 0]].ravel()[half]])
-
-
 def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
     """(V,) the vertex that each becomes: vertices of ``rim`` within ``radius`` of each other become the first."""
     target = np.arange(len(vertices))
@@ -200,17 +192,11 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 
 
 def with_volume(
-    vertices: np.ndarray,
-    faces: np.ndarray,
-    smallest: float = 0.0,
-    fewest: int = FEWEST_VERTICES,
-    most: int | None = None,
+    vertices: np.ndarray, faces: np.ndarray, smallest: float = 0.0, fewest: int = FEWEST_VERTICES, most: float = np.inf
 ) -> tuple[np.ndarray, list[str], int]:
     """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, `specks` below the share
-    ``smallest`` of the largest volume, and the smallest of more than ``most`` pieces.
-
-    Returns the faces that are left, a sentence for each reason, and how many pieces were beyond ``most``.
-    """
+    ``smallest`` of the largest volume, and the smallest of more than ``most`` pieces. Returns the faces that are left,
+    a sentence for each reason, and how many pieces were beyond ``most``."""
     if len(faces) == 0:
         return faces, [], 0
     edge, _, count = edge_codes(faces)
@@ -230,11 +216,10 @@ def with_volume(
     closed = np.flatnonzero(keep & ~is_open)
     speck = closed[specks([parts[k] for k in closed], smallest)]
     keep[speck] = False
-    at = ", ".join(
-        "({:.4g}, {:.4g}, {:.4g})".format(*(middle + size * middle_of(parts[k]))) for k in speck[:MOST_NAMED]
-    )
+    places = (middle + size * middle_of(parts[k]) for k in speck[:MOST_NAMED])
+    at = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places)
     kept, diagonals = np.flatnonzero(keep), np.array([np.linalg.norm(np.ptp(part.vertices, axis=0)) for part in parts])
-    num_beyond = 0 if most is None else max(len(kept) - most, 0)
+    num_beyond = int(max(len(kept) - most, 0))
     keep[kept[np.argsort(-diagonals[kept], kind="stable")][len(kept) - num_beyond :]] = False
     reasons = (
         (int(is_few.sum()), f" of fewer than {fewest} vertices"),
@@ -266,8 +251,7 @@ def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarra
     box's diagonal is less than the radius at which they lie: a hair is thin, but long.
 
     The radius is that of the nearest other solid that is larger and no speck, as a part of a twig lies at the twig:
-    half of the way through it there, or `radius_of` it if this is less.
-    """
+    half of the way through it there, or `radius_of` it if this is less."""
     volume = np.array([volume_of(part) for part in parts])
     size = np.abs(volume)
     is_speck = size < smallest * size.max(initial=0.0)
@@ -317,8 +301,7 @@ def left_alone(faces: np.ndarray) -> np.ndarray:
     """(3F,) half-edges, at an edge of more than two faces, that are not paired with the others there.
 
     These are the faces of open patches, such as a fin, if the other faces are an even number. Of an odd number of faces
-    it is the one of the smallest patch, preferably an open one, which is more likely a wall than part of a solid.
-    """
+    it is the one of the smallest patch, preferably an open one, which is more likely a wall than part of a solid."""
     edge, _, count = edge_codes(faces)
     patch = _patches(edge, count)
     size = np.bincount(patch)
@@ -339,8 +322,7 @@ def oriented(faces: np.ndarray) -> tuple[np.ndarray, int]:
 
     In each connected patch, the smaller number of faces is turned. Each face is twice in a graph, as it is and turned,
     and faces that fit are connected. A patch is then two components, one of which is used. A patch with one side only
-    is a single component, and is not changed.
-    """
+    is a single component, and is not changed."""
     half, num = _pairs(edge_codes(faces)[0], ~left_alone(faces)), len(faces)
     one, other = half.T // 3
     is_same = np.equal(*faces.ravel()[half.T]).astype(np.int64)
@@ -357,8 +339,7 @@ def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """(3F,) the twin of each half-edge, or -1.
 
     At an edge of more than two faces, half-edges of opposite directions are paired, those that enclose the smallest
-    angle of the inside first. Half-edges that are left alone are paired only within their patch.
-    """
+    angle of the inside first. Half-edges that are left alone are paired only within their patch."""
     edge, _, count = edge_codes(faces)
     origin, twin = faces.ravel(), np.full(faces.size, -1)
     pair = _pairs(edge, count[edge] == 2)
@@ -408,8 +389,7 @@ def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarr
 def is_wall(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """(F,) whether each of ``faces`` (F, 3) is an internal wall of its edge-connected piece.
 
-    There are none if a hole connects inside and outside, or if no edge has more than two faces.
-    """
+    There are none if a hole connects inside and outside, or if no edge has more than two faces."""
     num = len(faces)
     edge, _, count = edge_codes(faces)
     if not (count > 2).any():

@@ -27,7 +27,7 @@ from msf_jax.curve import branches, centring
 from msf_jax.curve.junctions import AXIS, Branches
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, cross, unit
+from msf_jax.solid.geometry import arc_length, axes_across, cross, unit
 from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
 
@@ -64,12 +64,6 @@ def tangents_of(points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.n
         speed = max(float(np.linalg.norm(one)), 1e-300)
         curvature[k] = 2 * np.linalg.norm(cross(one, two)) / speed**3
     return tangent, curvature
-
-
-def axes_across(normals: np.ndarray) -> np.ndarray:
-    """(P, 2, 3) two unit vectors across each of the unit vectors ``normals`` (P, 3)."""
-    u = unit(cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)]))
-    return np.stack([u, cross(normals, u)], axis=1)
 
 
 class SectionLoop(NamedTuple):

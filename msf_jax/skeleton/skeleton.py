@@ -175,9 +175,9 @@ class Skeleton:
             raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
         x, edges, least, is_held = self.vertices, self.edges, float(slenderness), _held(self)
         if self.source is not None and not self.report.wavefronts and least:
-            solid = self.source.solid
-            limbs = one_branch.choose(self.source.limbs, solid.shape, solid.enter(x), edges, is_held, least, detail=0.5)
-            stays, target = one_branch.kept(x, edges, limbs.is_end, is_held)
+            solid, tree = self.source.solid, self.source.limbs
+            choice = one_branch.choose(tree, tree.limbs(least, 0.5), solid.shape, solid.enter(x), edges, is_held)
+            stays, target = one_branch.kept(x, edges, choice.is_end, is_held)
         else:
             stays, target = one_branch.prune(len(x), edges, one_branch.by_balls(x, self.radii), least, is_held)
         rank = np.cumsum(stays) - 1

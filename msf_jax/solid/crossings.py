@@ -23,8 +23,7 @@ def apart_pairs(
     """(P, 2) the pairs of faces of ``shape`` that cross and are apart, see `Crossed`.
 
     node: (V,) the node of the curve that each vertex goes to. radii: (N,) of the nodes. edges: (E, 2) of the curve,
-    length: (E,) theirs.
-    """
+    length: (E,) theirs."""
     pairs, num = shape.crossed.pairs, len(shape.vertices)
     if not len(pairs):
         return pairs
@@ -56,7 +55,5 @@ def passed(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np.ndar
     a, along = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
     length, along = np.linalg.norm(along, axis=1), unit(along)
     edge, _, distance, _ = shape.ray_hits(a, along, length)
-    sides = (
-        a[edge] + (distance + side)[:, None] * along[edge] for side in (-TOUCH * shape.extent, TOUCH * shape.extent)
-    )
+    sides = (a[edge] + (distance + side * shape.extent)[:, None] * along[edge] for side in (-TOUCH, TOUCH))
     return np.unique(edge[np.logical_and(*map(shape.contains, sides))])

@@ -12,7 +12,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid import kernels
-from msf_jax.solid.geometry import ROUNDING, barycentric, cross, unit
+from msf_jax.solid.geometry import ROUNDING, axes_across, barycentric, cross, unit
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import Mesh, tree_of
 
@@ -38,12 +38,7 @@ class Crossed(NamedTuple):
 
 
 class Enclosure:
-    """A closed surface prepared for many point queries.
-
-    Args:
-        vertices: (V, 3), any unit.
-        faces: (F, 3), closed and oriented.
-    """
+    """A closed, oriented surface, ``vertices`` (V, 3) in any unit and ``faces`` (F, 3), prepared for many queries."""
 
     def __init__(self, vertices: np.ndarray, faces: np.ndarray):
         self.vertices = np.require(vertices, np.float64, ["C", "W"])  # the kernels' type
@@ -155,8 +150,7 @@ class Enclosure:
 
         If not ``is_exact``, in half the time the nearest of the triangles at the nearest of `samples`. Its distance is
         never too small. With samples s apart it is too large by at most about s^2 / 2d at a distance d > s, and by s
-        close to the surface.
-        """
+        close to the surface."""
         tree, first, fan = self.samples
         distance2, found = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
         kernels.nearest(points, self.mesh, tree.query(points)[1], first, fan, is_exact, distance2, found)
@@ -201,12 +195,8 @@ class Enclosure:
         distance; and whether the search ended after ``most`` tests of a ray and a triangle, if that is positive.
 
         A hit on an edge or a vertex may count for one or several of the triangles there. A ray that starts on the
-        surface may hit it at 0 or not at all.
-        """
-        # Two axes perpendicular to each ray: seen along it, the ray is a point.
-        across = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
-        across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-        axes = np.stack([across, cross(directions, across), directions], axis=1)
+        surface may hit it at 0 or not at all."""
+        axes = np.concatenate([axes_across(directions), directions[:, None]], axis=1)  # along it, a ray is a point
         slack = ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
         capacity = len(points) + len(self.faces)  # there are seldom more hits
         while True:
@@ -221,8 +211,7 @@ class Enclosure:
         between hits of the surface. ``are_inside``: their ends are known to be.
 
         At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits
-        decide. A ray along a face, or from the surface, may miss its exit, so both ends are tested, too.
-        """
+        decide. A ray along a face, or from the surface, may miss its exit, so both ends are tested, too."""
         is_in = np.ones(len(a), dtype=bool) if are_inside else self.contains(a)
         is_in[is_in] = are_inside or self.contains(b[is_in])
         rows = np.flatnonzero(is_in)

@@ -27,6 +27,12 @@ def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return found
 
 
+def axes_across(directions: np.ndarray) -> np.ndarray:
+    """(P, 2, 3) two unit vectors across each of the unit vectors ``directions`` (P, 3)."""
+    side = unit(cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)]))
+    return np.stack([side, cross(directions, side)], axis=1)
+
+
 def repeated(count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Each row number ``count`` (n,) times, and a counter from 0 within each row."""
     row = np.repeat(np.arange(len(count)), count)
@@ -83,8 +89,7 @@ def vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """Vertex normals (V, 3), unit face normals weighted by the corner's angle (Thuermer and Wuethrich 1998).
 
     They are not normalised: only the sign and the order of <n, w - v> matter. Angle weights reproduce all of the
-    reference poles; area weights miss 85 of 12,128.
-    """
+    reference poles; area weights miss 85 of 12,128."""
     corners = vertices[faces]
     normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normal, axis=1, keepdims=True)
@@ -125,8 +130,7 @@ def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.n
 def together(points: np.ndarray, shortest: int) -> np.ndarray:
     """An order (P,) in which each run of ``shortest`` points, of twice as many, and so on, is compact in space.
 
-    It begins with one run of all points. Each run is sorted along its longest side and halved, until runs are short.
-    """
+    It begins with one run of all points. Each run is sorted along its longest side and halved, until runs are short."""
     order, length = np.arange(len(points)), shortest
     while length < len(points):
         length *= 2
@@ -142,8 +146,7 @@ def together(points: np.ndarray, shortest: int) -> np.ndarray:
 class UnitFrame(NamedTuple):
     """x = centre + diagonal * (y @ axes), for x in the caller's units and y in the frame.
 
-    centre: (3,) of the bounding box. diagonal: its length. axes: (3, 3), a rotation by right angles.
-    """
+    centre: (3,) of the bounding box. diagonal: its length. axes: (3, 3), a rotation by right angles."""
 
     centre: np.ndarray
     diagonal: float
@@ -162,8 +165,7 @@ def frame_of(vertices: np.ndarray) -> UnitFrame:
     """The frame of a component with ``vertices`` (V, 3) that do not all coincide.
 
     The axes are ordered by extent, the largest first, and point to the heavier side of the mesh. For a mesh that is
-    symmetric up to the rounding, a moment with one weight a vertex decides instead, which depends on their order.
-    """
+    symmetric up to the rounding, a moment with one weight a vertex decides instead, which depends on their order."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     centre, diagonal = (low + high) / 2, float(np.linalg.norm(high - low))
     scaled = (vertices - centre) / diagonal

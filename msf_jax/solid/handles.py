@@ -35,8 +35,7 @@ class SurfaceLoops(NamedTuple):
     """2g loops of a closed surface that generate its homology.
 
     edges: the half-edges. loops: (2g,) the vertices of each. to_parent: (F,) the half-edge from each face to its parent
-    in a tree of faces, which no loop crosses, -1 at the root.
-    """
+    in a tree of faces, which no loop crosses, -1 at the root."""
 
     edges: HalfEdges
     loops: list[list[int]]
@@ -77,8 +76,7 @@ def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceL
 
     Around each face the classes add up to zero, unless a loop leads through it, where the surface crosses itself. Then
     they are taken from the surface after a few rounds of smoothing, whose loops have the same classes: the first
-    without such a face, or that with the fewest. What is left there is carried along the tree of faces, and cancels.
-    """
+    without such a face, or that with the fewest. What is left there is carried along the tree of faces, and cancels."""
     edges, found, least = surface.edges, np.zeros(faces.size, dtype=np.int64), len(faces)
     neighbours = graphs.weighted(len(vertices), edges.origin, edges.target)
     count = np.maximum(np.bincount(edges.origin, minlength=len(vertices)), 1)[:, None]
@@ -108,8 +106,7 @@ class Span:
     """The span of integer vectors (n,) modulo a ``prime`` of at most 20 bits.
 
     Each of the rows (r, n) of its basis is 1 at its own pivot and 0 at those of the others. A vector v is in the span
-    if v - sum over rows of v[pivot] row is 0. Floats hold all sums of up to 2^15 products of residues exactly.
-    """
+    if v - sum over rows of v[pivot] row is 0. Floats hold all sums of up to 2^15 products of residues exactly."""
 
     def __init__(self, prime: int = PRIME):
         self._prime = prime
@@ -166,8 +163,7 @@ def add_crossings(starts: Points, ends: Points, path: Ints, curtains: Curtains, 
     ``path`` (E,), with the curtains of each loop.
 
     Seen along the curtains, a segment crosses an edge if the ends of each are on different sides of the other.
-    Segments that share an end compute the same side for it, so a path through it crosses once or not at all.
-    """
+    Segments that share an end compute the same side for it, so a path through it crosses once or not at all."""
     num = len(curtains.order)
     for row in range(len(starts)):
         p, p_end = point_of(starts, row), point_of(ends, row)
@@ -236,8 +232,7 @@ class Handles:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
 
         Along a closed curve inside, the classes add up to zero if it goes around no handle. If it goes around one, the
-        sum is zero with a probability of 10^-9.
-        """
+        sum is zero with a probability of 10^-9."""
         return self._sums(a, b, np.arange(len(a)), self._combined, 1)[:, 0]
 
     def linking(self, a: np.ndarray, b: np.ndarray, path: np.ndarray | None = None) -> np.ndarray:

@@ -23,8 +23,7 @@ Vector = tuple[float, float, float]
 
 class Mesh(NamedTuple):
     """vertices: (V, 3). corners: (3F,) of the faces. triangles: (F, 3, 3) their coordinates. twins: (3F,) the opposite
-    of half-edge 3 f + k, from corner k of face f to the next. boxes: (2F, 6) and order: (F,), the tree of boxes.
-    """
+    of half-edge 3 f + k, from corner k of face f to the next. boxes: (2F, 6) and order: (F,), the tree of boxes."""
 
     vertices: Points
     corners: Ints
@@ -35,10 +34,8 @@ class Mesh(NamedTuple):
 
 
 def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """``boxes`` (2n, 6) and ``order`` (n,) of the tree of boxes with corners ``low``, ``high`` (n, 3).
-
-    The leaves have the order of a k-d tree of the boxes' middles.
-    """
+    """``boxes`` (2n, 6) and ``order`` (n,) of the tree of boxes with corners ``low``, ``high`` (n, 3). The leaves have
+    the order of a k-d tree of the boxes' middles."""
     num = len(low)
     order = spatial.KDTree((low + high) / 2, leafsize=4).indices.astype(np.int64)
     boxes = np.zeros((2 * num, 6))
@@ -174,8 +171,7 @@ def windings(points: Points, mesh: Mesh, found: Ints) -> None:
 
     Seen from above, the ray is a point. It is in a triangle if it is on the same side of all three edges. The side is
     computed with an edge's ends in order of index, so both faces at the edge agree. A point on an edge's line counts as
-    shifted by (e, e^2) for a vanishing e, so a ray through a vertex or along a wall needs no special case.
-    """
+    shifted by (e, e^2) for a vanishing e, so a ray through a vertex or along a wall needs no special case."""
     corners, triangles, boxes, num = mesh.corners, mesh.triangles, mesh.boxes, len(mesh.order)
     for row in range(len(points)):
         x, y, z = point_of(points, row)
@@ -207,11 +203,7 @@ def windings(points: Points, mesh: Mesh, found: Ints) -> None:
 @part
 def seen_along(axes: Triangles, row: int, away: Vector) -> Vector:
     """A vector in the axes of a ray."""
-    return (
-        dot(away, corner_of(axes, row, 0)),
-        dot(away, corner_of(axes, row, 1)),
-        dot(away, corner_of(axes, row, 2)),
-    )
+    return dot(away, corner_of(axes, row, 0)), dot(away, corner_of(axes, row, 1)), dot(away, corner_of(axes, row, 2))
 
 
 @kernel
@@ -229,8 +221,7 @@ def hits(
     """Every hit of the rays from ``points`` (P, 3) along the last of their ``axes`` (P, 3, 3), up to ``reach`` (P,).
 
     Boxes around rays are enlarged by ``slack``. Returns the number of hits; ``ray``, ``face`` and ``distance`` hold the
-    first of them, up to their length. The search ends when no ``tests`` (1,) of a ray and a triangle are left.
-    """
+    first of them, up to their length. The search ends when no ``tests`` (1,) of a ray and a triangle are left."""
     num, count = len(mesh.order), 0
     for row in range(len(points)):
         x, y, z = point_of(points, row)

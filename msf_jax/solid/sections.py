@@ -16,7 +16,7 @@ import numpy as np
 
 from msf_jax.numerics.compiled import Ints, Points, Reals, kernel, part
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, cross, unit
+from msf_jax.solid.geometry import arc_length, at, axes_across
 from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
 REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
@@ -29,8 +29,7 @@ class Corners(NamedTuple):
     """The corners of closed loops, loop by loop and in order.
 
     loop: (C,) the loop of each corner. tail, head: (C,) ends of its mesh edge, above and below the plane. part: (C,)
-    fraction of the edge from tail to corner. triangle: (C,) the triangle from this corner to the next.
-    """
+    fraction of the edge from tail to corner. triangle: (C,) the triangle from this corner to the next."""
 
     loop: np.ndarray
     tail: np.ndarray
@@ -55,8 +54,7 @@ class Sections(NamedTuple):
     is_found: (P,) whether there is a loop that bounds the solid from outside.
     is_around: (P,) whether the loop goes around the point. has_middle: (P,) whether it goes around its centroid.
     slide: (P, 3) motion of the centroid within the plane, when the plane moves along its normal n by a unit of length.
-    turn: (P, 3, 3) motion of the centroid when the plane turns about the point: turn @ dn for a change dn of n.
-    """
+    turn: (P, 3, 3) motion of the centroid when the plane turns about the point: turn @ dn for a change dn of n."""
 
     centroid: np.ndarray
     radius: np.ndarray
@@ -125,11 +123,8 @@ def loops(
 
     The loop is reached from triangle ``near[p]``. If that is -1, or if the plane is far from there, it is the nearest
     loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
-    triangle.
-
-    The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane. Returns False
-    if ``edges`` is too short.
-    """
+    triangle. The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane.
+    Returns False if ``edges`` is too short."""
     num, count = len(mesh.order), 0
     for row in range(len(points)):
         point, normal, first = point_of(points, row), point_of(normals, row), -1
@@ -176,8 +171,7 @@ def measures(places: Points, leans: Reals, normals: Points, ends: Ints, rows: In
     after each corner: minus the product of the wall's and the plane's normals. Columns of ``found`` (P, 20), which are
     0 at first: 0 to 2 the centroid, 3 twice the area, 4 the angle around the point, 5 the length, 6 the length times
     the mean distance from the centroid; 7 to 9 and, row by row, 10 to 18 sums of the centroid's derivatives; 19 the
-    angle around the centroid.
-    """
+    angle around the centroid."""
     first = 0
     for loop in range(len(ends)):
         stop, sums, normal = ends[loop], found[rows[loop]], point_of(normals, rows[loop])
@@ -208,22 +202,19 @@ def measures(places: Points, leans: Reals, normals: Points, ends: Ints, rows: In
         first = stop
 
 
-def cut(
-    shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
-) -> Sections:
-    """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3).
-
-    A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
-    estimates of its distance; the search begins within 1.5 of them. With ``near`` (P,), triangles near the points, the
-    loop reached from such a triangle is taken instead, which is fast.
-    """
-    return measured(shape, points, normals, corners(shape, points, normals, radii, near))
+def cut(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray) -> Sections:
+    """The sections of ``shape`` through ``points`` (P, 3), see `corners`."""
+    return measured(shape, points, normals, corners(shape, points, normals, radii))
 
 
 def corners(
     shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
 ) -> Corners:
-    """The corners of the loops that `cut` measures."""
+    """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3): the corners of the loops.
+
+    A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
+    estimates of its distance; the search begins within 1.5 of them. With ``near`` (P,), triangles near the points, the
+    loop reached from such a triangle is taken instead, which is fast."""
     num, num_faces = len(points), len(shape.faces)
     near = np.full(num, -1) if near is None else near
     size, ends = np.maximum(radii, 1e-3 * shape.extent), np.empty(num, dtype=np.int64)
@@ -262,14 +253,12 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
 
     A centroid outside its loop, and outside ``shape``, gives way to the middle of the shortest chord that halves the
     area. That depends only on the walls there, which run along the limb: its derivatives are 0, and such a section
-    counts as a round one, whose size is its radius.
-    """
+    counts as a round one, whose size is its radius."""
     rows = np.flatnonzero(found.is_found & ~found.has_middle)
     found = Sections(*(field.copy() for field in found))
     for row in rows[~shape.contains(found.centroid[rows])].tolist():
         own = slice(*np.searchsorted(corners.loop, [row, row + 1]))
-        side = unit(cross(normals[row], np.eye(3)[np.abs(normals[row]).argmin()]))
-        frame = np.stack([side, cross(normals[row], side)])
+        (frame,) = axes_across(normals[[row]])
         places = corners._replace(tail=corners.tail[own], head=corners.head[own], part=corners.part[own]).places(shape)
         x = np.einsum("cj,ij->ci", places - found.centroid[row], frame)
         x = np.concatenate([x, x[:1]])

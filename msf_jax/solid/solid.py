@@ -54,8 +54,7 @@ def nested(parts: list[Enclosure], volume: np.ndarray) -> tuple[np.ndarray, np.n
 class Body(NamedTuple):
     """A solid of a surface: its vertices and its faces, those of cavities too, and the faces of its outside, by number.
 
-    is_within: whether it is inside another solid, and so counts twice.
-    """
+    is_within: whether it is inside another solid, and so counts twice."""
 
     vertices: np.ndarray
     faces: np.ndarray
@@ -67,8 +66,6 @@ def bodies(shape: Enclosure) -> list[Body]:
     """The solids of a closed surface."""
     faces = shape.faces
     rows, parts = by_label(graphs.pieces(faces, len(shape.vertices))), []
-    if len(rows) == 1:
-        return [Body(np.unique(faces), rows[0], rows[0], False)]
     for mine in rows:
         member, corners = np.unique(faces[mine], return_inverse=True)
         parts.append(Enclosure(shape.vertices[member], corners.reshape(-1, 3)))
@@ -85,8 +82,7 @@ class Lid(NamedTuple):
 
     faces: (l,). rim: (r, 3) its corners. middle: (3,) of the area that is seen along the ``normal``, at the mean height
     of the rim, so that the lid's triangles do not matter. normal: (3,) unit, outwards. area: as seen along it. reach:
-    the largest distance of the rim from the middle. uneven: the same along the normal; 0 for a flat rim.
-    """
+    the largest distance of the rim from the middle. uneven: the same along the normal; 0 for a flat rim."""
 
     faces: np.ndarray
     rim: np.ndarray
@@ -122,8 +118,7 @@ def is_end(shape: Enclosure, lid: Lid) -> bool:
     """Whether a limb of ``shape`` ends at the ``lid``, which else closes a hole in the wall of a limb.
 
     The lid of a hole goes on as the wall around it does. A hole can also be in a ridge, such as the edge of an ear,
-    where the section just below the lid is much larger than the lid.
-    """
+    where the section just below the lid is much larger than the lid."""
     is_lid = np.zeros(len(shape.faces), dtype=bool)
     is_lid[lid.faces] = True
     twin = shape.mesh.twins.reshape(-1, 3)[lid.faces].ravel()
@@ -199,8 +194,7 @@ class Solid:
         """Radius (P,) of the largest ball inside around each point; 0 for a point outside.
 
         With lids, only the wall bounds a ball. A point that is no farther in front of a lid than the lid's rim is
-        uneven counts as inside.
-        """
+        uneven counts as inside."""
         entered = self.enter(points)
         clearance = self.shape.clearance(entered)
         if self._wall is not None:

@@ -45,8 +45,7 @@ def degrees(num: int, edges: np.ndarray) -> np.ndarray:
 def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
     """The node list of each branch, between nodes that do not have two edges; a loop repeats its first node.
 
-    An isolated node is a branch of one node.
-    """
+    An isolated node is a branch of one node."""
     near: list[list[int]] = [[] for _ in range(num_nodes)]  # neighbours of each node, ascending
     for a, b in np.unique(np.sort(edges, axis=1), axis=0).tolist():
         near[a].append(b)
@@ -108,8 +107,7 @@ def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray
 def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict[int, int]:
     """The parent of every node, -1 for a root. Parents come before their children, and loops are cut.
 
-    Components of the ``roots`` come first, in that order. The root of any other component is a leaf if it has one.
-    """
+    Components of the ``roots`` come first, in that order. The root of any other component is a leaf if it has one."""
     graph = nx.Graph()
     graph.add_nodes_from(range(num_nodes))
     graph.add_edges_from(edges.tolist())
@@ -148,8 +146,7 @@ def forest(a: np.ndarray, b: np.ndarray, num: int) -> np.ndarray:
 def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
     """(N, ...) sums along the paths from a root to each node. ``last`` (N, ...) are values of last steps, 0 at a root.
 
-    ``parent`` (N,) is negative at a root.
-    """
+    ``parent`` (N,) is negative at a root."""
     above, total = np.where(parent < 0, np.arange(len(parent)), parent), last
     while (above != above[above]).any():  # pointer doubling: the summed paths double in length
         total, above = total + total[above], above[above]
@@ -163,8 +160,7 @@ def cycles(
 
     Returns the edge (C,) that closes each cycle, the shortest first, the sums (C, ...) of the ``values`` (E, ...)
     around the cycles, and those (N, ...) along the forest, from a root to each node. An edge that a path takes from
-    its second node to its first counts with the opposite sign.
-    """
+    its second node to its first counts with the opposite sign."""
     in_forest = shortest_forest(num_nodes, edges, length)
     a, b = edges[in_forest].T
     parent = forest(a, b, num_nodes)

@@ -19,7 +19,7 @@ def test_an_edge_across_a_bend_is_led_round_it():
     shape, scale = unit_shape(tube(bow(0.6)))
     x, edges = path(scale * bow(0.6)[[2, -3]])
     assert not is_inside(shape, x, edges)
-    led, led_edges = containment.contain(shape, x, edges, none_held(x))
+    led, led_edges = containment.contain(Roadmap(shape), x, edges, none_held(x))
     assert is_inside(shape, led, led_edges)
     assert cycle_count(len(led), led_edges) == (1, 0)
     np.testing.assert_array_equal(led[:2], x)
@@ -31,19 +31,19 @@ def test_nodes_outside_come_in_and_held_ones_stay():
     middle = scale * bow(0.25)[[10, 20, 30, 40, 50]]
     out = middle.copy()
     out[2] *= 1.3
-    x, edges = containment.contain(shape, *path(out), none_held(out))
+    x, edges = containment.contain(Roadmap(shape), *path(out), none_held(out))
     assert is_inside(shape, x, edges)
     np.testing.assert_array_equal(x[[0, 1, 3, 4]], out[[0, 1, 3, 4]])
     assert np.linalg.norm(x[2] - middle[2]) < 0.15 * scale
     held = np.arange(5) == 2
-    x, _ = containment.contain(shape, *path(out), held)
+    x, _ = containment.contain(Roadmap(shape), *path(out), held)
     np.testing.assert_array_equal(x[2], out[2])
 
 
 def test_a_curve_that_is_inside_is_not_touched():
     shape, scale = unit_shape(tube(bow(0.25)))
     before, edges = path(scale * bow(0.25)[5:-5])
-    x, after = containment.contain(shape, before, edges, none_held(before))
+    x, after = containment.contain(Roadmap(shape), before, edges, none_held(before))
     np.testing.assert_array_equal(x, before)
     np.testing.assert_array_equal(np.sort(after, axis=1), edges)
 
@@ -103,7 +103,7 @@ def test_nodes_of_an_inside_out_pocket_come_in():
     shape = Enclosure(np.array(both.vertices), np.array(both.faces))
     line = np.linspace([-0.1, 0, 0], [0.35, 0, 0], 10)
     edges = np.stack([np.arange(9), np.arange(1, 10)], axis=1)
-    x, edges = containment.contain(shape, line, edges, np.zeros(10, dtype=bool))
+    x, edges = containment.contain(Roadmap(shape), line, edges, np.zeros(10, dtype=bool))
     assert containment.is_inside(shape, x[edges[:, 0]], x[edges[:, 1]]).all()
     assert cycle_count(len(x), edges) == (1, 0)
 
@@ -122,7 +122,7 @@ def test_paths_keep_to_their_own_sides_of_a_hole():
     angle = np.radians([0, 120, 240])
     x = 0.4 * scale * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     edges = np.array([[0, 1], [1, 2], [2, 0]])
-    led, led_edges = containment.contain(shape, x, edges, none_held(x))
+    led, led_edges = containment.contain(Roadmap(shape), x, edges, none_held(x))
     assert is_inside(shape, led, led_edges) and cycle_count(len(led), led_edges) == (1, 1)
     assert length_of(led, led_edges) < 1.2 * 2 * np.pi * 0.4 * scale
 
@@ -135,7 +135,7 @@ def test_each_edge_has_a_path_of_its_own_near_it():
     found = bar.to_mesh()
     shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
     x = scale * np.array([[-0.85, -0.05, 0], [-0.85, 0.05, 0], [0.85, -0.05, 0], [0.85, 0.05, 0]])
-    led, edges = containment.contain(shape, x, np.array([[0, 1], [2, 3]]), none_held(x))
+    led, edges = containment.contain(Roadmap(shape), x, np.array([[0, 1], [2, 3]]), none_held(x))
     assert is_inside(shape, led, edges) and cycle_count(len(led), edges) == (2, 0)
     assert length_of(led, edges) < scale
 
@@ -149,6 +149,6 @@ def test_searches_are_bounded_and_solids_in_pieces_are_told_from_that(monkeypatc
         if name:
             monkeypatch.setattr(containment, name, -1)
         roadmap = Roadmap(shape)
-        assert len(containment.contain(shape, x, edges, none_held(x), roadmap)[0]) == 2
+        assert len(containment.contain(roadmap, x, edges, none_held(x))[0]) == 2
         counts.append((roadmap.num_closed, roadmap.num_refused))
     assert counts == [(1, 0), (0, 1), (0, 1)]
