@@ -158,7 +158,7 @@ def _add_shaping(parser: argparse.ArgumentParser) -> None:
         "heal": "join pieces of the curve over gaps up to this length",
     }.items():
         group.add_argument(f"--{name}", type=positive_number, metavar="X", help=what)
-    group.add_argument("--units", metavar="NAME", help="name of the unit of length, for .swc and .npz files")
+    group.add_argument("--units", metavar="NAME", help="name of the unit of length, for .swc, .json and .npz files")
     tree = "make a tree, by cutting loops where they are thinnest; its root is the node nearest to x,y,z, soma, or "
     group.add_argument("--root", type=root, metavar="R", help=f"{tree}thickest, as --root=-1,2,3")
     radius = "ball: of the largest ball inside (default); section: of a disc with the cross-section's area"

@@ -52,9 +52,9 @@ def resample(
 
 
 def corner_stops(points: np.ndarray, along: np.ndarray, least: int, tolerance: float) -> np.ndarray:
-    """Arc lengths of the corners of a polyline within ``tolerance`` of ``points`` (k, 3), and ``least`` even edges."""
-    corners = add_corners(points, [0, len(points) - 1], tolerance)
-    return np.union1d(along[corners], np.linspace(0, along[-1], least + 1))
+    """Arc lengths of the corners of a polyline of ``least`` or more edges within ``tolerance`` of ``points`` (k, 3)."""
+    first = np.linspace(0, len(points) - 1, least + 1).round().astype(int)
+    return along[add_corners(points, first.tolist(), tolerance)]
 
 
 def add_corners(points: np.ndarray, stops: list[int], tolerance: float) -> list[int]:

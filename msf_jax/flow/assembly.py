@@ -150,7 +150,7 @@ def _skeleton(
     if not clock.reason:
         is_joined = report.joined_handles is not None
         found = assessed(*curve, lambda: skeleton.branches, is_joined) if is_finished else loops_of(*curve)
-        found["notes"] = (*report.notes, *(bare_ends(*curve[:3]) if is_finished else ()))
+        found["notes"] = (*report.notes, *(bare_ends(solid, vertices, edges) if is_finished else ()))
     # The frozen skeleton has no other reader yet, and keeps what it knows of its leaves.
     vars(skeleton)["report"] = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return skeleton

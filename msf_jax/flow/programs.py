@@ -51,11 +51,12 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
         return lambda buffers, weights: move(buffers, weights, settings, layout)
     key = _key(settings, layout, of_vertices)
-    with _lock:
-        if key not in _programs:
-            begun = _begun.pop(key, None)
-            _programs[key] = (begun.result() if begun else None) or _compiled(key)
-        return _programs[key]
+    if key not in _programs:
+        with _lock:
+            if key not in _programs:
+                begun = _begun.pop(key, None)
+                _programs[key] = (begun.result() if begun else None) or _compiled(key)
+    return _programs[key]
 
 
 def compile_moves(settings: StepSettings, layouts: list[Layout], of_vertices: bool) -> None:

@@ -135,6 +135,7 @@ def angles(found: Any, binding: Binding, one: Any, other: Any) -> jax.Array:
         return -chord if end else chord
 
     away = jnp.stack([direction(0), direction(1)], axis=1)
+    one, other = jnp.broadcast_arrays(one, other)
     meets = (ends[one][..., :, None] == ends[other][..., None, :]).reshape(*one.shape, 4)
     meets &= ((total[one] > 0) & (total[other] > 0))[..., None]  # of rows that are branches
     first = meets.argmax(-1)

@@ -22,7 +22,7 @@ from msf_jax.recording.records import Recording, record_component
 # Relative residuals of the linear solves: of a value in each type, and of a value with a derivative.
 TOLERANCE = {"float64": 1e-14, "float32": 1e-6, "derivative": 1e-8}
 MOST_STEPS = 20_000  # steps of conjugate gradients in one solve
-MOST_KINDS = 12  # of tapes whose programs are kept: each takes some 2,000 of the 65,530 memory maps of a process
+MOST_KINDS = 12  # of tapes' parts whose programs are kept: each takes some 2,000 of the 65,530 memory maps of a process
 _kinds: set[Any] = set()
 
 
@@ -127,11 +127,12 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
     if not isinstance(weights, Weights):
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")
     weights.check(len(tape.vertices))
-    kind = tape.layouts, tape.config.flow.laplacian, tuple(map(np.shape, jax.tree.leaves(tape.parts)))
-    if kind not in _kinds and len(_kinds) >= MOST_KINDS:
+    shapes = (tuple(map(np.shape, jax.tree.leaves(part))) for part in tape.parts)
+    kinds = {(*each, tape.config.flow.laplacian) for each in zip(tape.layouts, shapes, strict=True)}
+    if len(_kinds | kinds) > MOST_KINDS:
         _kinds.clear()
         replay_part.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
-    _kinds.add(kind)
+    _kinds.update(kinds)
     dtype = real_dtype()
     given = jnp.asarray(tape.vertices, dtype)
     moved = jnp.zeros_like(given)

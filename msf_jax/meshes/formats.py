@@ -175,13 +175,13 @@ def of_ply(content: bytes) -> MeshArrays:
             data = np.fromstring(data.decode("latin-1"), sep=" ").tobytes()
     for name, num, properties in elements:
         columns[name], at = _columns(data, at, num, properties) if num and properties else ({}, at)
-    axes = [columns["vertex"].get(axis, []) for axis in "xyz"]
+    axes = [columns["vertex"][axis] if columns["vertex"] else [] for axis in "xyz"]
     vertices = np.stack([np.asarray(axis, dtype=np.float64) for axis in axes], axis=1)
     of_faces = (one for name, num, properties in elements if name == "face" and num for one in properties)
     lists = [one.name for one in of_faces if one.length]
     name = next((name for name in (*CORNERS, *lists) if name in lists), None)
     rows = [] if name is None else columns["face"][name]
-    flat = np.concatenate([np.empty(0), *map(np.ravel, rows)])
+    flat = rows.ravel() if isinstance(rows, np.ndarray) else np.concatenate([np.empty(0), *map(np.ravel, rows)])
     if not ((flat == np.floor(flat)) & (np.abs(flat) < 2**53)).all():
         raise ValueError("a corner of a face is no whole number")
     if isinstance(rows, np.ndarray) and rows.shape[1:] == (3,):

@@ -94,18 +94,21 @@ def _model(stream: IO[bytes]) -> tuple[dict[str, MeshArrays], dict[str, list[tup
     """The objects of a 3MF model, and of each, and of `SHOWN`, its parts: their objects and places."""
     objects: dict[str, MeshArrays] = {}
     parts: dict[str, list[tuple[str, np.ndarray]]] = {SHOWN: []}
-    vertices, corners, own, others = array("d"), array("q"), [], 0
+    vertices, corners, own, others, is_mesh = array("d"), array("q"), [], 0, False
     for event, element in ElementTree.iterparse(stream, events=("start", "end")):
         tag, attributes = element.tag.rpartition("}")[2], element.attrib
         if event == "start":
             others += tag not in ("vertex", "triangle")
+            is_mesh |= tag == "mesh"
             if others > MOST_ELEMENTS:
                 raise ValueError(f"it has over {MOST_ELEMENTS} elements that are no part of a mesh")
             continue
         match tag:
-            case "vertex":
+            case "mesh":
+                is_mesh = False
+            case "vertex" if is_mesh:  # slices have some, too
                 vertices.extend(float(attributes[key]) for key in ("x", "y", "z"))
-            case "triangle":
+            case "triangle" if is_mesh:
                 corners.extend(int(attributes[key]) for key in ("v1", "v2", "v3"))
             case "component" | "item":
                 if any(key.endswith("path") for key in attributes):

@@ -24,8 +24,8 @@ from msf_jax.meshes.repair import specks
 from msf_jax.skeleton.centrelines import volumes_of
 from msf_jax.solid import crossings, sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import RESOLUTION, ROUNDING, arc_length, at, unit
-from msf_jax.solid.solid import bodies, is_end, lids_of
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, arc_length, at, triangle_areas, unit
+from msf_jax.solid.solid import Solid, bodies, is_end, lids_of
 from msf_jax.topology import graphs
 
 MOST_NAMED = 5  # loops of one kind, or folds, that a report names; it counts the rest
@@ -280,24 +280,31 @@ def _overlaps(
     return doubts
 
 
-def bare_ends(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[str, ...]:
+def bare_ends(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> tuple[str, ...]:
     """The notes about flat round ends of limbs, with walls across them all around, that have no end of the curve within
     their radius: they are short for it, as caps of vessels can be."""
+    shape, x = solid.shape, solid.enter(vertices)
     face, other = np.arange(3 * len(shape.faces)) // 3, shape.mesh.twins // 3
     is_flat = (shape.normals[face] * shape.normals[other]).sum(axis=1) > 1 - RESOLUTION
     group = graphs.labels(len(shape.faces), face[is_flat], other[is_flat])
-    tree, ends, found = spatial.KDTree(vertices), vertices[leaves_of(edges)], []
-    for number in np.flatnonzero(np.bincount(group) >= 4):  # triangles, as a hexagon has
+    area = triangle_areas(shape.triangles)
+    whole, reach = np.bincount(group, area), np.zeros(group.max() + 1)
+    middle = np.stack([np.bincount(group, area * axis) for axis in shape.centroids.T], axis=1)
+    away = shape.triangles - (middle / np.maximum(whole, 1e-300)[:, None])[group][:, None]
+    np.maximum.at(reach, group, np.linalg.norm(away, axis=2).max(axis=1))
+    tree, ends, found = spatial.KDTree(x), x[leaves_of(edges)], []
+    # A hexagon has four triangles, and 0.83 of the disc around it.
+    for number in np.flatnonzero((np.bincount(group) >= 4) & (whole > 0.8 * np.pi * reach**2)):
         (lid,) = lids_of(shape.vertices, shape.faces, np.flatnonzero(group == number))
         away = lid.rim - lid.middle  # the walls of a limb are inside of its rim, those of a pocket outside
         away = away[np.linalg.norm(away, axis=1) > 0.9 * lid.reach]
         beside = lid.middle + 1.1 * away - 0.1 * lid.reach * lid.normal
         near = int(tree.query(lid.middle)[1])
         is_bare = (np.linalg.norm(ends - lid.middle, axis=1) > lid.radius()).all()
-        # Of the disc around it, a hexagon has 0.83; the ball beside the middle of a thin plate, as a stool's, is small.
-        is_round = lid.area > 0.8 * np.pi * lid.reach**2 and shape.clearance(vertices[[near]])[0] > 0.4 * lid.radius()
-        if is_bare and is_round and not shape.contains(beside).any() and is_end(shape, lid):
-            found.append(f"the flat end beside node {near} has no branch, as it is short for its radius")
+        is_thick = shape.clearance(x[[near]])[0] > 0.4 * lid.radius()  # beside the middle of a stool's plate it is not
+        if is_bare and is_thick and not shape.contains(beside).any() and is_end(shape, lid):
+            place = "({:.4g}, {:.4g}, {:.4g})".format(*solid.leave(lid.middle))
+            found.append(f"the flat end at {place} has no branch, as it is short for its radius")
     return tuple(found)
 
 

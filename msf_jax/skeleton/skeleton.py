@@ -405,7 +405,7 @@ class Skeleton:
         """Write the curve, atomically, in the format of the suffix.
 
         - ``.npz``: everything, with the surface. `msf_jax.read_curve` reads this, SWC, JSON and polylines.
-        - ``.json``: everything but the surface. ``.ply``: vertices with radius, edges.
+        - ``.json``: the curve, without report and surface. ``.ply``: vertices with radius, edges.
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report. A soma is one node, and its neurites begin at its surface. ``label`` is the
           number of all other nodes, as 3 for dendrites; by default forks have 5, ends 6, and others 0.

@@ -70,7 +70,7 @@ def tune(
             number; lower is better.
         weights: the start; those of ``config``'s system if not given. A w_M that is 0 anywhere is not changed.
         config: of the run, without decisions: `Config.smooth()` if not given.
-        bounds: lowest and highest value of w_H and w_M, in w_L. Beyond the default, solves are no longer tight.
+        bounds: lowest and highest value of w_H and w_M, for a w_L of 1. Beyond the default, solves are no longer tight.
         steps: of Adam, after at most 36 numbers on a grid within ``bounds``; each costs a replay and its gradient.
         progress: show a progress bar on standard error, if that is a terminal.
 

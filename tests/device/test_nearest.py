@@ -91,6 +91,7 @@ def test_slopes_are_those_of_the_nearest_triangle():
     )  # moved together, nothing changes
 
 
+@pytest.mark.slow  # compiles three programs
 def test_points_and_runs_are_looked_at_some_at_a_time(monkeypatch):
     """In blocks and windows of 8 as all together; each mesh of a batch as alone, though two lie on each other."""
     skeletons = [flow_of(name).skeleton for name in ("y_coarse", "straight_coarse", "y_coarse")]

@@ -104,9 +104,8 @@ MEASURES = {
 }
 
 
-@pytest.mark.parametrize(
-    "name", [each if each == "angles" else pytest.param(each, marks=pytest.mark.slow) for each in MEASURES]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MEASURES)
 def test_slopes_are_those_of_differences(name):
     """At three steps, of the vertices of a fork; and the second derivative."""
     binding = flow_of("y_coarse").skeleton.binding

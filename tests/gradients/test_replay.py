@@ -146,6 +146,7 @@ def test_a_derivative_in_float32_is_refused_when_it_is_traced(flow, name):
             jax.eval_shape(DERIVATIVES[name](lambda x, f=function: f(jax.lax.stop_gradient(x))), at)
 
 
+@pytest.mark.slow
 def test_one_program_serves_all_tolerances(flow, compilations):
     first = np.asarray(msf_jax.replay(flow.tape, flow.weights, tolerance=1e-3))
     compilations.clear()

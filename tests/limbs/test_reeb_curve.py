@@ -83,6 +83,7 @@ def plant(num: int, first: float = 15.0) -> tuple[np.ndarray, np.ndarray, list[n
     return np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts), axes
 
 
+@pytest.mark.slow  # a wire of long triangles is quick
 def test_the_limbs_of_a_plant_of_long_triangles_end_on_their_axes():
     """Also the thick stem, at whose base the wavefronts begin."""
     vertices, faces, axes = plant(17)

@@ -71,6 +71,10 @@ def test_a_3mf_that_asks_for_too_much_or_shows_what_it_has_not_is_refused(tmp_pa
         name = next(name for name in file.namelist() if name.endswith(".model"))
         model = file.read(name).decode()
     item = re.search(r"<item [^>]*/>", model)[0]
+    with zipfile.ZipFile(tmp_path / "sliced.3mf", "w") as file:
+        stack = '<slicestack id="9"><slice ztop="1"><vertices><vertex x="0" y="0"/></vertices></slice></slicestack>'
+        file.writestr(name, model.replace("<resources>", f"<resources>{stack}"))
+    assert len(reading.read(tmp_path / "sliced.3mf")[1]) == 12
     for says, text in {
         "an object '1' twice": model.replace("</resources>", '<object id="1"/></resources>'),
         "an object '7' that it does not have": model.replace(item, '<item objectid="7"/>'),

@@ -154,6 +154,16 @@ def test_fewer_nodes_keep_the_curve_within_the_tolerance(tolerance):
     assert not ((found.vertices[:, 0] > 6.05) & (found.vertices[:, 0] < 8.85)).any()
     with pytest.raises(ConfigError, match="tolerance is 0: expected a length above 0"):
         curve.simplify(0)
+    # Two junctions at one place, and a triangle of many nodes.
+    points = np.array([[0, 0, 0], [1, 0, 0], [1, 0, 0], [2, 0, 0], [1, 1, 0], [1, -1, 0.0]])
+    edges = np.array([[0, 1], [1, 2], [2, 3], [1, 4], [2, 5]])
+    same = curve_of(points, edges, np.full(6, 0.1)).simplify(0.1)
+    assert same.edges.tolist() == sorted(edges.tolist()) and (same.vertices == points).all()
+    corner = np.array([[0, 0, 0], [3, 0, 0], [1, 2, 0.0]])
+    share = np.linspace(0, 1, 10, endpoint=False)[:, None]
+    points = np.concatenate([a + share * (b - a) for a, b in zip(corner, np.roll(corner, -1, axis=0), strict=True)])
+    edges = np.sort([(k, (k + 1) % 30) for k in range(30)], axis=1)
+    assert len(curve_of(points, edges, np.full(30, 0.1)).simplify(0.1).vertices) == 3
 
 
 def test_the_root_of_a_tree_may_be_given_by_a_point():

@@ -16,6 +16,7 @@ from msf_jax import Config, metrics
 from msf_jax.skeleton import skeleton as skeletons
 from msf_jax.skeleton.report import assessed, bare_ends, loops_of
 from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.solid import Solid
 
 
 def box(*sides: float) -> Enclosure:
@@ -76,10 +77,10 @@ def test_a_flat_end_without_a_branch_is_told(radius, length, bore, top, is_told)
         hole = trimesh.creation.cylinder(bore, 4.0, sections=32).apply_translation([0, 0, 3.0])
         mesh = trimesh.boolean.difference([mesh, hole])
     mesh = mesh.subdivide_to_size(0.3)
-    solid = Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
+    solid = Solid(np.array(mesh.vertices), np.array(mesh.faces))
     x, edges = through((0, 0, 0.3 - length / 2), (0, 0, top), (0.3, 0, top))
     notes = bare_ends(solid, x, edges)
-    assert len(notes) == is_told and all("beside node" in note for note in notes)
+    assert len(notes) == is_told and all(f", {length / 2:.4g})" in note for note in notes)
 
 
 def test_a_plane_that_cuts_off_the_side_of_a_trunk_is_in_no_sheet():

@@ -61,7 +61,11 @@ def test_a_weight_for_every_vertex_is_tuned_on_one_tape():
         ),
         ({"objective": len}, "returned int.*: expected one floating-point number"),
         ({"objective": lambda vertices: None}, "returned NoneType: expected a number"),
-        ({"objective": lambda vertices: jnp.nan * vertices.sum()}, "is nan at the start: expected a finite number"),
+        pytest.param(
+            {"objective": lambda vertices: jnp.nan * vertices.sum()},
+            "is nan at the start: expected a finite number",
+            marks=pytest.mark.slow,
+        ),
         ({"objective": 3.0}, "objective is a float: expected a function of"),
         ({"weights": Weights(w_H=20.0), "bounds": (0.1, 10.0)}, "w_H is 20 to 20: expected a start within 0.1 to 10"),
         ({"bounds": (1.0, 0.1)}, r"bounds is \(1.0, 0.1\)"),

@@ -33,8 +33,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     ``.polylines.txt``.
 
     That of an ``.npz`` has all but the stages of the flow. Others have an empty map, and a report with counts only. SWC
-    has radii and roots, and our files the units; edges that were cut are joined again, without a root. In polylines
-    radii are 0, and coincident ends become one node.
+    has radii and roots, and our files the units; edges that were cut are joined again, without a root. JSON
+    has these, too, and openings. In polylines radii are 0, and coincident ends become one node.
 
     Raises:
         ConfigError: the suffix is unknown, the file is not of the format (the message says where, and what was

@@ -174,11 +174,10 @@ def npz(skeleton: "Skeleton") -> bytes:
 
 
 def plain_json(skeleton: "Skeleton") -> str:
-    """All of a skeleton but its surface, by name; null in the report for what is not known."""
+    """All of a skeleton but its report and surface, by name."""
     arrays = {name: getattr(skeleton, name).tolist() for name in ("vertices", "edges", "radii", "mesh_map")}
     others = {name: getattr(skeleton, name) for name in ("roots", "openings", "radius_of", "units")}
-    report = {name: None if value != value else value for name, value in skeleton.report.to_dict().items()}
-    return json.dumps({**arrays, **others, "report": report}) + "\n"
+    return json.dumps({**arrays, **others}) + "\n"
 
 
 def ply(skeleton: "Skeleton") -> str:
