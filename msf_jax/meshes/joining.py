@@ -196,16 +196,16 @@ def _spanning(bodies: list[Enclosure], reach: float) -> list[Gap]:
         for other in (one + 1 + np.flatnonzero(np.linalg.norm(away, axis=1) <= bound)).tolist():
             more, less = sorted((one, other), key=lambda each: -len(bodies[each].faces))
             points = np.asarray(bodies[less].samples.tree.data)
-            nearest = bodies[more].nearest(points, is_exact=False)[0].argmin()
-            found.append(_measured(bodies, more, less, points[nearest]))
-    sets, gaps = DisjointSet(range(len(bodies))), []
-    for gap in sorted(found, key=lambda gap: gap.length):
-        smaller = float(radius[[gap.one, gap.other]].min())
-        is_near = gap.length <= (max(smaller, reach) if reach > 0 else TOUCH)
-        if is_near and not sets.connected(gap.one, gap.other):
-            sets.merge(gap.one, gap.other)
-            gaps.append(gap)
-    return gaps
+            distance = bodies[more].nearest(points, is_exact=False)[0]
+            found.append((float(distance.min()), more, less, points[distance.argmin()]))
+    sets, gaps = DisjointSet(range(len(bodies))), list[Gap]()
+    for _, one, other, point in sorted(found, key=lambda each: each[0]):
+        if not sets.connected(one, other):
+            gap, smaller = _measured(bodies, one, other, point), float(radius[[one, other]].min())
+            if gap.length <= (max(smaller, reach) if reach > 0 else TOUCH):
+                sets.merge(one, other)
+                gaps.append(gap)
+    return sorted(gaps, key=lambda gap: gap.length)
 
 
 def _measured(bodies: list[Enclosure], one: int, other: int, end: np.ndarray) -> Gap:

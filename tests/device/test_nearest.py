@@ -50,11 +50,14 @@ def about(vertices, num):
     return np.where(random.random((num, 1)) < 0.7, near, low + 1.4 * size * random.random((num, 3)))
 
 
+SLOW = pytest.mark.slow
 signed = jax.jit(nearest.signed_distances)
 
 
 @pytest.mark.parametrize("move", MOVES)
-@pytest.mark.parametrize("name", ["limbs", "needle", pytest.param("parts", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "name", ["limbs", *(pytest.param(each, marks=pytest.mark.slow) for each in ("needle", "parts"))]
+)
 def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     vertices, faces, binding = bound(name)
     moved = vertices @ MOVES[move].T

@@ -104,7 +104,9 @@ def test_values_that_are_known():
     assert smoothness(filled(bent), binding) == pytest.approx(1)
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize(
+    "name", [pytest.param(each, marks=pytest.mark.slow) if each == "near" else each for each in ALL]
+)
 def test_a_loss_is_blind_to_padding_and_units_and_has_the_slopes_of_differences(name):
     """Also where points coincide, in JAX's strict modes, and in a batch."""
     loss = ALL[name]

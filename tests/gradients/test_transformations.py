@@ -163,12 +163,11 @@ TABLE = {  # transformations of each function; the slow ones come last, as those
     "vertices": ["grad", "grad_of_vmap"],
 }
 PAIRS = [(name, each) for name, some in TABLE.items() for each in some]
-QUICK = [("nodes", "grad"), ("batch", "grad")]
 
 
 @pytest.mark.parametrize(
     ("name", "transformation"),
-    [pytest.param(*pair, marks=() if pair in QUICK else pytest.mark.slow) for pair in PAIRS],
+    [pytest.param(*pair, marks=() if pair == ("nodes", "grad") else pytest.mark.slow) for pair in PAIRS],
 )
 def test_a_transformation_gives_what_the_plain_function_gives(name, transformation):
     globals()[f"check_{transformation}"](name)

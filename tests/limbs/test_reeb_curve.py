@@ -115,6 +115,7 @@ def frame(radius: float) -> tuple[np.ndarray, np.ndarray]:
     return np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts)
 
 
+@pytest.mark.slow
 def test_a_curve_of_the_flow_that_is_outside_gives_way():
     """`ASTRAY`: this solid is too coarse for the flow, though it is not thin."""
     vertices, faces = frame(0.02)

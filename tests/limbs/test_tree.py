@@ -89,7 +89,7 @@ def test_slenderness_has_closed_forms(name):
     assert found.slenderness(np.array([tip, *low]))[0] == pytest.approx(expected, rel=0.15, abs=0.25)
 
 
-@pytest.mark.parametrize("change", ["permuted", "mirrored", "moved", "split"])
+@pytest.mark.parametrize("change", ["permuted", "mirrored", "moved", pytest.param("split", marks=pytest.mark.slow)])
 def test_limbs_belong_to_the_surface(change):
     shape = solid(fingers(), 0.15)
     x, faces = shape.vertices, shape.faces

@@ -3,6 +3,7 @@
 import jax
 import jax.numpy as jnp
 import numpy as np
+import pytest
 from conftest import blob
 
 from msf_jax import Config
@@ -34,6 +35,7 @@ def system(mesh, w_L, w_H, area=1.0, fixed=()):
     return dense, inverse(np.asarray(eye))[:num], np.asarray(b)[:num], inverse
 
 
+@pytest.mark.slow  # steps of conjugate gradients with it are counted in quick tests
 def test_the_factor_is_within_a_half_of_the_inverse_however_large_w_L_is():
     mesh = blob(3, 2)
     area = float(mesh.area / mesh.scale**2)  # of no ring: w_H varies over the surface
