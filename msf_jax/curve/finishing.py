@@ -233,7 +233,7 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     if job.prune:
         if extend:
             missing = choice.leaf.count(-1)
-            draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice))
+            draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice.leaf, choice.axes))
             is_end = np.pad(is_end, (0, len(draft.vertices) - len(is_end)), constant_values=True)
         if job.is_coarse:  # a twig of a few triangles has no rings: by its balls, it is a limb if twice the least
             x = draft.vertices
@@ -245,6 +245,7 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
+        leaf[draft.is_held[leaf]] = -1  # a held one is an end
         draft = contain(draft.changed(*one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
     finer = tuple((each.detail, each.place) for each in limbs.finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)

@@ -40,10 +40,11 @@ EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, 
 
 class LimbAxis(NamedTuple):
     """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
-    of the limb's area and length."""
+    of the limb's area and length. reach: from its end, that of the stretch of a branch that is laid on it."""
 
     places: np.ndarray
     width: float
+    reach: float
 
 
 def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array, np.ndarray]:
@@ -128,7 +129,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     is_around &= part > ROUNDING  # else its middle is on the surface
     is_around[: min(max(1, _cut_off(x, local, away, middles, perimeter, found.step)), last)] = False
     if not is_around.any():  # the middles of a channel are outside
-        return LimbAxis(middles, width)
+        return LimbAxis(middles, width, LAST * width)
     first = int(is_around.argmax())
     # The end is ahead on the line through two rings, a radius apart if there are such: a section of a nail's head that
     # is a little oblique has its middle far aside. One behind a hole in the end is alone: there it is across the ring.
@@ -150,7 +151,8 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     ball = shape.clearance(middles[first] + (ahead - depth)[:, None] * heading)
     along = ahead - depth[(ball >= GAP * ball.max()).argmax()]
     is_behind = (middles[first:] - middles[first]) @ heading < along
-    return LimbAxis(np.concatenate([[middles[first] + along * heading], middles[first:][is_behind]]), width)
+    places = np.concatenate([[middles[first] + along * heading], middles[first:][is_behind]])
+    return LimbAxis(places, width, LAST * width)
 
 
 def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray) -> np.ndarray:

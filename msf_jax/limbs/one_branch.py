@@ -19,11 +19,11 @@ from scipy import optimize, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.inside.containment import is_inside
-from msf_jax.limbs.ends import LAST, RING_SPACING, LimbAxis
+from msf_jax.limbs.ends import RING_SPACING, LimbAxis
 from msf_jax.limbs.tree import Limbs, LimbTree
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length, at, largest_of_each
-from msf_jax.solid.solid import JUST_INSIDE, Lid, Solid, is_end, lids_of
+from msf_jax.solid.geometry import ROUNDING, arc_length, at, largest_of_each
+from msf_jax.solid.solid import JUST_INSIDE, Solid, is_end, lids_of
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
@@ -213,15 +213,18 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     return found
 
 
-def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Choice) -> tuple[np.ndarray, np.ndarray]:
-    """The curve in the solid ``shape`` with a branch in each limb without a leaf: nodes, new ones last, and edges.
+def grown(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, leaf: list[int], axes: list[LimbAxis]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve in the solid ``shape`` with a branch in each limb that has -1 for its ``leaf``: nodes, new ones
+    last, and edges.
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
     finger beside it. The way there must be inside: a hand at the hip does not begin in the body."""
     x, radius = vertices, shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
-    for leaf, axis in zip(choice.leaf, choice.axes, strict=True):
-        if leaf < 0:
+    for node, axis in zip(leaf, axes, strict=True):
+        if node < 0:
             first = beginning(shape, vertices, radius, axis.places[-1])
             places = np.concatenate([axis.places, vertices[[first]]])
             x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
@@ -234,10 +237,10 @@ def laid(
     """The curve with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
 
     ``leaf`` is the leaf of each limb, or -1, and ``axes`` are those of the limbs. The last stretch of its branch,
-    `LAST` widths of the limb, is replaced, but no held node. A branch that runs back is replaced from its nearest
-    point on."""
+    as far as the axis reaches, is replaced, but no held node: from a held leaf on, the branch goes on to its end. A
+    branch that runs back is replaced from its nearest point on."""
     x, is_held = vertices, is_held.copy()
-    axis_of = {node: axis for node, axis in zip(leaf, axes, strict=True) if node >= 0 and not is_held[node]}
+    axis_of = {node: axis for node, axis in zip(leaf, axes, strict=True) if node >= 0}
     for _ in range(2):  # of a branch with two ends, one end each
         for nodes in trace(len(x), edges):
             path = np.array(nodes if nodes[0] in axis_of else nodes[::-1])
@@ -245,11 +248,11 @@ def laid(
                 continue
             axis = axis_of.pop(int(path[0]))
             away = np.linalg.norm(x[path] - axis.places[0], axis=1)
-            last = int(np.append(is_held[path[1:-1]], True).argmax()) + 1
+            last = int(np.append(is_held[path[:-1]], True).argmax())
             # Not where another end of the branch is beside this one, as in a tube whose ends overlap.
-            is_near = arc_length(x[path[:last]]) <= away[0] + LAST * axis.width
-            near = int(away[:last][is_near].argmin())
-            number = min(max(1, near + int(np.append(away[near:] > LAST * axis.width, True).argmax())), last)
+            is_near = arc_length(x[path[: max(last, 1)]]) <= away[0] + axis.reach
+            near = int(away[: max(last, 1)][is_near].argmin())
+            number = min(max(1, near + int(np.append(away[near:] > axis.reach, True).argmax())), last)
             stop = int(path[number])
             near = max(1, int(np.linalg.norm(axis.places - x[stop], axis=1).argmin()))
             places = np.concatenate([axis.places[:near], x[[stop]]])
@@ -302,45 +305,26 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
     leaf, which is short, gets a straight branch."""
     shape, start, num = solid.shape, solid.enter(nodes), len(nodes)
     wanted = [lid for lid in lids_of(shape.vertices, shape.faces, lids) if is_end(shape, lid)]
-    x, ball, ends, led = start, shape.approximate_clearance(start)[0], [], [lids[:0]]
+    # A place below the middle of a lid, and below all of its faces.
+    below = [lid.middle - (lid.uneven + JUST_INSIDE * lid.radius()) * lid.normal for lid in wanted]
+    axes = [
+        LimbAxis(np.stack([lid.middle, place]), lid.radius(), lid.reach)
+        for lid, place in zip(wanted, below, strict=True)
+    ]
     leaves, middles = leaves_of(edges), np.array([lid.middle for lid in wanted]).reshape(-1, 3)
-    reach = np.array([lid.reach for lid in wanted])
-    away = spatial.distance.cdist(middles, x[leaves])
-    is_near = (away <= reach[:, None]).any(axis=0)
+    away = spatial.distance.cdist(middles, start[leaves])
+    is_near = (away <= np.array([lid.reach for lid in wanted])[:, None]).any(axis=0)
     away, leaves = away[:, is_near], leaves[is_near]
     # In a tube that is shorter than wide, both ends of the curve may be near the same lid.
-    is_open = [_is_open(shape, x[leaves], lid) for lid in wanted]
+    is_open = [is_inside(shape, start[leaves], np.repeat(place[None], len(leaves), axis=0)) for place in below]
     away = np.where(np.reshape(is_open, away.shape), away, 1e3)  # farther than any, as the solid's diagonal is 1
-    pairs = zip(*optimize.linear_sum_assignment(away), strict=True)
-    leaf_of = {int(k): int(leaves[j]) for k, j in pairs if away[k, j] < 1e3}
-    ball[list(leaf_of.values())] = -np.inf
-    for number, lid in enumerate(wanted):
-        if number in leaf_of:
-            paths = (path for each in trace(len(x), edges) for path in (each, each[::-1]))
-            path = np.array(next(path for path in paths if path[0] == leaf_of[number]))
-            stays = (spatial.distance.cdist(x[path], middles) > reach).all(axis=1)
-            stays |= np.isin(path, np.flatnonzero(is_held))
-            first = min(int(np.append(stays, True).argmax()), len(path) - 1)
-            first = int(np.flatnonzero(_is_open(shape, x[path[: first + 1]], lid))[-1])
-            old, stop = path[:first].tolist(), int(path[first])
-        else:
-            old, stop = [], beginning(shape, x[:num], ball, _below_lid(lid))
-            if not _is_open(shape, x[[stop]], lid)[0]:
-                continue
-        ends.append(old[0] if old else len(x))
-        x, edges = relaid(x, edges, old, stop, np.stack([lid.middle, x[stop]]), RING_SPACING * lid.radius())
-        led.append(lid.faces)
-    moved = np.concatenate([nodes, solid.leave(x[num:])])
-    is_moved = (x[:num] != start).any(axis=1)
-    moved[:num][is_moved] = solid.leave(x[:num][is_moved])
-    return Opened(moved, edges, np.array(ends, dtype=np.int64), np.concatenate(led))
-
-
-def _below_lid(lid: Lid) -> np.ndarray:
-    """(3,) a place below the middle of the ``lid``, and below all of its faces."""
-    return lid.middle - (lid.uneven + JUST_INSIDE * lid.radius()) * lid.normal
-
-
-def _is_open(shape: Enclosure, points: np.ndarray, lid: Lid) -> np.ndarray:
-    """(P,) whether the way from each of ``points`` (P, 3) to the ``lid`` is inside."""
-    return is_inside(shape, points, np.repeat(_below_lid(lid)[None], len(points), axis=0))
+    leaf = np.full(len(wanted), -1)
+    for lid, column in zip(*optimize.linear_sum_assignment(away), strict=True):
+        leaf[lid] = leaves[column] if away[lid, column] < 1e3 else -1
+    x, edges = laid(start, edges, is_held, leaf.tolist(), axes)
+    x, edges = grown(shape, x, edges, leaf.tolist(), axes)
+    moved, is_left = solid.leave(x), (x[:num] == start).all(axis=1)
+    moved[:num][is_left] = nodes[is_left]
+    away, ends = spatial.KDTree(x).query(middles)
+    led = [lid.faces for lid, distance in zip(wanted, away, strict=True) if distance <= ROUNDING]
+    return Opened(moved, edges, np.array(ends)[away <= ROUNDING], np.concatenate([lids[:0], *led]))

@@ -140,7 +140,7 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     tops = [limb.place[2] > 1 for limb in tree.limbs(1.2, 0.5).limbs]
     (number,) = np.flatnonzero(tops)
     assert choice.leaf[number] == -1
-    x, edges = one_branch.grown(shape, *trunk, choice)
+    x, edges = one_branch.grown(shape, *trunk, choice.leaf, choice.axes)
     assert cycle_count(len(x), edges) == (1, 0)
     np.testing.assert_array_equal(x[: len(held)], trunk[0])
     new = x[len(held) :]
