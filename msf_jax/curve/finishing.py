@@ -58,8 +58,7 @@ class Draft(NamedTuple):
 class Job(NamedTuple):
     """The inputs of all passes. shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles,
     fine enough for centring. prune: least slenderness of a limb, 0 for no pruning (see `limbs.tree`). roadmap: paths
-    through the solid. limbs: returns the merge trees of the surface. detail: of limbs (see `Config`). is_coarse:
-    whether the surface's triangles are too few for the rings of all limbs."""
+    through the solid. limbs: returns the merge trees of the surface. detail: of limbs (see `Config`)."""
 
     shape: Enclosure
     coarse: Enclosure
@@ -67,7 +66,6 @@ class Job(NamedTuple):
     roadmap: containment.Roadmap
     limbs: Callable[[], LimbTree]
     detail: float
-    is_coarse: bool = False
 
 
 def reduced(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
@@ -126,7 +124,7 @@ def finish(
             clock.check()
             laid = _by_wavefronts(outside, nodes, draft.edges, job, is_thin, is_tangle)
         if laid is not None:
-            job, draft, first, is_tangle = job._replace(is_coarse=True), _of_reeb_curve(laid, nodes), None, False
+            draft, first, is_tangle = _of_reeb_curve(laid, nodes), None, False
         for each in [] if is_tangle else [*([first] if first else []), *passes(centre, extend)]:
             clock.check()
             draft = each(draft, job)
@@ -235,11 +233,6 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
             missing = choice.leaf.count(-1)
             draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice.leaf, choice.axes))
             is_end = np.pad(is_end, (0, len(draft.vertices) - len(is_end)), constant_values=True)
-        if job.is_coarse:  # a twig of a few triangles has no rings: by its balls, it is a limb if twice the least
-            x = draft.vertices
-            slenderness = one_branch.by_balls(x, job.shape.approximate_clearance(x)[0])
-            twigs = one_branch.measure(x, draft.edges, slenderness)
-            is_end[[node for each in twigs if each.slenderness >= 2 * job.prune for node in each.nodes]] = True
         stays, target = one_branch.kept(draft.vertices, draft.edges, is_end, draft.is_held)
         draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
