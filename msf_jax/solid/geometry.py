@@ -64,21 +64,6 @@ def to_segment(points: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.nda
     return np.linalg.norm(points - start - t[:, None] * along, axis=1)
 
 
-def nearest_to_ray(
-    segment: np.ndarray, place: np.ndarray, heading: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of each ``segment`` (S, 2, 3), where it is nearest to the ray from ``place`` (3,) along the unit vector
-    ``heading`` (3,): the share (S,) of its length, the point (S, 3), and its distance (S,) from the ray."""
-    start, span = segment[:, 0] - place, segment[:, 1] - segment[:, 0]
-    # Without the component along the ray, the nearest point of the segment to the origin.
-    flat, flat_span = (each - np.outer(each @ heading, heading) for each in (start, span))
-    share = np.clip(-np.einsum("si,si->s", flat, flat_span) / np.maximum((flat_span**2).sum(axis=1), 1e-300), 0.0, 1.0)
-    meet = segment[:, 0] + share[:, None] * span
-    back = (meet - place) @ heading
-    off = np.linalg.norm(meet - place - np.maximum(back, 0.0)[:, None] * heading, axis=1)
-    return share, meet, off
-
-
 def largest_of_each(group: np.ndarray, value: np.ndarray) -> np.ndarray:
     """(g,) the index of the largest ``value`` (n,) in each ``group`` (n,) of numbers 0, 1, ..., the last of equals."""
     order = np.lexsort((value, group))

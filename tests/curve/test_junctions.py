@@ -1,4 +1,4 @@
-"""Junctions are where the axes of their branches meet, and a side branch begins where its axis meets its trunk."""
+"""Junctions are where the axes of their branches meet."""
 
 from itertools import pairwise
 
@@ -9,7 +9,6 @@ import trimesh
 from msf_jax import shapes
 from msf_jax.curve import junctions
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import arc_length
 
 
 def ways(degrees):
@@ -109,58 +108,35 @@ def test_a_held_junction_stays():
     np.testing.assert_array_equal(moved(shape, x, edges, np.arange(len(x)) == 0), x)
 
 
-def test_the_axis_of_a_side_branch_ends_at_the_first_stretch_of_trunk():
-    """Of a trunk that turns back: it passes the first stretch at a tenth of a radius, and crosses the second."""
-    x = np.array([[4, 0, -6], [4, 0, -1], [4, 0, 0], [4, 0, 1], [4, 0, 6], [0, 0, 6], [0, 0, 1], [0, 0, 0], [0, 0, -6]])
-    x = np.concatenate([x + [0, 0, 0.0], [[4 + k, 0.1, 0] for k in (0.0, 1.0, 2.0, 3.0, 8.0)]])
-    x[:5, 1] = -0.1
-    edges = np.array([*pairwise(range(9)), (2, 9), *pairwise(range(9, 14))])
-    path = np.r_[2, 9:14]
-    side = junctions.Axis(path, arc_length(x[path]), 0.3, 4, np.array([[4.0, 0, 0], [1.0, 0, 0], [0, 0, 0]]))
-    radii, is_trunk = np.where(np.arange(14) < 9, 1.0, 0.3), np.arange(len(edges)) < 8
-    found = junctions.meeting(side, x, edges, is_trunk, radii)
-    assert found is not None and found.edge in (1, 2)
-    np.testing.assert_allclose(found.place, [4, -0.1, 0], atol=1e-9)
+BASES, TOPS = np.array([[0, 0, 0], [0, 0, 12.0]]), np.array([[0, 30, 30], [0, -30, -18.0]])
 
 
-def side_branch(astray, num=60):
-    """A solid of a trunk of radius 3 along z and a side branch of radius 1 from 0, 45 degrees up, and a curve whose
-    side branch runs along the trunk for ``astray`` before it leaves it."""
-    top = np.array([0, 30, 30])
-    points = np.array([[0, 0, -30], [0, 0, 40], [0, 0, 0], top], dtype=float)
-    mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3]]), np.array([3.0, 3.0, 1.0, 1.0]), 1.0)
-    line = np.linspace(0, 1, num)[:, None]
-    trunk = points[0] + line * (points[1] - points[0])
-    first = int(np.abs(trunk[:, 2] - astray).argmin())
-    leaves = np.array([0, 0.5, 0.5])  # on the side branch's axis, in the trunk
-    legs = np.concatenate(
-        [trunk[first] + line[1:10] / line[9] * (leaves - trunk[first]), leaves + line * (top - leaves)]
-    )
-    chain = np.r_[first, num + np.arange(len(legs))]
-    edges = np.concatenate([np.stack([c[:-1], c[1:]], axis=1) for c in (np.arange(num), chain)])
-    return Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), np.concatenate([trunk, legs]), edges, first
+def side_branches(*heights, num=60):
+    """A solid of a trunk of radius 3 along z and side branches of radius 1 from `BASES` to `TOPS`, and a curve whose
+    side branches run along the trunk and leave it at ``heights``; the nodes where they do."""
+    line, count = np.linspace(0, 1, num)[:, None], len(heights)
+    points = np.concatenate([[[0, 0, -30], [0, 0, 40]], BASES[:count], TOPS[:count]])
+    ends = np.array([[0, 1], *([2 + k, 2 + count + k] for k in range(count))])
+    mesh = shapes.solid_around(points, ends, np.array([3.0, 3.0] + 2 * count * [1.0]), 1.0)
+    x = points[0] + line * (points[1] - points[0])
+    first = [int(np.abs(x[:num, 2] - height).argmin()) for height in heights]
+    edges = [np.stack([np.arange(num - 1), np.arange(1, num)], axis=1)]
+    for node, base, top in zip(first, BASES, TOPS, strict=False):
+        start = base + 0.0167 * (top - base)  # on the side branch's axis, in the trunk
+        legs = np.concatenate([x[node] + line[1:10] / line[9] * (start - x[node]), start + line * (top - start)])
+        chain = np.r_[node, len(x) + np.arange(len(legs))]
+        x, edges = np.concatenate([x, legs]), [*edges, np.stack([chain[:-1], chain[1:]], axis=1)]
+    return Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), x, np.concatenate(edges), first
 
 
-@pytest.mark.parametrize("astray", [-8.0, 8.0])
-def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
-    """Wherever it ran along the trunk."""
-    shape, x, edges, first = side_branch(astray)
-    held = np.zeros(len(x), dtype=bool)
-    found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
-    degree = np.bincount(found_edges.ravel())
-    assert (degree > 2).sum() == 1 and degree[first] == 2
-    assert np.linalg.norm(found[degree > 2]) < 0.1
-    assert len(found) == len(x) + 1 and len(found_edges) == len(edges) + 1
-    np.testing.assert_array_equal(found[:60], x[:60])  # the trunk stays
-
-
-def test_a_node_without_edges_is_no_side_branch():
-    """A curve of one node, of a ball. No median is taken of nothing."""
-    with np.errstate(all="raise"):
-        sides, is_trunk = junctions.side_branches(
-            np.zeros((1, 3)), np.empty((0, 2), np.int64), np.zeros(1, bool), np.ones(1)
-        )
-    assert sides == [] and is_trunk.shape == (0,)
+@pytest.mark.parametrize("heights", [(-8.0,), (8.0,), (5.0, 7.5)])
+def test_a_side_branch_begins_where_its_axis_meets_the_trunk(heights):
+    """Wherever it ran along the trunk, and also where the trunk is too short for an axis between two of them."""
+    shape, x, edges, first = side_branches(*heights)
+    found = moved(shape, x, edges)
+    assert (np.linalg.norm(x[first] - BASES[: len(first)], axis=1) > 4).all()
+    assert np.linalg.norm(found[first] - BASES[: len(first)], axis=1).max() < 0.2
+    assert np.abs(found[:60, :2]).max() < 0.1 and (np.diff(found[:60, 2]) > 0).all()  # the trunk stays in order
 
 
 def test_a_junction_in_a_ball_with_thin_branches_is_its_middle():
