@@ -223,20 +223,21 @@ def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
         return draft
     tree = job.limbs()
     limbs = tree.limbs(job.prune, job.detail)
-    choice = one_branch.choose(tree, limbs, job.coarse, draft.vertices, draft.edges, draft.is_held)
-    num_leaves, is_end, leaf, missing = int(draft.is_leaf().sum()), choice.is_end, np.array(choice.leaf, np.int64), 0
+    leaf, axes = one_branch.choose(tree, limbs, job.coarse, draft.vertices, draft.edges, draft.is_held)
+    num_leaves, is_lost, missing = int(draft.is_leaf().sum()), leaf < 0, 0
     if job.prune:
         if extend:
-            missing = choice.leaf.count(-1)
-            draft = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, choice.leaf, choice.axes))
-            is_end = np.pad(is_end, (0, len(draft.vertices) - len(is_end)), constant_values=True)
+            missing = int(is_lost.sum())
+            x, edges, leaf = one_branch.grown(job.coarse, draft.vertices, draft.edges, leaf, axes)
+            draft = draft.changed(x, edges)
+        is_end = np.isin(np.arange(len(draft.vertices)), leaf)
         stays, target = one_branch.kept(draft.vertices, draft.edges, is_end, draft.is_held)
-        draft, leaf = reduced(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
+        draft, leaf = reduced(draft, stays, target), np.cumsum(stays)[leaf] - 1
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
+        leaf[is_lost | draft.is_held[leaf]] = -1  # a held one is an end
         curve = draft.vertices, draft.edges, draft.is_held
-        leaf[draft.is_held[leaf]] = -1  # a held one is an end
-        draft = contain(draft.changed(*one_branch.laid(*curve, leaf.tolist(), choice.axes)), job)
+        draft = contain(draft.changed(*one_branch.laid(*curve, leaf, axes)), job)
     finer = tuple((each.detail, each.place) for each in limbs.finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 

@@ -22,7 +22,7 @@ from msf_jax.inside.containment import is_inside
 from msf_jax.limbs.ends import RING_SPACING, LimbAxis
 from msf_jax.limbs.tree import Limbs, LimbTree
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, arc_length, at, largest_of_each
+from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.solid.solid import JUST_INSIDE, Solid, is_end, lids_of
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
@@ -129,33 +129,24 @@ def measure(
     return found
 
 
-class Choice(NamedTuple):
-    """is_end: (N,) the leaves that stay. leaf: of each limb, the leaf that stays, or -1. axes: of the limbs."""
-
-    is_end: np.ndarray
-    leaf: list[int]
-    axes: list[LimbAxis]
-
-
 def choose(
     tree: LimbTree, limbs: Limbs, shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
-) -> Choice:
-    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the ``limbs`` of a solid (see `LimbTree.limbs`).
+) -> tuple[np.ndarray, list[LimbAxis]]:
+    """Of a curve ``(vertices (N, 3), edges (E, 2))``, the leaf (l,) that stays for each of the ``limbs`` of a solid, -1
+    for none (see `LimbTree.limbs`), and the limbs' axes.
 
     Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
     left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead."""
     leaves = leaves_of(edges)
     foot = feet(tree.shape, vertices[leaves])
-    own, time = limbs.owner[foot], limbs.time
-    is_end, leaf, axes = np.zeros(len(vertices), dtype=bool), list[int](), list[LimbAxis]()
+    own, time, leaf = limbs.owner[foot], limbs.time, np.full(len(limbs.limbs), -1)
+    axes = [tree.axis(shape, limbs, number) for number in range(len(leaf))]
     for number, limb in enumerate(limbs.limbs):
-        mine, axis = np.flatnonzero(own == number + 1), tree.axis(shape, limbs, number)
+        mine = np.flatnonzero(own == number + 1)
         away = np.sqrt(2 * (time[limb.region].max() - time[foot[mine]]))
-        first = mine[np.lexsort((away, ~(is_held[leaves[mine]] & (away <= axis.width))))[:1]]
-        is_end[leaves[first]] = True
-        axes.append(axis)
-        leaf.append(int(leaves[first[0]]) if len(first) else -1)
-    return Choice(is_end, leaf, axes)
+        order = np.lexsort((away, ~(is_held[leaves[mine]] & (away <= axes[number].width))))
+        leaf[number] = leaves[mine[order[0]]] if len(mine) else -1
+    return leaf, axes
 
 
 def slenderness(tree: LimbTree, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
@@ -214,33 +205,33 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
 
 
 def grown(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, leaf: list[int], axes: list[LimbAxis]
-) -> tuple[np.ndarray, np.ndarray]:
-    """The curve in the solid ``shape`` with a branch in each limb that has -1 for its ``leaf``: nodes, new ones
-    last, and edges.
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, leaf: np.ndarray, axes: list[LimbAxis]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The curve in the solid ``shape`` with a branch in each limb that has -1 for its ``leaf`` (l,): nodes, new ones
+    last, edges, and the leaf (l,) of each limb.
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
     finger beside it. The way there must be inside: a hand at the hip does not begin in the body."""
-    x, radius = vertices, shape.approximate_clearance(vertices)[0]
+    x, radius, leaf = vertices, shape.approximate_clearance(vertices)[0], leaf.copy()
     radius[leaves_of(edges)] = -np.inf
-    for node, axis in zip(leaf, axes, strict=True):
-        if node < 0:
-            first = beginning(shape, vertices, radius, axis.places[-1])
-            places = np.concatenate([axis.places, vertices[[first]]])
-            x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
-    return x, edges
+    for number in np.flatnonzero(leaf < 0).tolist():
+        axis, leaf[number] = axes[number], len(x)
+        first = beginning(shape, vertices, radius, axis.places[-1])
+        places = np.concatenate([axis.places, vertices[[first]]])
+        x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
+    return x, edges, leaf
 
 
 def laid(
-    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, leaf: list[int], axes: list[LimbAxis]
+    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, leaf: np.ndarray, axes: list[LimbAxis]
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
 
-    ``leaf`` is the leaf of each limb, or -1, and ``axes`` are those of the limbs. The last stretch of its branch,
+    ``leaf`` (l,) is the leaf of each limb, or -1, and ``axes`` are those of the limbs. The last stretch of its branch,
     as far as the axis reaches, is replaced, but no held node: from a held leaf on, the branch goes on to its end. A
     branch that runs back is replaced from its nearest point on."""
     x, is_held = vertices, is_held.copy()
-    axis_of = {node: axis for node, axis in zip(leaf, axes, strict=True) if node >= 0}
+    axis_of = {node: axis for node, axis in zip(leaf.tolist(), axes, strict=True) if node >= 0}
     for _ in range(2):  # of a branch with two ends, one end each
         for nodes in trace(len(x), edges):
             path = np.array(nodes if nodes[0] in axis_of else nodes[::-1])
@@ -321,10 +312,8 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
     leaf = np.full(len(wanted), -1)
     for lid, column in zip(*optimize.linear_sum_assignment(away), strict=True):
         leaf[lid] = leaves[column] if away[lid, column] < 1e3 else -1
-    x, edges = laid(start, edges, is_held, leaf.tolist(), axes)
-    x, edges = grown(shape, x, edges, leaf.tolist(), axes)
+    x, edges, _ = grown(shape, *laid(start, edges, is_held, leaf, axes), leaf, axes)
     moved, is_left = solid.leave(x), (x[:num] == start).all(axis=1)
     moved[:num][is_left] = nodes[is_left]
-    away, ends = spatial.KDTree(x).query(middles)
-    led = [lid.faces for lid, distance in zip(wanted, away, strict=True) if distance <= ROUNDING]
-    return Opened(moved, edges, np.array(ends)[away <= ROUNDING], np.concatenate([lids[:0], *led]))
+    ends = np.array(spatial.KDTree(x).query(middles)[1], dtype=np.int64)
+    return Opened(moved, edges, ends, np.concatenate([lids[:0], *(lid.faces for lid in wanted)]))

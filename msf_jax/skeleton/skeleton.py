@@ -176,8 +176,8 @@ class Skeleton:
         x, edges, least, is_held = self.vertices, self.edges, float(slenderness), _held(self)
         if self.source is not None and not self.report.wavefronts and least:
             solid, tree = self.source.solid, self.source.limbs
-            choice = one_branch.choose(tree, tree.limbs(least, 0.5), solid.shape, solid.enter(x), edges, is_held)
-            stays, target = one_branch.kept(x, edges, choice.is_end, is_held)
+            leaf, _ = one_branch.choose(tree, tree.limbs(least, 0.5), solid.shape, solid.enter(x), edges, is_held)
+            stays, target = one_branch.kept(x, edges, np.isin(np.arange(len(x)), leaf), is_held)
         else:
             stays, target = one_branch.prune(len(x), edges, one_branch.by_balls(x, self.radii), least, is_held)
         rank = np.cumsum(stays) - 1

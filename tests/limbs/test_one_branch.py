@@ -38,14 +38,13 @@ def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
     at = [[-1.2, 0, 0.7], [-1.15, 0, 0.5], [1.2, 1, -1.0]]
     x, edges = np.array([[0, 0, -1.0], *at]), as_edges([(0, 1), (0, 2), (0, 3)])
     number = [int(np.argmin([abs(tree.shape.vertices[limb.tip, 0] - x) for limb in limbs.limbs])) for x in (-1.2, 1.2)]
-    found = one_branch.choose(tree, limbs, tree.shape, x, edges, none_held(x))
-    assert found.leaf[number[0]] == 1 and found.leaf[number[1]] == -1 and sorted(found.leaf) == [-1, -1, -1, 1]
-    assert found.is_end.tolist() == [False, True, False, False]
+    leaf, _ = one_branch.choose(tree, limbs, tree.shape, x, edges, none_held(x))
+    assert leaf[number[0]] == 1 and leaf[number[1]] == -1 and sorted(leaf) == [-1, -1, -1, 1]
     # The limb's width is its radius, and the finger ends at 1.0.
     for height, stays in ((0.9, 2), (0.5, 1)):
         x[2, 2] = height
         x[1, 2] = 0.95
-        assert one_branch.choose(tree, limbs, tree.shape, x, edges, np.arange(4) == 2).leaf[number[0]] == stays
+        assert one_branch.choose(tree, limbs, tree.shape, x, edges, np.arange(4) == 2)[0][number[0]] == stays
 
 
 @pytest.mark.parametrize("turn", [0.02, 0.3])
@@ -136,11 +135,12 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     shape = solid(block() + LIMB["long cylinder"][0], 0.15)
     x, edges = trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
     tree, held = LimbTree(shape), none_held(trunk[0])
-    choice = one_branch.choose(tree, tree.limbs(1.2, 0.5), tree.shape, x, edges, held)
+    leaf, axes = one_branch.choose(tree, tree.limbs(1.2, 0.5), tree.shape, x, edges, held)
     tops = [limb.place[2] > 1 for limb in tree.limbs(1.2, 0.5).limbs]
     (number,) = np.flatnonzero(tops)
-    assert choice.leaf[number] == -1
-    x, edges = one_branch.grown(shape, *trunk, choice.leaf, choice.axes)
+    assert leaf[number] == -1
+    x, edges, leaf = one_branch.grown(shape, *trunk, leaf, axes)
+    assert leaf[number] >= len(held)
     assert cycle_count(len(x), edges) == (1, 0)
     np.testing.assert_array_equal(x[: len(held)], trunk[0])
     new = x[len(held) :]
