@@ -27,8 +27,6 @@ from msf_jax.solid.solid import JUST_INSIDE, Solid, is_end, lids_of
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import trace
 
-TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
-
 Worth = Callable[[list[int]], float]  # of the branch with these nodes, its leaf first
 
 
@@ -270,9 +268,10 @@ def relaid(
 
 
 def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
-    """The node of ``vertices`` (N, 3), with balls of ``radius`` (N,), at which a branch to ``place`` (3,) begins."""
+    """The node of ``vertices`` (N, 3), with balls of ``radius`` (N,), at which a branch to ``place`` (3,) begins: that
+    of the nearest ball from which the way there is inside, or else the nearest node."""
     away = np.linalg.norm(vertices - place, axis=1)
-    near = np.argsort(away - radius, kind="stable")[:TRIED]
+    near = np.argsort(away - radius, kind="stable")
     is_open = is_inside(shape, vertices[near], np.repeat(place[None], len(near), axis=0))
     return int(near[is_open.argmax()] if is_open.any() else np.where(radius == -np.inf, np.inf, away).argmin())
 
