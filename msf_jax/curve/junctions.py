@@ -94,7 +94,7 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     """The nodes (N, 3) with junctions where the lines of their branches meet, and the nodes from there to each branch's
     axis on the way. Where rods cross, the flow has two junctions: if the lines of all branches of both meet, these are
     at one place, with the stretch between. A junction stays where a branch has no line, or a node on the way is held,
-    and where the lines do not meet."""
+    and where the lines do not meet, unless it is at a wall."""
     x, curve = x.copy(), Branches(x, edges, radii)
     at_node: dict[int, list[tuple[np.ndarray, Axis | None]]] = {}
     between: dict[tuple[int, int], list[np.ndarray]] = {}
@@ -143,7 +143,10 @@ def _put(
     meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[widest])
     if sizes.max() < THIN * radii[widest]:
         meet, off = middle_of_ball(shape, x[widest]), 0 * off
-    if (off > APART * sizes).any():  # lines that pass each other tell less than sections beyond
+    # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
+    # ball is smaller than those of its branches.
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * sizes.min()
+    if (off > APART * sizes).any() and not is_at_wall:
         return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []
     for path, along, size, first, parabola in axes:
