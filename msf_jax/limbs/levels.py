@@ -16,7 +16,7 @@ from msf_jax.numerics.compiled import Ints, Points, Reals, Rows, kernel, part
 from msf_jax.solid.geometry import ROUNDING, cross, unit
 from msf_jax.solid.kernels import norm
 
-MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
+MOST_POINTS = 1_000_000  # intersections of levels and edges: if there are more, the step is doubled
 
 
 class Levels(NamedTuple):

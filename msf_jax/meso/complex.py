@@ -15,22 +15,17 @@ class Complex:
     (n, K) or None. pinned: vertices that are not merged with each other unless forced."""
 
     def __init__(self, rings: np.ndarray, classes: np.ndarray | None, pinned: np.ndarray | None) -> None:
-        num = len(rings)
         self.pinned = set() if pinned is None else set(pinned.tolist())  # roots
         self.has_classes = classes is not None
-        self.root = list(range(num))
+        self.root = list(range(len(rings)))
         # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the edge from u to v.
-        self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
-        self.classes: list[dict[int, int]] = [{} for _ in range(num)]
-        for u, v, w in ring_tables.faces_from_rings(rings).tolist():
-            for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
-                self.apexes[x].setdefault(y, set()).add(z)
-                self.apexes[y].setdefault(x, set()).add(z)
-        if classes is not None:
-            vertex, slot = np.nonzero(rings >= 0)
-            ends = rings[vertex, slot].tolist()
-            for u, v, value in zip(vertex.tolist(), ends, classes[vertex, slot].tolist(), strict=True):
-                self.classes[u][v] = value
+        self.apexes, self.classes = list[dict[int, set[int]]](), list[dict[int, int]]()
+        degrees, values = ring_tables.ring_degrees(rings), rings[:, :0] if classes is None else classes
+        for degree, row, own in zip(degrees.tolist(), rings.tolist(), values.tolist(), strict=True):
+            ring = row[:degree]
+            sides = zip(ring, ring[-1:] + ring[:-1], ring[1:] + ring[:1], strict=True)
+            self.apexes.append({v: {before, after} for v, before, after in sides})
+            self.classes.append(dict(zip(ring, own, strict=False)))
 
     def find(self, u: int) -> int:
         """The vertex that u was merged into."""

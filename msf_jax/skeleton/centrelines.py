@@ -38,7 +38,7 @@ FIT_REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance al
 FEWEST_FITTED = 3  # nodes in each direction that a fit uses at least, if the branch has them
 LONGEST_FACE = 2.0  # radii: a longer face is split in four before its volume is given to branches
 MOST_SPLITS = 6  # times that a face is split
-MOST_FACES = 50_000  # faces, beyond which none is split; bounds time and memory
+MOST_FACES = 10_000  # long faces, beyond which none is split: a branch of a thin plate then differs by 1 % of the whole
 SURE = 0.3  # least weight of a section that counts, however wide beside the ball: 1.35 times the usual radius has it
 ROUND = 1.2  # largest ratio of a disc's radius to the ball's at a node whose section counts, however wide on its branch
 
