@@ -9,7 +9,7 @@ from conftest import blob, torus
 
 from msf_jax.meso import ring_tables
 from msf_jax.meso.meso import Meso
-from msf_jax.solid.handles import half_edge_classes, surface_loops
+from msf_jax.solid.handles import Handles
 
 OBTUSE = 110.0
 
@@ -95,7 +95,7 @@ def is_tetrahedron(around: dict[int, set[int]], a: int) -> bool:
 
 def ring_classes(vertices, faces, rings):
     """The classes of all edges, beside the rings."""
-    return ring_tables.beside_rings(rings, faces, half_edge_classes(vertices, faces, surface_loops(faces)))
+    return ring_tables.beside_rings(rings, faces, Handles(vertices, faces).half_edge_classes())
 
 
 def class_of(meso, a, b):

@@ -18,7 +18,6 @@ from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, UnitFrame, frame_of, signed_volume, sort_mesh, triangle_areas
-from msf_jax.solid.handles import half_edge_classes
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rounded to the frame's grid
@@ -65,7 +64,7 @@ def init(
         )
     if component.genus:
         with clock.stage("homology"):
-            classes = half_edge_classes(outside.vertices, faces, outside.handles.surface)
+            classes = outside.handles.half_edge_classes()
             meso.classes = ring_tables.beside_rings(meso.rings, faces, classes)
     clock.check()
     max_rows = GROWTH * meso.num_rows + GROWTH_MARGIN

@@ -19,12 +19,11 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax.numerics.compiled import Ints, Points, Rows, kernel, part
-from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, unit, vertex_normals
 from msf_jax.solid.kernels import Vector, onward, overlaps, point_of, tree_of
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import HalfEdges, half_edges
 
-PUSH = 1e-3  # mean edge lengths, by which loops lie outside the surface where its own edges have classes
 PRIME = 2**20 - 3  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
 BLOCK = 64  # vectors that are reduced together
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
@@ -34,10 +33,12 @@ TURN *= np.linalg.det(TURN)  # a rotation in general position: two axes across t
 class SurfaceLoops(NamedTuple):
     """2g loops of a closed surface that generate its homology.
 
-    edges: the half-edges. loops: (2g,) the vertices of each. to_parent: (F,) the half-edge from each face to its parent
-    in a tree of faces, which no loop crosses, -1 at the root."""
+    edges: the half-edges. closing: (2g,) the half-edge of each loop that is not in the tree of vertices. loops: (2g,)
+    the vertices of each. to_parent: (F,) the half-edge from each face to its parent in a tree of faces, which no loop
+    crosses, -1 at the root."""
 
     edges: HalfEdges
+    closing: np.ndarray
     loops: list[list[int]]
     to_parent: np.ndarray
 
@@ -58,8 +59,8 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     to_parent[face[leads_up[::-1]]] = leads_up[::-1]
     up = to_parent[to_parent >= 0]
     is_left[up] = is_left[twin[up]] = False
-    loops = []
-    for start, end in zip(origin[is_left].tolist(), target[is_left].tolist(), strict=True):
+    closing, loops = np.flatnonzero(is_left), []
+    for start, end in zip(origin[closing].tolist(), target[closing].tolist(), strict=True):
         one, other = [start], [end]  # the loop goes along the edge, and back along the tree
         for path in (one, other):
             while parent[path[-1]] >= 0:
@@ -68,38 +69,7 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
             one.pop()
             other.pop()
         loops.append([start, *(other[:-1] if len(one) == 1 else other), *one[-2:0:-1]])
-    return SurfaceLoops(edges, loops, to_parent)
-
-
-def half_edge_classes(vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops) -> np.ndarray:
-    """The class (3F,) of every half-edge of a closed ``surface``, see `Handles.classes`; twins have opposite classes.
-
-    Around each face the classes add up to zero, unless a loop leads through it, where the surface crosses itself. Then
-    they are taken from the surface after a few rounds of smoothing, whose loops have the same classes: the first
-    without such a face, or that with the fewest. What is left there is carried along the tree of faces, and cancels."""
-    edges, found, least = surface.edges, np.zeros(faces.size, dtype=np.int64), len(faces)
-    neighbours = graphs.weighted(len(vertices), edges.origin, edges.target)
-    count = np.maximum(np.bincount(edges.origin, minlength=len(vertices)), 1)[:, None]
-    for rounds in (0, 1, 1, 2, 4, 8, 16):
-        for _ in range(rounds):
-            vertices = (vertices + neighbours @ vertices / count) / 2
-        a, b = vertices[edges.origin], vertices[edges.target]
-        spacing = np.linalg.norm(a - b, axis=1).mean() / np.ptp(vertices, axis=0).max()
-        classes = Handles(vertices, faces, surface, PUSH * float(spacing)).classes(a, b)
-        num_pierced = np.count_nonzero(classes.reshape(-1, 3).sum(axis=1))
-        if num_pierced < least:
-            found, least = classes, num_pierced
-        if not least:
-            break
-    left = found.reshape(-1, 3).sum(axis=1)
-    face, carried = np.flatnonzero(left), left[left != 0]
-    while len(face):
-        half = surface.to_parent[face]
-        half, carried = half[half >= 0], carried[half >= 0]
-        np.subtract.at(found, half, carried)
-        np.add.at(found, edges.twin[half], carried)
-        face = edges.twin[half] // 3
-    return found
+    return SurfaceLoops(edges, closing, loops, to_parent)
 
 
 class Span:
@@ -192,19 +162,14 @@ class Handles:
     Args:
         vertices: (V, 3), any unit.
         faces: (F, 3), closed and oriented, of one component or several.
-        surface: their loops, if known.
-        push: by how much these lie outside, in lengths of the solid.
     """
 
-    def __init__(
-        self, vertices: np.ndarray, faces: np.ndarray, surface: SurfaceLoops | None = None, push: float = ROUNDING
-    ):
-        if surface is None:  # V - E + F is 2 for a component without handles, and a vertex without a face is one
-            label = graphs.labels_of_faces(faces, int(faces.max()) + 1)
-            num_used = np.count_nonzero(np.bincount(faces.ravel()))
-            num_components = label.max() + 1 - (len(label) - num_used)
-            surface = surface_loops(faces if num_used - len(faces) // 2 < 2 * num_components else faces[:0])
-        self.surface = surface
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray):
+        # V - E + F is 2 for a component without handles, and a vertex without a face is one.
+        label = graphs.labels_of_faces(faces, int(faces.max()) + 1)
+        num_used = np.count_nonzero(np.bincount(faces.ravel()))
+        num_components = label.max() + 1 - (len(label) - num_used)
+        self.surface = surface_loops(faces if num_used - len(faces) // 2 < 2 * num_components else faces[:0])
         loops = self.surface.loops
         self.genus = len(loops) // 2
         number = np.repeat(np.arange(len(loops)), np.array([len(loop) for loop in loops], dtype=np.int64))
@@ -218,15 +183,35 @@ class Handles:
         self._low = vertices.min(axis=0)
         self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
         placed = (vertices - self._low) / self._extent
-        if loops:  # they lie outside the surface, as a pinned node lies on it; normals cost most of the time
-            placed += push * unit(vertex_normals(placed, faces))
-        tail, head = _turned(placed[ends[:, 0]]), _turned(placed[ends[:, 1]])
-        boxes, order = tree_of(np.minimum(tail, head), np.maximum(tail, head))
+        # Loops lie outside the surface, as a pinned node lies on it. Normals cost most of the time.
+        normals = unit(vertex_normals(placed, faces)) if loops else np.zeros_like(placed)
+        begin, end = (_turned((placed + ROUNDING * normals)[each]) for each in ends.T)
+        boxes, order = tree_of(np.minimum(begin, end), np.maximum(begin, end))
         first, loop = times.indptr.astype(np.int64), times.indices.astype(np.int64)
-        self._each = Curtains(tail, head, boxes, order, first, loop, times.data)
+        self._each = Curtains(begin, end, boxes, order, first, loop, times.data)
         value = times @ np.random.default_rng(2003).integers(1, 2**30, size=len(loops))
         rank = np.arange(len(ends) + 1)
         self._combined = self._each._replace(first=rank, loop=np.zeros_like(rank), times=value)
+        inner = vertices - RESOLUTION * self._extent * normals
+        self._of_loops = self._sums(inner[tail], inner[head], number, self._combined, 1)[:, 0]
+
+    def half_edge_classes(self) -> np.ndarray:
+        """The class (3F,) of every half-edge of the surface; twins have opposite classes.
+
+        Along a loop of the surface they add up to the class of the loop just inside, and around each face to zero. In
+        the tree of vertices they are 0, so the edge that closes a loop has the loop's class. The tree of faces carries
+        what is then left around a face to its root, where it cancels."""
+        edges, closing, _, to_parent = self.surface
+        found = np.zeros(len(edges.twin), dtype=np.int64)
+        half, left = np.r_[closing, edges.twin[closing]], np.r_[self._of_loops, -self._of_loops]
+        found[half] = left
+        while len(half):
+            half = to_parent[half // 3]
+            half, left = half[half >= 0], left[half >= 0]
+            np.subtract.at(found, half, left)
+            half = edges.twin[half]
+            np.add.at(found, half, left)
+        return found
 
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.

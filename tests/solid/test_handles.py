@@ -9,7 +9,7 @@ from conftest import torus
 from loop_cases import RING, circle, shape_of, theta, torus_knot, windings
 
 from msf_jax.solid import handles as handles_module
-from msf_jax.solid.handles import Handles, half_edge_classes, surface_loops
+from msf_jax.solid.handles import Handles, surface_loops
 
 
 @pytest.mark.parametrize("across", [-3, -1, 1, 2, 5])
@@ -74,12 +74,12 @@ def test_crossings_with_curtains_are_those_of_all_pairs():
 def test_classes_of_paths_inside_are_those_of_the_surface_beside_them():
     """A path over the surface, pushed in a little, has the class that the flow gives its edges, but for one sign."""
     vertices, faces, _, _ = theta()
-    values = half_edge_classes(vertices, faces, surface_loops(faces))
-    edges, lines, _ = surface_loops(faces)
+    handles = Handles(vertices, faces)
+    values, (edges, _, lines, _) = handles.half_edge_classes(), handles.surface
     normals = trimesh.Trimesh(vertices, faces, process=False).vertex_normals
     inner = vertices - 1e-4 * normals
     number = dict(zip(zip(edges.origin.tolist(), edges.target.tolist(), strict=True), values.tolist(), strict=True))
-    handles, ratio = Handles(vertices, faces), set()
+    ratio = set()
     for line in lines:
         onward = np.roll(line, -1)
         flow = sum(number[edge] for edge in zip(line, onward.tolist(), strict=True))
