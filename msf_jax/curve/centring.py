@@ -33,7 +33,7 @@ from msf_jax.curve import branches as measures
 from msf_jax.curve.branches import BranchPath
 from msf_jax.inside.containment import TOUCHING, is_inside
 from msf_jax.solid import sections
-from msf_jax.solid.enclosure import SURE, Enclosure
+from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit
 from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
@@ -51,19 +51,17 @@ LEAST_CLEARANCE = 0.25  # share of its first clearance that a move leaves to a n
 
 
 class Places(NamedTuple):
-    """Nodes x (N, 3) with their approximate clearance (N,) and a triangle (N,) near each, and the clearance (N,) that
-    moves leave to each at least."""
+    """Nodes x (N, 3) with their clearance (N,), and that (N,) which moves leave to each at least."""
 
     x: np.ndarray
     clearance: np.ndarray
-    near: np.ndarray
     least: np.ndarray
 
 
 def places_of(shape: Enclosure, x: np.ndarray) -> Places:
     """The places of nodes ``x`` (N, 3) before their first move."""
-    clearance, near = shape.approximate_clearance(x)
-    return Places(x, clearance, near, np.maximum(LEAST_CLEARANCE * clearance, 2 * TOUCHING))
+    clearance = shape.clearance(x)
+    return Places(x, clearance, np.maximum(LEAST_CLEARANCE * clearance, 2 * TOUCHING))
 
 
 def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, edges: np.ndarray) -> Places:
@@ -72,7 +70,7 @@ def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndar
     x, goal = places.x, Places(*(field.copy() for field in places))
     is_free = step.any(axis=1) & (places.clearance > 0)
     goal.x[is_free] += step[is_free]
-    goal.clearance[is_free], goal.near[is_free] = shape.nearest(goal.x[is_free], is_exact=False)
+    goal.clearance[is_free] = shape.distances(goal.x[is_free])
     edges = edges[is_free[edges].any(axis=1)]
     edges = edges[_is_open(shape, places, places, edges)]
     class_of = handles.classes(x[edges[:, 0]], x[edges[:, 1]]) if handles.genus else np.zeros(len(edges), np.int64)
@@ -105,7 +103,7 @@ def _keeps_class(handles: Handles, places: Places, y: np.ndarray, edges: np.ndar
     x, is_in_doubt = places.x, np.ones(len(edges), dtype=bool)
     for one, other in (edges.T, edges[:, ::-1].T):
         away = np.stack([x[other], y[one], y[other]], axis=1) - x[one][:, None]
-        is_in_doubt &= np.linalg.norm(away, axis=2).max(axis=1) >= SURE * places.clearance[one]
+        is_in_doubt &= np.linalg.norm(away, axis=2).max(axis=1) >= places.clearance[one]
     a, b = edges[is_in_doubt].T
     along, *steps = np.split(handles.classes(np.r_[y[a], x[a], x[b]], np.r_[y[b], y[a], y[b]]), 3)
     is_in_doubt[is_in_doubt] = along != classes[is_in_doubt] + steps[1] - steps[0]
@@ -115,7 +113,7 @@ def _keeps_class(handles: Handles, places: Places, y: np.ndarray, edges: np.ndar
 def _is_open(shape: Enclosure, starts: Places, ends: Places, pairs: np.ndarray) -> np.ndarray:
     """(W,) whether the segments from the start a to the end b for (a, b) of ``pairs`` (W, 2) are inside."""
     a, b = pairs.T
-    return is_inside(shape, starts.x[a], ends.x[b], SURE * (starts.clearance[a] + ends.clearance[b]))
+    return is_inside(shape, starts.x[a], ends.x[b], starts.clearance[a] + ends.clearance[b])
 
 
 def centre(
@@ -139,8 +137,8 @@ def centre(
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
     at = places_of(shape, vertices)
     for number in range(rounds):
-        x, clearance, near, _ = at
-        limbs = limb_sections(shape, x, paths, is_held, clearance, near, size)
+        x, clearance, _ = at
+        limbs = limb_sections(shape, x, paths, is_held, clearance, size)
         size, wide = limbs.size, measures.usual(paths, len(x), limbs.node, limbs.found.radius)
         # Arcs of a loop with junctions have no circle for rest: all the width would draw them to their hole.
         reach = np.where(is_arc, np.sqrt(wide * size), wide)
@@ -186,20 +184,19 @@ def limb_sections(
     paths: list[BranchPath],
     is_off: np.ndarray,
     clearance: np.ndarray,
-    near: np.ndarray,
     size: np.ndarray | None = None,
 ) -> LimbSections:
-    """The sections of a curve with the nodes x (N, 3) along ``paths``; nodes ``is_off`` (N,) have none. ``clearance``,
-    ``near`` (N,): of a ball at each node, and a triangle near it. ``size`` (N,): an estimate of the size of the limb;
-    without, limbs are measured first."""
+    """The sections of a curve with the nodes x (N, 3) along ``paths``; nodes ``is_off`` (N,) have none. ``clearance``
+    (N,): of a ball at each node. ``size`` (N,): an estimate of the size of the limb; without, limbs are measured first.
+    """
     if size is None:
-        size = limb_sections(shape, x, paths, is_off, clearance, near, clearance).size
+        size = limb_sections(shape, x, paths, is_off, clearance, clearance).size
     chord = measures.chords(x, paths, size)
     ahead = chord @ x
     tangent = unit(ahead)
     clear = measures.clear_of_others(x, paths, tangent, size, clearance)
     node = np.flatnonzero(ahead.any(axis=1) & (clear > 0) & ~is_off & (clearance > 0))
-    corners = sections.corners(shape, x[node], tangent[node], size[node], near[node])
+    corners = sections.corners(shape, x[node], tangent[node], size[node])
     found = sections.measured(shape, x[node], tangent[node], corners)
     found = sections.held_in(shape, tangent[node], corners, found)
     middle, reach = np.zeros_like(x), np.zeros(len(x))

@@ -193,7 +193,7 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
     """Junctions inside the ball of another one are merged."""
     if not job.prune:
         return draft
-    x, radii = draft.vertices, job.shape.nearest(draft.vertices, is_exact=False)[0]
+    x, radii = draft.vertices, job.shape.distances(draft.vertices)
     stays, target, edges = branches.merge_junctions(x, draft.edges, radii, draft.is_held, job.shape.handles)
     return reduced(draft._replace(edges=edges), stays, target)
 
@@ -203,7 +203,7 @@ def centre_and_meet(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = Fa
     curve = draft.vertices, draft.edges, draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     rounds = centring.ROUNDS // 2 if is_far else centring.ROUNDS  # a few before junctions are sought
     draft = draft.changed(centring.centre(job.coarse, *curve, rounds, is_far, job.shape.handles))
-    radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    radii = job.coarse.clearance(draft.vertices)
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = centring.places_of(job.shape, draft.vertices)
     x = centring.take_steps(job.shape, job.shape.handles, at, step, draft.edges).x

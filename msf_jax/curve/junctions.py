@@ -170,11 +170,11 @@ def _put(
 
 def middle_of_ball(shape: Enclosure, middle: np.ndarray) -> np.ndarray:
     """The middle (3,) of the largest ball in the solid, from that around ``middle`` (3,) on."""
-    radius = float(shape.approximate_clearance(middle[None])[0][0])
+    radius = float(shape.clearance(middle[None])[0])
     step, least = radius / 2, radius / 64
     for _ in range(32):  # rounds, each of at most half of the first radius
         around = middle + step * WAYS
-        clearance = shape.approximate_clearance(around)[0]
+        clearance = shape.clearance(around)
         if clearance.max() > radius:
             middle, radius = around[clearance.argmax()], float(clearance.max())
         elif (step := step / 2) <= least:

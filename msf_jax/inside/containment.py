@@ -18,10 +18,11 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 from scipy.sparse import csgraph
+from trimesh.triangles import closest_point
 
 from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, barycentric, distinct
+from msf_jax.solid.geometry import ROUNDING, distinct
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import down_forest
 
@@ -258,8 +259,7 @@ def contain(
     is_out = (radii < TOUCHING) & ~is_held
     if is_out.any():
         triangle = shape.nearest(x[is_out])[1]
-        weights = barycentric(x[is_out], shape.triangles[triangle], 0.05)
-        foot = np.einsum("pk,pki->pi", weights, shape.triangles[triangle])
+        foot = closest_point(shape.triangles[triangle], x[is_out])
         centre, clearance = balls_behind(shape, foot, shape.normals[triangle])
         entered = np.flatnonzero(is_out)[clearance >= TOUCHING]
         x[entered], radii[entered] = centre[clearance >= TOUCHING], clearance[clearance >= TOUCHING]
@@ -290,7 +290,7 @@ def refine(
 ) -> tuple[np.ndarray, np.ndarray, bool]:
     """Split edges longer than ``spacing`` times the smaller radius at their ends, and longer than 1/400 diagonal. If
     that would need more than ``most`` nodes, all edges are split less, and the third result is True."""
-    radii = shape.nearest(vertices, is_exact=False)[0]
+    radii = shape.distances(vertices)
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     target = np.maximum(spacing * radii[edges].min(axis=1), 1 / 400)

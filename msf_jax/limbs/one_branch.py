@@ -161,7 +161,7 @@ def leaves_of(edges: np.ndarray) -> np.ndarray:
 
 def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     """The vertex (P,) nearest to each of ``points`` (P, 3), of the triangle nearest to it."""
-    near = shape.faces[shape.nearest(points, is_exact=False)[1]]
+    near = shape.faces[shape.nearest(points)[1]]
     away = np.linalg.norm(shape.vertices[near] - points[:, None], axis=2)
     return near[np.arange(len(near)), away.argmin(axis=1)]
 
@@ -210,7 +210,7 @@ def grown(
 
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
     finger beside it. The way there must be inside: a hand at the hip does not begin in the body."""
-    x, radius, leaf = vertices, shape.approximate_clearance(vertices)[0], leaf.copy()
+    x, radius, leaf = vertices, shape.clearance(vertices), leaf.copy()
     radius[leaves_of(edges)] = -np.inf
     for number in np.flatnonzero(leaf < 0).tolist():
         axis, leaf[number] = axes[number], len(x)

@@ -56,7 +56,7 @@ def reeb_curve(shape: Enclosure, only_thin: bool = True) -> ReebCurve | None:
         return None
     # A ball between few vertices can be too large, so the clearances of all middles are asked for.
     middles = x - radius[:, None] * asked[1]
-    seed = int(shape.approximate_clearance(middles)[0].argmax())
+    seed = int(shape.clearance(middles).argmax())
     # Wavefronts begin all around the largest ball: from one vertex of a rim, they would run obliquely along the limb.
     beyond = np.maximum(np.linalg.norm(x - middles[seed], axis=1) - radius[seed], 0.0)
     near = np.flatnonzero(beyond <= radius[seed])

@@ -196,7 +196,7 @@ def _spanning(bodies: list[Enclosure], reach: float) -> list[Gap]:
         for other in (one + 1 + np.flatnonzero(np.linalg.norm(away, axis=1) <= bound)).tolist():
             more, less = sorted((one, other), key=lambda each: -len(bodies[each].faces))
             points = np.asarray(bodies[less].samples.tree.data)
-            distance = bodies[more].nearest(points, is_exact=False)[0]
+            distance = bodies[more].distances(points)
             found.append((float(distance.min()), more, less, points[distance.argmin()]))
     sets, gaps = DisjointSet(range(len(bodies))), list[Gap]()
     for _, one, other, point in sorted(found, key=lambda each: each[0]):

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import spatial
+from trimesh.triangles import closest_point
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Options, number
@@ -273,7 +274,7 @@ def specks(parts: list[Enclosure], smallest: float = SMALLEST_PART) -> np.ndarra
                 away, number, face = float(distance[0]), int(others[k]), int(at[0])
         nearest = parts[number]
         inward = -np.sign(volume[number]) * nearest.normals[[face]]
-        foot = nearest.feet(middle) + BELOW * diagonal * inward
+        foot = closest_point(nearest.triangles[[face]], middle) + BELOW * diagonal * inward
         is_speck[each] = nearest.ray_lengths(foot, inward, np.array([2 * radius_of(nearest)]))[0] > 2 * diagonal
     return is_speck
 

@@ -460,383 +460,367 @@ define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed
   %28 = load ptr, ptr %27, align 8
   %29 = getelementptr i8, ptr %0, i64 192
   %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 208
+  %31 = getelementptr i8, ptr %0, i64 200
   %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 224
+  %33 = getelementptr i8, ptr %0, i64 216
   %34 = load ptr, ptr %33, align 8
   %35 = icmp slt i64 %4, 1
-  br i1 %35, label %376, label %36
+  br i1 %35, label %362, label %36
 36:
-  %37 = getelementptr i8, ptr %0, i64 200
-  %38 = load i8, ptr %37, align 1
-  %39 = getelementptr i8, ptr %0, i64 80
-  %40 = load i64, ptr %39, align 8
-  %41 = icmp eq i8 %38, 0
-  %42 = mul i64 %40, %10
-  %43 = shl i64 %10, 4
-  br label %359
-44:
-  %45 = icmp slt i64 %370, -1
-  %46 = select i1 %45, i64 %26, i64 0
-  %47 = getelementptr i8, ptr %373, i64 8
-  %48 = getelementptr i64, ptr %47, i64 %46
-  %49 = load i64, ptr %48, align 8
-  %50 = icmp slt i64 %375, %49
-  br i1 %50, label %51, label %353
-51:
-  %52 = phi i64 [ 0, %44 ], [ 1, %359 ]
-  %53 = icmp slt i64 %370, -1
-  %54 = select i1 %53, i64 %26, i64 0
-  %55 = getelementptr i8, ptr %373, i64 8
-  %56 = getelementptr i64, ptr %55, i64 %54
-  %57 = load i64, ptr %56, align 8
-  br label %58
-58:
-  %59 = phi i64 [ %20, %51 ], [ %348, %345 ]
-  %60 = phi double [ 0x7FF0000000000000, %51 ], [ %349, %345 ]
-  %61 = phi i64 [ %52, %51 ], [ %347, %345 ]
-  %62 = phi i64 [ %375, %51 ], [ %346, %345 ]
-  %63 = icmp slt i64 %62, %57
-  br i1 %63, label %64, label %71
-64:
-  %65 = icmp slt i64 %62, 0
-  %66 = select i1 %65, i64 %30, i64 0
-  %67 = getelementptr i64, ptr %28, i64 %62
-  %68 = getelementptr i64, ptr %67, i64 %66
-  %69 = load i64, ptr %68, align 8
-  %70 = add nsw i64 %62, 1
-  br label %135
-71:
-  %72 = icmp slt i64 %61, 0
-  %73 = select i1 %72, i64 %14, i64 0
-  %74 = add i64 %73, %61
-  %75 = mul i64 %74, %16
-  %76 = getelementptr double, ptr %12, i64 %75
-  %77 = load double, ptr %76, align 8
-  %78 = fsub double %77, %364
-  %79 = getelementptr i8, ptr %76, i64 24
+  %37 = getelementptr i8, ptr %0, i64 80
+  %38 = load i64, ptr %37, align 8
+  %39 = mul i64 %38, %10
+  %40 = shl i64 %10, 4
+  br label %341
+41:
+  %42 = phi i64 [ %20, %341 ], [ %331, %328 ]
+  %43 = phi double [ 0x7FF0000000000000, %341 ], [ %332, %328 ]
+  %44 = phi i64 [ 1, %341 ], [ %330, %328 ]
+  %45 = phi i64 [ %356, %341 ], [ %329, %328 ]
+  %46 = icmp slt i64 %45, %361
+  br i1 %46, label %47, label %54
+47:
+  %48 = icmp slt i64 %45, 0
+  %49 = select i1 %48, i64 %30, i64 0
+  %50 = getelementptr i64, ptr %28, i64 %45
+  %51 = getelementptr i64, ptr %50, i64 %49
+  %52 = load i64, ptr %51, align 8
+  %53 = add nsw i64 %45, 1
+  br label %118
+54:
+  %55 = icmp slt i64 %44, 0
+  %56 = select i1 %55, i64 %14, i64 0
+  %57 = add i64 %56, %44
+  %58 = mul i64 %57, %16
+  %59 = getelementptr double, ptr %12, i64 %58
+  %60 = load double, ptr %59, align 8
+  %61 = fsub double %60, %345
+  %62 = getelementptr i8, ptr %59, i64 24
+  %63 = load double, ptr %62, align 8
+  %64 = fsub double %345, %63
+  %65 = fcmp ogt double %64, %61
+  %66 = select i1 %65, double %64, double %61
+  %67 = fcmp olt double %66, 0.000000e+00
+  %68 = select i1 %67, double 0.000000e+00, double %66
+  %69 = getelementptr i8, ptr %59, i64 8
+  %70 = load double, ptr %69, align 8
+  %71 = fsub double %70, %347
+  %72 = getelementptr i8, ptr %59, i64 32
+  %73 = load double, ptr %72, align 8
+  %74 = fsub double %347, %73
+  %75 = fcmp ogt double %74, %71
+  %76 = select i1 %75, double %74, double %71
+  %77 = fcmp olt double %76, 0.000000e+00
+  %78 = select i1 %77, double 0.000000e+00, double %76
+  %79 = getelementptr i8, ptr %59, i64 16
   %80 = load double, ptr %79, align 8
-  %81 = fsub double %364, %80
-  %82 = fcmp ogt double %81, %78
-  %83 = select i1 %82, double %81, double %78
-  %84 = fcmp olt double %83, 0.000000e+00
-  %85 = select i1 %84, double 0.000000e+00, double %83
-  %86 = getelementptr i8, ptr %76, i64 8
-  %87 = load double, ptr %86, align 8
-  %88 = fsub double %87, %366
-  %89 = getelementptr i8, ptr %76, i64 32
-  %90 = load double, ptr %89, align 8
-  %91 = fsub double %366, %90
-  %92 = fcmp ogt double %91, %88
-  %93 = select i1 %92, double %91, double %88
-  %94 = fcmp olt double %93, 0.000000e+00
-  %95 = select i1 %94, double 0.000000e+00, double %93
-  %96 = getelementptr i8, ptr %76, i64 16
-  %97 = load double, ptr %96, align 8
-  %98 = fsub double %97, %368
-  %99 = getelementptr i8, ptr %76, i64 40
-  %100 = load double, ptr %99, align 8
-  %101 = fsub double %368, %100
-  %102 = fcmp ogt double %101, %98
-  %103 = select i1 %102, double %101, double %98
-  %104 = fcmp olt double %103, 0.000000e+00
-  %105 = select i1 %104, double 0.000000e+00, double %103
-  %106 = fmul double %85, %85
-  %107 = fmul double %95, %95
-  %108 = fadd double %106, %107
-  %109 = fmul double %105, %105
-  %110 = fadd double %108, %109
-  %111 = fmul double %60, 0x3FF000000044B830
-  %112 = fcmp ugt double %110, %111
-  br i1 %112, label %121, label %113
-113:
-  %114 = icmp slt i64 %61, %20
-  br i1 %114, label %119, label %115
-115:
-  %116 = sub nsw i64 %61, %20
-  %117 = getelementptr i64, ptr %18, i64 %116
-  %118 = load i64, ptr %117, align 8
-  br label %121
-119:
-  %120 = shl nsw i64 %61, 1
-  br label %345
-121:
-  %122 = phi i64 [ %118, %115 ], [ -1, %71 ]
-  %123 = add nsw i64 %61, 1
-  %124 = and i64 %61, 1
-  %125 = icmp eq i64 %124, 0
-  br i1 %125, label %131, label %126
-126:
-  %127 = phi i64 [ %128, %126 ], [ %123, %121 ]
-  %128 = ashr i64 %127, 1
-  %129 = and i64 %127, 2
-  %130 = icmp eq i64 %129, 0
-  br i1 %130, label %126, label %131
-131:
-  %132 = phi i64 [ %123, %121 ], [ %128, %126 ]
-  %133 = icmp sgt i64 %132, 1
-  %134 = select i1 %133, i64 %132, i64 0
-  br label %135
-135:
-  %136 = phi i64 [ %61, %64 ], [ %134, %131 ]
-  %137 = phi i64 [ %69, %64 ], [ %122, %131 ]
-  %138 = phi i64 [ %70, %64 ], [ %62, %131 ]
-  %139 = icmp sgt i64 %137, -1
-  br i1 %139, label %140, label %345
-140:
-  %141 = mul i64 %42, %137
-  %142 = getelementptr double, ptr %8, i64 %141
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr i8, ptr %142, i64 8
-  %145 = load double, ptr %144, align 8
-  %146 = getelementptr i8, ptr %142, i64 16
-  %147 = load double, ptr %146, align 8
-  %148 = getelementptr double, ptr %142, i64 %10
-  %149 = load double, ptr %148, align 8
-  %150 = getelementptr i8, ptr %148, i64 8
-  %151 = load double, ptr %150, align 8
-  %152 = getelementptr i8, ptr %148, i64 16
-  %153 = load double, ptr %152, align 8
-  %154 = getelementptr i8, ptr %142, i64 %43
-  %155 = load double, ptr %154, align 8
-  %156 = getelementptr i8, ptr %154, i64 8
-  %157 = load double, ptr %156, align 8
-  %158 = getelementptr i8, ptr %154, i64 16
-  %159 = load double, ptr %158, align 8
-  %160 = fsub double %364, %143
-  %161 = fsub double %366, %145
-  %162 = fsub double %368, %147
-  %163 = fsub double %149, %143
-  %164 = fsub double %151, %145
-  %165 = fsub double %153, %147
-  %166 = fmul double %163, %163
-  %167 = fmul double %165, %165
-  %168 = fadd double %166, %167
-  %169 = fmul double %164, %164
-  %170 = fadd double %169, %168
-  %171 = fcmp ogt double %170, 0.000000e+00
-  br i1 %171, label %172, label %183
-172:
-  %173 = fmul double %160, %163
-  %174 = fmul double %162, %165
-  %175 = fadd double %173, %174
-  %176 = fmul double %161, %164
-  %177 = fadd double %176, %175
-  %178 = fdiv double %177, %170
-  %179 = fcmp olt double %178, 0.000000e+00
-  %180 = select i1 %179, double 0.000000e+00, double %178
-  %181 = fcmp ogt double %180, 1.000000e+00
-  %182 = select i1 %181, double 1.000000e+00, double %180
-  br label %183
-183:
-  %184 = phi double [ 0.000000e+00, %140 ], [ %182, %172 ]
-  %185 = fmul double %163, %184
-  %186 = fsub double %160, %185
-  %187 = fmul double %164, %184
-  %188 = fsub double %161, %187
-  %189 = fmul double %165, %184
-  %190 = fsub double %162, %189
-  %191 = fsub double %364, %149
-  %192 = fsub double %366, %151
-  %193 = fsub double %368, %153
-  %194 = fsub double %155, %149
-  %195 = fsub double %157, %151
-  %196 = fsub double %159, %153
-  %197 = fmul double %194, %194
-  %198 = fmul double %196, %196
-  %199 = fadd double %197, %198
-  %200 = fmul double %195, %195
-  %201 = fadd double %200, %199
-  %202 = fcmp ogt double %201, 0.000000e+00
-  br i1 %202, label %203, label %214
-203:
-  %204 = fmul double %191, %194
-  %205 = fmul double %193, %196
-  %206 = fadd double %204, %205
-  %207 = fmul double %192, %195
-  %208 = fadd double %207, %206
-  %209 = fdiv double %208, %201
-  %210 = fcmp olt double %209, 0.000000e+00
-  %211 = select i1 %210, double 0.000000e+00, double %209
-  %212 = fcmp ogt double %211, 1.000000e+00
-  %213 = select i1 %212, double 1.000000e+00, double %211
-  br label %214
-214:
-  %215 = phi double [ 0.000000e+00, %183 ], [ %213, %203 ]
-  %216 = fmul double %194, %215
-  %217 = fsub double %191, %216
-  %218 = fmul double %195, %215
-  %219 = fsub double %192, %218
-  %220 = fmul double %196, %215
-  %221 = fsub double %193, %220
-  %222 = fsub double %364, %155
-  %223 = fsub double %366, %157
-  %224 = fsub double %368, %159
-  %225 = fsub double %143, %155
-  %226 = fsub double %145, %157
-  %227 = fsub double %147, %159
-  %228 = fmul double %225, %225
-  %229 = fmul double %227, %227
-  %230 = fadd double %228, %229
-  %231 = fmul double %226, %226
-  %232 = fadd double %231, %230
-  %233 = fcmp ogt double %232, 0.000000e+00
-  br i1 %233, label %234, label %245
-234:
-  %235 = fmul double %222, %225
-  %236 = fmul double %224, %227
-  %237 = fadd double %235, %236
-  %238 = fmul double %223, %226
-  %239 = fadd double %238, %237
-  %240 = fdiv double %239, %232
-  %241 = fcmp olt double %240, 0.000000e+00
-  %242 = select i1 %241, double 0.000000e+00, double %240
-  %243 = fcmp ogt double %242, 1.000000e+00
-  %244 = select i1 %243, double 1.000000e+00, double %242
-  br label %245
-245:
-  %246 = phi double [ 0.000000e+00, %214 ], [ %244, %234 ]
-  %247 = fmul double %225, %246
-  %248 = fsub double %222, %247
-  %249 = fmul double %226, %246
-  %250 = fsub double %223, %249
-  %251 = fmul double %227, %246
-  %252 = fsub double %224, %251
-  %253 = fmul double %186, %186
-  %254 = fmul double %190, %190
-  %255 = fadd double %253, %254
-  %256 = fmul double %188, %188
-  %257 = fadd double %256, %255
-  %258 = fmul double %217, %217
-  %259 = fmul double %221, %221
-  %260 = fadd double %258, %259
-  %261 = fmul double %219, %219
-  %262 = fadd double %261, %260
-  %263 = fmul double %248, %248
-  %264 = fmul double %252, %252
-  %265 = fadd double %263, %264
-  %266 = fmul double %250, %250
-  %267 = fadd double %266, %265
-  %268 = fcmp olt double %262, %257
-  %269 = select i1 %268, double %262, double %257
-  %270 = fcmp olt double %267, %269
-  %271 = select i1 %270, double %267, double %269
-  %272 = fsub double %155, %143
-  %273 = fsub double %157, %145
-  %274 = fsub double %159, %147
-  %275 = fmul double %164, %274
-  %276 = fmul double %165, %273
-  %277 = fsub double %275, %276
-  %278 = fmul double %165, %272
-  %279 = fmul double %163, %274
-  %280 = fsub double %278, %279
-  %281 = fmul double %163, %273
-  %282 = fmul double %164, %272
-  %283 = fsub double %281, %282
-  %284 = fmul double %277, %277
-  %285 = fmul double %283, %283
-  %286 = fadd double %285, %284
-  %287 = fmul double %280, %280
-  %288 = fadd double %287, %286
-  %289 = fcmp ogt double %288, 0.000000e+00
-  br i1 %289, label %290, label %337
-290:
-  %291 = fmul double %161, %274
-  %292 = fmul double %162, %273
-  %293 = fsub double %291, %292
-  %294 = fmul double %162, %272
-  %295 = fmul double %160, %274
-  %296 = fsub double %294, %295
-  %297 = fmul double %160, %273
-  %298 = fmul double %161, %272
-  %299 = fsub double %297, %298
-  %300 = fmul double %293, %277
-  %301 = fmul double %299, %283
+  %81 = fsub double %80, %349
+  %82 = getelementptr i8, ptr %59, i64 40
+  %83 = load double, ptr %82, align 8
+  %84 = fsub double %349, %83
+  %85 = fcmp ogt double %84, %81
+  %86 = select i1 %85, double %84, double %81
+  %87 = fcmp olt double %86, 0.000000e+00
+  %88 = select i1 %87, double 0.000000e+00, double %86
+  %89 = fmul double %68, %68
+  %90 = fmul double %78, %78
+  %91 = fadd double %89, %90
+  %92 = fmul double %88, %88
+  %93 = fadd double %91, %92
+  %94 = fmul double %43, 0x3FF000000044B830
+  %95 = fcmp ugt double %93, %94
+  br i1 %95, label %104, label %96
+96:
+  %97 = icmp slt i64 %44, %20
+  br i1 %97, label %102, label %98
+98:
+  %99 = sub nsw i64 %44, %20
+  %100 = getelementptr i64, ptr %18, i64 %99
+  %101 = load i64, ptr %100, align 8
+  br label %104
+102:
+  %103 = shl nsw i64 %44, 1
+  br label %328
+104:
+  %105 = phi i64 [ %101, %98 ], [ -1, %54 ]
+  %106 = add nsw i64 %44, 1
+  %107 = and i64 %44, 1
+  %108 = icmp eq i64 %107, 0
+  br i1 %108, label %114, label %109
+109:
+  %110 = phi i64 [ %111, %109 ], [ %106, %104 ]
+  %111 = ashr i64 %110, 1
+  %112 = and i64 %110, 2
+  %113 = icmp eq i64 %112, 0
+  br i1 %113, label %109, label %114
+114:
+  %115 = phi i64 [ %106, %104 ], [ %111, %109 ]
+  %116 = icmp sgt i64 %115, 1
+  %117 = select i1 %116, i64 %115, i64 0
+  br label %118
+118:
+  %119 = phi i64 [ %44, %47 ], [ %117, %114 ]
+  %120 = phi i64 [ %52, %47 ], [ %105, %114 ]
+  %121 = phi i64 [ %53, %47 ], [ %45, %114 ]
+  %122 = icmp sgt i64 %120, -1
+  br i1 %122, label %123, label %328
+123:
+  %124 = mul i64 %39, %120
+  %125 = getelementptr double, ptr %8, i64 %124
+  %126 = load double, ptr %125, align 8
+  %127 = getelementptr i8, ptr %125, i64 8
+  %128 = load double, ptr %127, align 8
+  %129 = getelementptr i8, ptr %125, i64 16
+  %130 = load double, ptr %129, align 8
+  %131 = getelementptr double, ptr %125, i64 %10
+  %132 = load double, ptr %131, align 8
+  %133 = getelementptr i8, ptr %131, i64 8
+  %134 = load double, ptr %133, align 8
+  %135 = getelementptr i8, ptr %131, i64 16
+  %136 = load double, ptr %135, align 8
+  %137 = getelementptr i8, ptr %125, i64 %40
+  %138 = load double, ptr %137, align 8
+  %139 = getelementptr i8, ptr %137, i64 8
+  %140 = load double, ptr %139, align 8
+  %141 = getelementptr i8, ptr %137, i64 16
+  %142 = load double, ptr %141, align 8
+  %143 = fsub double %345, %126
+  %144 = fsub double %347, %128
+  %145 = fsub double %349, %130
+  %146 = fsub double %132, %126
+  %147 = fsub double %134, %128
+  %148 = fsub double %136, %130
+  %149 = fmul double %146, %146
+  %150 = fmul double %148, %148
+  %151 = fadd double %149, %150
+  %152 = fmul double %147, %147
+  %153 = fadd double %152, %151
+  %154 = fcmp ogt double %153, 0.000000e+00
+  br i1 %154, label %155, label %166
+155:
+  %156 = fmul double %143, %146
+  %157 = fmul double %145, %148
+  %158 = fadd double %156, %157
+  %159 = fmul double %144, %147
+  %160 = fadd double %159, %158
+  %161 = fdiv double %160, %153
+  %162 = fcmp olt double %161, 0.000000e+00
+  %163 = select i1 %162, double 0.000000e+00, double %161
+  %164 = fcmp ogt double %163, 1.000000e+00
+  %165 = select i1 %164, double 1.000000e+00, double %163
+  br label %166
+166:
+  %167 = phi double [ 0.000000e+00, %123 ], [ %165, %155 ]
+  %168 = fmul double %146, %167
+  %169 = fsub double %143, %168
+  %170 = fmul double %147, %167
+  %171 = fsub double %144, %170
+  %172 = fmul double %148, %167
+  %173 = fsub double %145, %172
+  %174 = fsub double %345, %132
+  %175 = fsub double %347, %134
+  %176 = fsub double %349, %136
+  %177 = fsub double %138, %132
+  %178 = fsub double %140, %134
+  %179 = fsub double %142, %136
+  %180 = fmul double %177, %177
+  %181 = fmul double %179, %179
+  %182 = fadd double %180, %181
+  %183 = fmul double %178, %178
+  %184 = fadd double %183, %182
+  %185 = fcmp ogt double %184, 0.000000e+00
+  br i1 %185, label %186, label %197
+186:
+  %187 = fmul double %174, %177
+  %188 = fmul double %176, %179
+  %189 = fadd double %187, %188
+  %190 = fmul double %175, %178
+  %191 = fadd double %190, %189
+  %192 = fdiv double %191, %184
+  %193 = fcmp olt double %192, 0.000000e+00
+  %194 = select i1 %193, double 0.000000e+00, double %192
+  %195 = fcmp ogt double %194, 1.000000e+00
+  %196 = select i1 %195, double 1.000000e+00, double %194
+  br label %197
+197:
+  %198 = phi double [ 0.000000e+00, %166 ], [ %196, %186 ]
+  %199 = fmul double %177, %198
+  %200 = fsub double %174, %199
+  %201 = fmul double %178, %198
+  %202 = fsub double %175, %201
+  %203 = fmul double %179, %198
+  %204 = fsub double %176, %203
+  %205 = fsub double %345, %138
+  %206 = fsub double %347, %140
+  %207 = fsub double %349, %142
+  %208 = fsub double %126, %138
+  %209 = fsub double %128, %140
+  %210 = fsub double %130, %142
+  %211 = fmul double %208, %208
+  %212 = fmul double %210, %210
+  %213 = fadd double %211, %212
+  %214 = fmul double %209, %209
+  %215 = fadd double %214, %213
+  %216 = fcmp ogt double %215, 0.000000e+00
+  br i1 %216, label %217, label %228
+217:
+  %218 = fmul double %205, %208
+  %219 = fmul double %207, %210
+  %220 = fadd double %218, %219
+  %221 = fmul double %206, %209
+  %222 = fadd double %221, %220
+  %223 = fdiv double %222, %215
+  %224 = fcmp olt double %223, 0.000000e+00
+  %225 = select i1 %224, double 0.000000e+00, double %223
+  %226 = fcmp ogt double %225, 1.000000e+00
+  %227 = select i1 %226, double 1.000000e+00, double %225
+  br label %228
+228:
+  %229 = phi double [ 0.000000e+00, %197 ], [ %227, %217 ]
+  %230 = fmul double %208, %229
+  %231 = fsub double %205, %230
+  %232 = fmul double %209, %229
+  %233 = fsub double %206, %232
+  %234 = fmul double %210, %229
+  %235 = fsub double %207, %234
+  %236 = fmul double %169, %169
+  %237 = fmul double %173, %173
+  %238 = fadd double %236, %237
+  %239 = fmul double %171, %171
+  %240 = fadd double %239, %238
+  %241 = fmul double %200, %200
+  %242 = fmul double %204, %204
+  %243 = fadd double %241, %242
+  %244 = fmul double %202, %202
+  %245 = fadd double %244, %243
+  %246 = fmul double %231, %231
+  %247 = fmul double %235, %235
+  %248 = fadd double %246, %247
+  %249 = fmul double %233, %233
+  %250 = fadd double %249, %248
+  %251 = fcmp olt double %245, %240
+  %252 = select i1 %251, double %245, double %240
+  %253 = fcmp olt double %250, %252
+  %254 = select i1 %253, double %250, double %252
+  %255 = fsub double %138, %126
+  %256 = fsub double %140, %128
+  %257 = fsub double %142, %130
+  %258 = fmul double %147, %257
+  %259 = fmul double %148, %256
+  %260 = fsub double %258, %259
+  %261 = fmul double %148, %255
+  %262 = fmul double %146, %257
+  %263 = fsub double %261, %262
+  %264 = fmul double %146, %256
+  %265 = fmul double %147, %255
+  %266 = fsub double %264, %265
+  %267 = fmul double %260, %260
+  %268 = fmul double %266, %266
+  %269 = fadd double %268, %267
+  %270 = fmul double %263, %263
+  %271 = fadd double %270, %269
+  %272 = fcmp ogt double %271, 0.000000e+00
+  br i1 %272, label %273, label %320
+273:
+  %274 = fmul double %144, %257
+  %275 = fmul double %145, %256
+  %276 = fsub double %274, %275
+  %277 = fmul double %145, %255
+  %278 = fmul double %143, %257
+  %279 = fsub double %277, %278
+  %280 = fmul double %143, %256
+  %281 = fmul double %144, %255
+  %282 = fsub double %280, %281
+  %283 = fmul double %276, %260
+  %284 = fmul double %282, %266
+  %285 = fadd double %284, %283
+  %286 = fmul double %279, %263
+  %287 = fadd double %286, %285
+  %288 = fdiv double %287, %271
+  %289 = fmul double %145, %147
+  %290 = fmul double %144, %148
+  %291 = fsub double %289, %290
+  %292 = fmul double %143, %148
+  %293 = fmul double %145, %146
+  %294 = fsub double %292, %293
+  %295 = fmul double %144, %146
+  %296 = fmul double %143, %147
+  %297 = fsub double %295, %296
+  %298 = fmul double %291, %260
+  %299 = fmul double %297, %266
+  %300 = fadd double %299, %298
+  %301 = fmul double %294, %263
   %302 = fadd double %301, %300
-  %303 = fmul double %296, %280
-  %304 = fadd double %303, %302
-  %305 = fdiv double %304, %288
-  %306 = fmul double %162, %164
-  %307 = fmul double %161, %165
-  %308 = fsub double %306, %307
-  %309 = fmul double %160, %165
-  %310 = fmul double %162, %163
-  %311 = fsub double %309, %310
-  %312 = fmul double %161, %163
-  %313 = fmul double %160, %164
-  %314 = fsub double %312, %313
-  %315 = fmul double %308, %277
-  %316 = fmul double %314, %283
-  %317 = fadd double %316, %315
-  %318 = fmul double %311, %280
-  %319 = fadd double %318, %317
-  %320 = fdiv double %319, %288
-  %321 = fcmp oge double %305, 0.000000e+00
-  %322 = fcmp oge double %320, 0.000000e+00
-  %323 = fadd double %305, %320
-  %324 = fcmp ole double %323, 1.000000e+00
-  %325 = and i1 %322, %324
-  %326 = select i1 %321, i1 %325, i1 false
-  br i1 %326, label %327, label %337
+  %303 = fdiv double %302, %271
+  %304 = fcmp oge double %288, 0.000000e+00
+  %305 = fcmp oge double %303, 0.000000e+00
+  %306 = fadd double %288, %303
+  %307 = fcmp ole double %306, 1.000000e+00
+  %308 = and i1 %305, %307
+  %309 = select i1 %304, i1 %308, i1 false
+  br i1 %309, label %310, label %320
+310:
+  %311 = fmul double %143, %260
+  %312 = fmul double %145, %266
+  %313 = fadd double %312, %311
+  %314 = fmul double %144, %263
+  %315 = fadd double %314, %313
+  %316 = fmul double %315, %315
+  %317 = fdiv double %316, %271
+  %318 = fcmp olt double %317, %254
+  %319 = select i1 %318, double %317, double %254
+  br label %320
+320:
+  %321 = phi double [ %254, %228 ], [ %254, %273 ], [ %319, %310 ]
+  %322 = fcmp olt double %321, %43
+  br i1 %322, label %327, label %323
+323:
+  %324 = fcmp oeq double %321, %43
+  %325 = icmp slt i64 %120, %42
+  %326 = select i1 %324, i1 %325, i1 false
+  br i1 %326, label %327, label %328
 327:
-  %328 = fmul double %160, %277
-  %329 = fmul double %162, %283
-  %330 = fadd double %329, %328
-  %331 = fmul double %161, %280
-  %332 = fadd double %331, %330
-  %333 = fmul double %332, %332
-  %334 = fdiv double %333, %288
-  %335 = fcmp olt double %334, %271
-  %336 = select i1 %335, double %334, double %271
-  br label %337
-337:
-  %338 = phi double [ %271, %245 ], [ %271, %290 ], [ %336, %327 ]
-  %339 = fcmp olt double %338, %60
-  br i1 %339, label %344, label %340
-340:
-  %341 = fcmp oeq double %338, %60
-  %342 = icmp slt i64 %137, %59
-  %343 = select i1 %341, i1 %342, i1 false
-  br i1 %343, label %344, label %345
-344:
-  br label %345
-345:
-  %346 = phi i64 [ %138, %344 ], [ %138, %135 ], [ %138, %340 ], [ %62, %119 ]
-  %347 = phi i64 [ %136, %344 ], [ %136, %135 ], [ %136, %340 ], [ %120, %119 ]
-  %348 = phi i64 [ %137, %344 ], [ %59, %135 ], [ %59, %340 ], [ %59, %119 ]
-  %349 = phi double [ %338, %344 ], [ %60, %135 ], [ %60, %340 ], [ %60, %119 ]
-  %350 = icmp ne i64 %347, 0
-  %351 = icmp slt i64 %346, %57
-  %352 = select i1 %350, i1 true, i1 %351
-  br i1 %352, label %58, label %353
-353:
-  %354 = phi i64 [ %20, %44 ], [ %348, %345 ]
-  %355 = phi double [ 0x7FF0000000000000, %44 ], [ %349, %345 ]
-  %356 = getelementptr double, ptr %32, i64 %360
-  store double %355, ptr %356, align 8
-  %357 = getelementptr i64, ptr %34, i64 %360
-  store i64 %354, ptr %357, align 8
-  %358 = icmp eq i64 %4, %361
-  br i1 %358, label %376, label %359
-359:
-  %360 = phi i64 [ %361, %353 ], [ 0, %36 ]
-  %361 = add nuw nsw i64 %360, 1
-  %362 = mul i64 %360, %6
-  %363 = getelementptr double, ptr %2, i64 %362
-  %364 = load double, ptr %363, align 8
-  %365 = getelementptr i8, ptr %363, i64 8
-  %366 = load double, ptr %365, align 8
-  %367 = getelementptr i8, ptr %363, i64 16
-  %368 = load double, ptr %367, align 8
-  %369 = getelementptr i64, ptr %22, i64 %360
-  %370 = load i64, ptr %369, align 8
-  %371 = icmp slt i64 %370, 0
-  %372 = select i1 %371, i64 %26, i64 0
-  %373 = getelementptr i64, ptr %24, i64 %370
-  %374 = getelementptr i64, ptr %373, i64 %372
-  %375 = load i64, ptr %374, align 8
-  br i1 %41, label %44, label %51
-376:
+  br label %328
+328:
+  %329 = phi i64 [ %121, %327 ], [ %121, %118 ], [ %121, %323 ], [ %45, %102 ]
+  %330 = phi i64 [ %119, %327 ], [ %119, %118 ], [ %119, %323 ], [ %103, %102 ]
+  %331 = phi i64 [ %120, %327 ], [ %42, %118 ], [ %42, %323 ], [ %42, %102 ]
+  %332 = phi double [ %321, %327 ], [ %43, %118 ], [ %43, %323 ], [ %43, %102 ]
+  %333 = icmp ne i64 %330, 0
+  %334 = icmp slt i64 %329, %361
+  %335 = select i1 %333, i1 true, i1 %334
+  br i1 %335, label %41, label %336
+336:
+  %337 = add nuw nsw i64 %342, 1
+  %338 = getelementptr double, ptr %32, i64 %342
+  store double %332, ptr %338, align 8
+  %339 = getelementptr i64, ptr %34, i64 %342
+  store i64 %331, ptr %339, align 8
+  %340 = icmp eq i64 %4, %337
+  br i1 %340, label %362, label %341
+341:
+  %342 = phi i64 [ %337, %336 ], [ 0, %36 ]
+  %343 = mul i64 %342, %6
+  %344 = getelementptr double, ptr %2, i64 %343
+  %345 = load double, ptr %344, align 8
+  %346 = getelementptr i8, ptr %344, i64 8
+  %347 = load double, ptr %346, align 8
+  %348 = getelementptr i8, ptr %344, i64 16
+  %349 = load double, ptr %348, align 8
+  %350 = getelementptr i64, ptr %22, i64 %342
+  %351 = load i64, ptr %350, align 8
+  %352 = icmp slt i64 %351, 0
+  %353 = select i1 %352, i64 %26, i64 0
+  %354 = getelementptr i64, ptr %24, i64 %351
+  %355 = getelementptr i64, ptr %354, i64 %353
+  %356 = load i64, ptr %355, align 8
+  %357 = icmp slt i64 %351, -1
+  %358 = select i1 %357, i64 %26, i64 0
+  %359 = getelementptr i8, ptr %354, i64 8
+  %360 = getelementptr i64, ptr %359, i64 %358
+  %361 = load i64, ptr %360, align 8
+  br label %41
+362:
   ret i64 0
 }
 define noundef i64 @msf_jax.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {
@@ -1539,797 +1523,595 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %12 = load ptr, ptr %11, align 8
   %13 = getelementptr i8, ptr %0, i64 64
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 80
-  %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 88
+  %15 = getelementptr i8, ptr %0, i64 72
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 80
   %18 = load i64, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 96
-  %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 104
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 112
-  %24 = load i64, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 152
-  %26 = load ptr, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 160
-  %28 = load i64, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 168
-  %30 = load ptr, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 176
+  %19 = getelementptr i8, ptr %0, i64 88
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 96
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 136
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 144
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 152
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 160
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 168
   %32 = load i64, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 184
-  %34 = load i64, ptr %33, align 8
-  %35 = getelementptr i8, ptr %0, i64 192
-  %36 = load ptr, ptr %35, align 8
-  %37 = getelementptr i8, ptr %0, i64 200
-  %38 = load i64, ptr %37, align 8
+  %33 = getelementptr i8, ptr %0, i64 176
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 184
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 192
+  %38 = load ptr, ptr %37, align 8
   %39 = getelementptr i8, ptr %0, i64 208
   %40 = load ptr, ptr %39, align 8
-  %41 = getelementptr i8, ptr %0, i64 224
-  %42 = load ptr, ptr %41, align 8
-  %43 = getelementptr i8, ptr %0, i64 232
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr i8, ptr %0, i64 240
-  %46 = load ptr, ptr %45, align 8
-  %47 = icmp slt i64 %4, 1
-  br i1 %47, label %753, label %48
-48:
-  %49 = getelementptr i8, ptr %0, i64 248
-  %50 = load i64, ptr %49, align 8
-  %51 = shl i64 %44, 3
-  %52 = shl i64 %50, 3
-  br label %630
+  %41 = getelementptr i8, ptr %0, i64 216
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 224
+  %44 = load ptr, ptr %43, align 8
+  %45 = icmp slt i64 %4, 1
+  br i1 %45, label %560, label %46
+46:
+  %47 = getelementptr i8, ptr %0, i64 232
+  %48 = load i64, ptr %47, align 8
+  %49 = shl i64 %42, 3
+  %50 = shl i64 %48, 3
+  br label %438
+51:
+  %52 = icmp eq i64 %56, 3
+  br i1 %52, label %426, label %53
 53:
-  %54 = phi i64 [ %236, %178 ], [ 32, %630 ]
-  %55 = phi i64 [ %235, %178 ], [ %649, %630 ]
-  %56 = mul nsw i64 %55, 3
-  %57 = icmp slt i64 %55, 0
-  %58 = select i1 %57, i64 %24, i64 0
-  %59 = getelementptr i64, ptr %22, i64 %56
-  %60 = getelementptr i64, ptr %59, i64 %58
-  %61 = load i64, ptr %60, align 8
-  %62 = icmp slt i64 %61, 0
-  %63 = select i1 %62, i64 %18, i64 0
-  %64 = add i64 %63, %61
-  %65 = mul i64 %64, %20
-  %66 = getelementptr double, ptr %16, i64 %65
-  %67 = load double, ptr %66, align 8
-  %68 = getelementptr i8, ptr %66, i64 8
-  %69 = load double, ptr %68, align 8
-  %70 = getelementptr i8, ptr %66, i64 16
-  %71 = load double, ptr %70, align 8
-  %72 = fsub double %67, %636
-  %73 = fsub double %69, %638
-  %74 = fsub double %71, %640
-  %75 = fmul double %643, %72
-  %76 = fmul double %645, %73
-  %77 = fadd double %75, %76
-  %78 = fmul double %647, %74
-  %79 = fadd double %78, %77
-  %80 = fcmp ult double %79, 0.000000e+00
-  %81 = add nsw i64 %56, 1
-  %82 = getelementptr i64, ptr %22, i64 %81
-  %83 = getelementptr i64, ptr %82, i64 %58
-  %84 = load i64, ptr %83, align 8
-  br i1 %80, label %105, label %85
-85:
-  %86 = icmp slt i64 %84, 0
-  %87 = select i1 %86, i64 %18, i64 0
-  %88 = add i64 %87, %84
-  %89 = mul i64 %88, %20
-  %90 = getelementptr double, ptr %16, i64 %89
-  %91 = load double, ptr %90, align 8
-  %92 = getelementptr i8, ptr %90, i64 8
-  %93 = load double, ptr %92, align 8
-  %94 = getelementptr i8, ptr %90, i64 16
-  %95 = load double, ptr %94, align 8
-  %96 = fsub double %91, %636
-  %97 = fsub double %93, %638
-  %98 = fsub double %95, %640
-  %99 = fmul double %643, %96
-  %100 = fmul double %645, %97
-  %101 = fadd double %99, %100
-  %102 = fmul double %647, %98
-  %103 = fadd double %102, %101
-  %104 = fcmp olt double %103, 0.000000e+00
-  br i1 %104, label %171, label %105
-105:
-  %106 = icmp slt i64 %84, 0
-  %107 = select i1 %106, i64 %18, i64 0
-  %108 = add i64 %107, %84
-  %109 = mul i64 %108, %20
-  %110 = getelementptr double, ptr %16, i64 %109
-  %111 = load double, ptr %110, align 8
-  %112 = getelementptr i8, ptr %110, i64 8
-  %113 = load double, ptr %112, align 8
-  %114 = getelementptr i8, ptr %110, i64 16
-  %115 = load double, ptr %114, align 8
-  %116 = fsub double %111, %636
-  %117 = fsub double %113, %638
-  %118 = fsub double %115, %640
-  %119 = fmul double %643, %116
-  %120 = fmul double %645, %117
-  %121 = fadd double %119, %120
-  %122 = fmul double %647, %118
-  %123 = fadd double %122, %121
-  %124 = fcmp ult double %123, 0.000000e+00
-  %125 = add nsw i64 %56, 2
-  %126 = getelementptr i64, ptr %22, i64 %125
-  %127 = getelementptr i64, ptr %126, i64 %58
-  %128 = load i64, ptr %127, align 8
-  br i1 %124, label %149, label %129
-129:
-  %130 = icmp slt i64 %128, 0
-  %131 = select i1 %130, i64 %18, i64 0
-  %132 = add i64 %131, %128
-  %133 = mul i64 %132, %20
-  %134 = getelementptr double, ptr %16, i64 %133
-  %135 = load double, ptr %134, align 8
-  %136 = getelementptr i8, ptr %134, i64 8
-  %137 = load double, ptr %136, align 8
-  %138 = getelementptr i8, ptr %134, i64 16
-  %139 = load double, ptr %138, align 8
-  %140 = fsub double %135, %636
-  %141 = fsub double %137, %638
-  %142 = fsub double %139, %640
-  %143 = fmul double %643, %140
-  %144 = fmul double %645, %141
-  %145 = fadd double %143, %144
-  %146 = fmul double %647, %142
-  %147 = fadd double %146, %145
-  %148 = fcmp olt double %147, 0.000000e+00
-  br i1 %148, label %171, label %149
-149:
-  %150 = icmp slt i64 %128, 0
-  %151 = select i1 %150, i64 %18, i64 0
-  %152 = add i64 %151, %128
-  %153 = mul i64 %152, %20
-  %154 = getelementptr double, ptr %16, i64 %153
-  %155 = load double, ptr %154, align 8
-  %156 = getelementptr i8, ptr %154, i64 8
-  %157 = load double, ptr %156, align 8
-  %158 = getelementptr i8, ptr %154, i64 16
-  %159 = load double, ptr %158, align 8
-  %160 = fsub double %155, %636
-  %161 = fsub double %157, %638
-  %162 = fsub double %159, %640
-  %163 = fmul double %643, %160
-  %164 = fmul double %645, %161
-  %165 = fadd double %163, %164
-  %166 = fmul double %647, %162
-  %167 = fadd double %166, %165
-  %168 = fcmp oge double %167, 0.000000e+00
-  %169 = fcmp olt double %79, 0.000000e+00
-  %170 = and i1 %169, %168
-  br i1 %170, label %171, label %178
-171:
-  %172 = phi i64 [ %81, %129 ], [ %56, %85 ], [ %125, %149 ]
-  %173 = icmp sgt i64 %172, -1
-  br i1 %173, label %238, label %174
-174:
-  %175 = getelementptr i8, ptr %59, i64 16
-  %176 = getelementptr i64, ptr %175, i64 %58
-  %177 = load i64, ptr %176, align 8
-  br label %178
-178:
-  %179 = phi i64 [ %177, %174 ], [ %128, %149 ]
-  %180 = icmp slt i64 %84, 0
-  %181 = select i1 %180, i64 %18, i64 0
-  %182 = add i64 %181, %84
-  %183 = mul i64 %182, %20
-  %184 = getelementptr double, ptr %16, i64 %183
-  %185 = load double, ptr %184, align 8
-  %186 = getelementptr i8, ptr %184, i64 8
-  %187 = load double, ptr %186, align 8
-  %188 = getelementptr i8, ptr %184, i64 16
-  %189 = load double, ptr %188, align 8
-  %190 = fsub double %185, %636
-  %191 = fsub double %187, %638
-  %192 = fsub double %189, %640
-  %193 = fmul double %643, %190
-  %194 = fmul double %645, %191
-  %195 = fadd double %193, %194
-  %196 = fmul double %647, %192
-  %197 = fadd double %196, %195
-  %198 = icmp slt i64 %179, 0
-  %199 = select i1 %198, i64 %18, i64 0
-  %200 = add i64 %199, %179
-  %201 = mul i64 %200, %20
-  %202 = getelementptr double, ptr %16, i64 %201
-  %203 = load double, ptr %202, align 8
-  %204 = getelementptr i8, ptr %202, i64 8
-  %205 = load double, ptr %204, align 8
-  %206 = getelementptr i8, ptr %202, i64 16
-  %207 = load double, ptr %206, align 8
-  %208 = fsub double %203, %636
-  %209 = fsub double %205, %638
-  %210 = fsub double %207, %640
-  %211 = fmul double %643, %208
-  %212 = fmul double %645, %209
-  %213 = fadd double %211, %212
-  %214 = fmul double %647, %210
-  %215 = fadd double %214, %213
-  %216 = tail call double @llvm.fabs.f64(double %197)
-  %217 = tail call double @llvm.fabs.f64(double %79)
-  %218 = fcmp ogt double %217, -1.000000e+00
-  %219 = select i1 %218, double %217, double -1.000000e+00
-  %220 = fcmp ogt double %216, %219
-  %221 = select i1 %220, double %216, double %219
-  %222 = tail call double @llvm.fabs.f64(double %215)
-  %223 = fcmp ogt double %222, %221
-  %224 = select i1 %220, i64 2, i64 1
-  %225 = select i1 %223, i64 0, i64 %224
-  %226 = add nsw i64 %225, %56
-  %227 = icmp slt i64 %226, 0
-  %228 = select i1 %227, i64 %28, i64 0
-  %229 = getelementptr i64, ptr %26, i64 %226
-  %230 = getelementptr i64, ptr %229, i64 %228
-  %231 = load i64, ptr %230, align 8
-  %232 = sdiv i64 %231, 3
-  %233 = srem i64 %231, 3
-  %234 = ashr i64 %233, 63
-  %235 = add nsw i64 %234, %232
-  %236 = add nsw i64 %54, -1
-  %237 = icmp samesign ugt i64 %54, 3
-  br i1 %237, label %53, label %238
-238:
-  %239 = phi i64 [ -1, %630 ], [ %172, %171 ], [ -1, %178 ]
-  %240 = shl i64 %632, 3
-  %241 = getelementptr i8, ptr %12, i64 %240
-  br label %244
-242:
-  %243 = icmp eq i64 %247, 3
-  br i1 %243, label %618, label %244
-244:
-  %245 = phi i64 [ %239, %238 ], [ %606, %242 ]
-  %246 = phi i64 [ 0, %238 ], [ %247, %242 ]
-  %247 = add nuw nsw i64 %246, 1
-  %248 = icmp sgt i64 %245, -1
-  br i1 %248, label %620, label %249
-249:
-  %250 = getelementptr inbounds nuw double, ptr @0, i64 %246
-  %251 = load double, ptr %250, align 8
-  %252 = load double, ptr %241, align 8
-  %253 = fmul double %251, %252
-  br label %254
-254:
-  %255 = phi i64 [ %606, %615 ], [ -1, %249 ]
-  %256 = phi i64 [ %605, %615 ], [ %38, %249 ]
-  %257 = phi double [ %604, %615 ], [ %253, %249 ]
-  %258 = phi i64 [ %616, %615 ], [ 1, %249 ]
-  %259 = fmul double %257, %257
-  %260 = fmul double %259, 0x3FF000000044B830
-  br label %261
-261:
-  %262 = phi i64 [ %602, %601 ], [ %258, %254 ]
-  %263 = icmp slt i64 %262, 0
-  %264 = select i1 %263, i64 %32, i64 0
-  %265 = add i64 %264, %262
-  %266 = mul i64 %265, %34
-  %267 = getelementptr double, ptr %30, i64 %266
-  %268 = load double, ptr %267, align 8
-  %269 = fsub double %268, %636
-  %270 = getelementptr i8, ptr %267, i64 24
-  %271 = load double, ptr %270, align 8
-  %272 = fsub double %636, %271
-  %273 = fcmp ogt double %272, %269
-  %274 = select i1 %273, double %272, double %269
-  %275 = fcmp olt double %274, 0.000000e+00
-  %276 = select i1 %275, double 0.000000e+00, double %274
-  %277 = getelementptr i8, ptr %267, i64 8
-  %278 = load double, ptr %277, align 8
-  %279 = fsub double %278, %638
-  %280 = getelementptr i8, ptr %267, i64 32
-  %281 = load double, ptr %280, align 8
-  %282 = fsub double %638, %281
-  %283 = fcmp ogt double %282, %279
-  %284 = select i1 %283, double %282, double %279
-  %285 = fcmp olt double %284, 0.000000e+00
-  %286 = select i1 %285, double 0.000000e+00, double %284
-  %287 = getelementptr i8, ptr %267, i64 16
-  %288 = load double, ptr %287, align 8
-  %289 = fsub double %288, %640
-  %290 = getelementptr i8, ptr %267, i64 40
-  %291 = load double, ptr %290, align 8
-  %292 = fsub double %640, %291
-  %293 = fcmp ogt double %292, %289
-  %294 = select i1 %293, double %292, double %289
-  %295 = fcmp olt double %294, 0.000000e+00
-  %296 = select i1 %295, double 0.000000e+00, double %294
-  %297 = fmul double %276, %276
-  %298 = fmul double %286, %286
-  %299 = fadd double %297, %298
-  %300 = fmul double %296, %296
-  %301 = fadd double %299, %300
-  %302 = fcmp ugt double %301, %260
-  br i1 %302, label %603, label %303
-303:
-  %304 = icmp slt i64 %262, %38
-  br i1 %304, label %601, label %305
-305:
-  %306 = sub nsw i64 %262, %38
-  %307 = getelementptr i64, ptr %36, i64 %306
-  %308 = load i64, ptr %307, align 8
-  %309 = mul nsw i64 %308, 3
-  %310 = icmp slt i64 %308, 0
-  %311 = select i1 %310, i64 %24, i64 0
-  %312 = getelementptr i64, ptr %22, i64 %309
-  %313 = getelementptr i64, ptr %312, i64 %311
-  %314 = load i64, ptr %313, align 8
-  %315 = icmp slt i64 %314, 0
-  %316 = select i1 %315, i64 %18, i64 0
-  %317 = add i64 %316, %314
-  %318 = mul i64 %317, %20
-  %319 = getelementptr double, ptr %16, i64 %318
-  %320 = load double, ptr %319, align 8
-  %321 = getelementptr i8, ptr %319, i64 8
-  %322 = load double, ptr %321, align 8
-  %323 = getelementptr i8, ptr %319, i64 16
-  %324 = load double, ptr %323, align 8
-  %325 = fsub double %320, %636
-  %326 = fsub double %322, %638
-  %327 = fsub double %324, %640
-  %328 = fmul double %643, %325
-  %329 = fmul double %645, %326
-  %330 = fadd double %328, %329
-  %331 = fmul double %647, %327
-  %332 = fadd double %331, %330
-  %333 = fcmp ult double %332, 0.000000e+00
-  %334 = add nsw i64 %309, 1
-  %335 = getelementptr i64, ptr %22, i64 %334
-  %336 = getelementptr i64, ptr %335, i64 %311
-  %337 = load i64, ptr %336, align 8
-  br i1 %333, label %358, label %338
-338:
-  %339 = icmp slt i64 %337, 0
-  %340 = select i1 %339, i64 %18, i64 0
-  %341 = add i64 %340, %337
-  %342 = mul i64 %341, %20
-  %343 = getelementptr double, ptr %16, i64 %342
-  %344 = load double, ptr %343, align 8
-  %345 = getelementptr i8, ptr %343, i64 8
-  %346 = load double, ptr %345, align 8
-  %347 = getelementptr i8, ptr %343, i64 16
-  %348 = load double, ptr %347, align 8
-  %349 = fsub double %344, %636
-  %350 = fsub double %346, %638
-  %351 = fsub double %348, %640
-  %352 = fmul double %643, %349
-  %353 = fmul double %645, %350
-  %354 = fadd double %352, %353
-  %355 = fmul double %647, %351
-  %356 = fadd double %355, %354
-  %357 = fcmp olt double %356, 0.000000e+00
-  br i1 %357, label %651, label %358
-358:
-  %359 = icmp slt i64 %337, 0
-  %360 = select i1 %359, i64 %18, i64 0
-  %361 = add i64 %360, %337
-  %362 = mul i64 %361, %20
-  %363 = getelementptr double, ptr %16, i64 %362
-  %364 = load double, ptr %363, align 8
-  %365 = getelementptr i8, ptr %363, i64 8
-  %366 = load double, ptr %365, align 8
-  %367 = getelementptr i8, ptr %363, i64 16
-  %368 = load double, ptr %367, align 8
-  %369 = fsub double %364, %636
-  %370 = fsub double %366, %638
-  %371 = fsub double %368, %640
-  %372 = fmul double %643, %369
-  %373 = fmul double %645, %370
-  %374 = fadd double %372, %373
-  %375 = fmul double %647, %371
-  %376 = fadd double %375, %374
-  %377 = fcmp ult double %376, 0.000000e+00
-  %378 = add nsw i64 %309, 2
-  %379 = getelementptr i64, ptr %22, i64 %378
-  %380 = getelementptr i64, ptr %379, i64 %311
-  %381 = load i64, ptr %380, align 8
-  br i1 %377, label %402, label %382
-382:
-  %383 = icmp slt i64 %381, 0
-  %384 = select i1 %383, i64 %18, i64 0
-  %385 = add i64 %384, %381
-  %386 = mul i64 %385, %20
-  %387 = getelementptr double, ptr %16, i64 %386
-  %388 = load double, ptr %387, align 8
-  %389 = getelementptr i8, ptr %387, i64 8
-  %390 = load double, ptr %389, align 8
-  %391 = getelementptr i8, ptr %387, i64 16
-  %392 = load double, ptr %391, align 8
-  %393 = fsub double %388, %636
-  %394 = fsub double %390, %638
-  %395 = fsub double %392, %640
-  %396 = fmul double %643, %393
-  %397 = fmul double %645, %394
-  %398 = fadd double %396, %397
-  %399 = fmul double %647, %395
-  %400 = fadd double %399, %398
-  %401 = fcmp olt double %400, 0.000000e+00
-  br i1 %401, label %651, label %402
-402:
-  %403 = icmp slt i64 %381, 0
-  %404 = select i1 %403, i64 %18, i64 0
-  %405 = add i64 %404, %381
-  %406 = mul i64 %405, %20
-  %407 = getelementptr double, ptr %16, i64 %406
-  %408 = load double, ptr %407, align 8
-  %409 = getelementptr i8, ptr %407, i64 8
-  %410 = load double, ptr %409, align 8
-  %411 = getelementptr i8, ptr %407, i64 16
-  %412 = load double, ptr %411, align 8
-  %413 = fsub double %408, %636
-  %414 = fsub double %410, %638
-  %415 = fsub double %412, %640
-  %416 = fmul double %643, %413
-  %417 = fmul double %645, %414
-  %418 = fadd double %416, %417
-  %419 = fmul double %647, %415
-  %420 = fadd double %419, %418
-  %421 = fcmp oge double %420, 0.000000e+00
-  %422 = fcmp olt double %332, 0.000000e+00
-  %423 = and i1 %422, %421
-  br i1 %423, label %651, label %603
-424:
-  %425 = mul i64 %308, 24
-  %426 = getelementptr i8, ptr %22, i64 %425
-  %427 = getelementptr i64, ptr %426, i64 %311
-  %428 = load i64, ptr %427, align 8
-  %429 = getelementptr i8, ptr %426, i64 8
-  %430 = getelementptr i64, ptr %429, i64 %311
-  %431 = load i64, ptr %430, align 8
-  %432 = icmp slt i64 %428, 0
-  %433 = select i1 %432, i64 %18, i64 0
-  %434 = add i64 %433, %428
-  %435 = mul i64 %434, %20
-  %436 = getelementptr double, ptr %16, i64 %435
-  %437 = load double, ptr %436, align 8
-  %438 = getelementptr i8, ptr %436, i64 8
-  %439 = load double, ptr %438, align 8
-  %440 = getelementptr i8, ptr %436, i64 16
-  %441 = load double, ptr %440, align 8
-  %442 = fsub double %437, %636
-  %443 = fsub double %439, %638
-  %444 = fsub double %441, %640
-  %445 = fmul double %643, %442
-  %446 = fmul double %645, %443
-  %447 = fadd double %445, %446
-  %448 = fmul double %647, %444
-  %449 = fadd double %448, %447
-  %450 = icmp slt i64 %431, 0
-  %451 = select i1 %450, i64 %18, i64 0
-  %452 = add i64 %451, %431
-  %453 = mul i64 %452, %20
-  %454 = getelementptr double, ptr %16, i64 %453
+  %54 = phi i64 [ -1, %438 ], [ %414, %51 ]
+  %55 = phi i64 [ 0, %438 ], [ %56, %51 ]
+  %56 = add nuw nsw i64 %55, 1
+  %57 = icmp sgt i64 %54, -1
+  br i1 %57, label %428, label %58
+58:
+  %59 = getelementptr inbounds nuw double, ptr @0, i64 %55
+  %60 = load double, ptr %59, align 8
+  %61 = fmul double %457, %60
+  br label %62
+62:
+  %63 = phi i64 [ %414, %423 ], [ -1, %58 ]
+  %64 = phi i64 [ %413, %423 ], [ %36, %58 ]
+  %65 = phi double [ %412, %423 ], [ %61, %58 ]
+  %66 = phi i64 [ %424, %423 ], [ 1, %58 ]
+  %67 = fmul double %65, %65
+  %68 = fmul double %67, 0x3FF000000044B830
+  br label %69
+69:
+  %70 = phi i64 [ %410, %409 ], [ %66, %62 ]
+  %71 = icmp slt i64 %70, 0
+  %72 = select i1 %71, i64 %30, i64 0
+  %73 = add i64 %72, %70
+  %74 = mul i64 %73, %32
+  %75 = getelementptr double, ptr %28, i64 %74
+  %76 = load double, ptr %75, align 8
+  %77 = fsub double %76, %444
+  %78 = getelementptr i8, ptr %75, i64 24
+  %79 = load double, ptr %78, align 8
+  %80 = fsub double %444, %79
+  %81 = fcmp ogt double %80, %77
+  %82 = select i1 %81, double %80, double %77
+  %83 = fcmp olt double %82, 0.000000e+00
+  %84 = select i1 %83, double 0.000000e+00, double %82
+  %85 = getelementptr i8, ptr %75, i64 8
+  %86 = load double, ptr %85, align 8
+  %87 = fsub double %86, %446
+  %88 = getelementptr i8, ptr %75, i64 32
+  %89 = load double, ptr %88, align 8
+  %90 = fsub double %446, %89
+  %91 = fcmp ogt double %90, %87
+  %92 = select i1 %91, double %90, double %87
+  %93 = fcmp olt double %92, 0.000000e+00
+  %94 = select i1 %93, double 0.000000e+00, double %92
+  %95 = getelementptr i8, ptr %75, i64 16
+  %96 = load double, ptr %95, align 8
+  %97 = fsub double %96, %448
+  %98 = getelementptr i8, ptr %75, i64 40
+  %99 = load double, ptr %98, align 8
+  %100 = fsub double %448, %99
+  %101 = fcmp ogt double %100, %97
+  %102 = select i1 %101, double %100, double %97
+  %103 = fcmp olt double %102, 0.000000e+00
+  %104 = select i1 %103, double 0.000000e+00, double %102
+  %105 = fmul double %84, %84
+  %106 = fmul double %94, %94
+  %107 = fadd double %105, %106
+  %108 = fmul double %104, %104
+  %109 = fadd double %107, %108
+  %110 = fcmp ugt double %109, %68
+  br i1 %110, label %411, label %111
+111:
+  %112 = icmp slt i64 %70, %36
+  br i1 %112, label %409, label %113
+113:
+  %114 = sub nsw i64 %70, %36
+  %115 = getelementptr i64, ptr %34, i64 %114
+  %116 = load i64, ptr %115, align 8
+  %117 = mul nsw i64 %116, 3
+  %118 = icmp slt i64 %116, 0
+  %119 = select i1 %118, i64 %22, i64 0
+  %120 = getelementptr i64, ptr %20, i64 %117
+  %121 = getelementptr i64, ptr %120, i64 %119
+  %122 = load i64, ptr %121, align 8
+  %123 = icmp slt i64 %122, 0
+  %124 = select i1 %123, i64 %16, i64 0
+  %125 = add i64 %124, %122
+  %126 = mul i64 %125, %18
+  %127 = getelementptr double, ptr %14, i64 %126
+  %128 = load double, ptr %127, align 8
+  %129 = getelementptr i8, ptr %127, i64 8
+  %130 = load double, ptr %129, align 8
+  %131 = getelementptr i8, ptr %127, i64 16
+  %132 = load double, ptr %131, align 8
+  %133 = fsub double %128, %444
+  %134 = fsub double %130, %446
+  %135 = fsub double %132, %448
+  %136 = fmul double %451, %133
+  %137 = fmul double %453, %134
+  %138 = fadd double %136, %137
+  %139 = fmul double %455, %135
+  %140 = fadd double %139, %138
+  %141 = fcmp ult double %140, 0.000000e+00
+  %142 = add nsw i64 %117, 1
+  %143 = getelementptr i64, ptr %20, i64 %142
+  %144 = getelementptr i64, ptr %143, i64 %119
+  %145 = load i64, ptr %144, align 8
+  br i1 %141, label %166, label %146
+146:
+  %147 = icmp slt i64 %145, 0
+  %148 = select i1 %147, i64 %16, i64 0
+  %149 = add i64 %148, %145
+  %150 = mul i64 %149, %18
+  %151 = getelementptr double, ptr %14, i64 %150
+  %152 = load double, ptr %151, align 8
+  %153 = getelementptr i8, ptr %151, i64 8
+  %154 = load double, ptr %153, align 8
+  %155 = getelementptr i8, ptr %151, i64 16
+  %156 = load double, ptr %155, align 8
+  %157 = fsub double %152, %444
+  %158 = fsub double %154, %446
+  %159 = fsub double %156, %448
+  %160 = fmul double %451, %157
+  %161 = fmul double %453, %158
+  %162 = fadd double %160, %161
+  %163 = fmul double %455, %159
+  %164 = fadd double %163, %162
+  %165 = fcmp olt double %164, 0.000000e+00
+  br i1 %165, label %458, label %166
+166:
+  %167 = icmp slt i64 %145, 0
+  %168 = select i1 %167, i64 %16, i64 0
+  %169 = add i64 %168, %145
+  %170 = mul i64 %169, %18
+  %171 = getelementptr double, ptr %14, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = getelementptr i8, ptr %171, i64 8
+  %174 = load double, ptr %173, align 8
+  %175 = getelementptr i8, ptr %171, i64 16
+  %176 = load double, ptr %175, align 8
+  %177 = fsub double %172, %444
+  %178 = fsub double %174, %446
+  %179 = fsub double %176, %448
+  %180 = fmul double %451, %177
+  %181 = fmul double %453, %178
+  %182 = fadd double %180, %181
+  %183 = fmul double %455, %179
+  %184 = fadd double %183, %182
+  %185 = fcmp ult double %184, 0.000000e+00
+  %186 = add nsw i64 %117, 2
+  %187 = getelementptr i64, ptr %20, i64 %186
+  %188 = getelementptr i64, ptr %187, i64 %119
+  %189 = load i64, ptr %188, align 8
+  br i1 %185, label %210, label %190
+190:
+  %191 = icmp slt i64 %189, 0
+  %192 = select i1 %191, i64 %16, i64 0
+  %193 = add i64 %192, %189
+  %194 = mul i64 %193, %18
+  %195 = getelementptr double, ptr %14, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = getelementptr i8, ptr %195, i64 8
+  %198 = load double, ptr %197, align 8
+  %199 = getelementptr i8, ptr %195, i64 16
+  %200 = load double, ptr %199, align 8
+  %201 = fsub double %196, %444
+  %202 = fsub double %198, %446
+  %203 = fsub double %200, %448
+  %204 = fmul double %451, %201
+  %205 = fmul double %453, %202
+  %206 = fadd double %204, %205
+  %207 = fmul double %455, %203
+  %208 = fadd double %207, %206
+  %209 = fcmp olt double %208, 0.000000e+00
+  br i1 %209, label %458, label %210
+210:
+  %211 = icmp slt i64 %189, 0
+  %212 = select i1 %211, i64 %16, i64 0
+  %213 = add i64 %212, %189
+  %214 = mul i64 %213, %18
+  %215 = getelementptr double, ptr %14, i64 %214
+  %216 = load double, ptr %215, align 8
+  %217 = getelementptr i8, ptr %215, i64 8
+  %218 = load double, ptr %217, align 8
+  %219 = getelementptr i8, ptr %215, i64 16
+  %220 = load double, ptr %219, align 8
+  %221 = fsub double %216, %444
+  %222 = fsub double %218, %446
+  %223 = fsub double %220, %448
+  %224 = fmul double %451, %221
+  %225 = fmul double %453, %222
+  %226 = fadd double %224, %225
+  %227 = fmul double %455, %223
+  %228 = fadd double %227, %226
+  %229 = fcmp oge double %228, 0.000000e+00
+  %230 = fcmp olt double %140, 0.000000e+00
+  %231 = and i1 %230, %229
+  br i1 %231, label %458, label %411
+232:
+  %233 = mul i64 %116, 24
+  %234 = getelementptr i8, ptr %20, i64 %233
+  %235 = getelementptr i64, ptr %234, i64 %119
+  %236 = load i64, ptr %235, align 8
+  %237 = getelementptr i8, ptr %234, i64 8
+  %238 = getelementptr i64, ptr %237, i64 %119
+  %239 = load i64, ptr %238, align 8
+  %240 = icmp slt i64 %236, 0
+  %241 = select i1 %240, i64 %16, i64 0
+  %242 = add i64 %241, %236
+  %243 = mul i64 %242, %18
+  %244 = getelementptr double, ptr %14, i64 %243
+  %245 = load double, ptr %244, align 8
+  %246 = getelementptr i8, ptr %244, i64 8
+  %247 = load double, ptr %246, align 8
+  %248 = getelementptr i8, ptr %244, i64 16
+  %249 = load double, ptr %248, align 8
+  %250 = fsub double %245, %444
+  %251 = fsub double %247, %446
+  %252 = fsub double %249, %448
+  %253 = fmul double %451, %250
+  %254 = fmul double %453, %251
+  %255 = fadd double %253, %254
+  %256 = fmul double %455, %252
+  %257 = fadd double %256, %255
+  %258 = icmp slt i64 %239, 0
+  %259 = select i1 %258, i64 %16, i64 0
+  %260 = add i64 %259, %239
+  %261 = mul i64 %260, %18
+  %262 = getelementptr double, ptr %14, i64 %261
+  %263 = load double, ptr %262, align 8
+  %264 = getelementptr i8, ptr %262, i64 8
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr i8, ptr %262, i64 16
+  %267 = load double, ptr %266, align 8
+  %268 = fsub double %263, %444
+  %269 = fsub double %265, %446
+  %270 = fsub double %267, %448
+  %271 = fmul double %451, %268
+  %272 = fmul double %453, %269
+  %273 = fadd double %271, %272
+  %274 = fmul double %455, %270
+  %275 = fadd double %274, %273
+  %276 = fcmp oge double %257, 0.000000e+00
+  %277 = fcmp oge double %275, 0.000000e+00
+  %278 = xor i1 %276, %277
+  br i1 %278, label %365, label %280
+279:
+  br label %280
+280:
+  %281 = phi double [ %448, %232 ], [ %448, %279 ], [ %377, %365 ]
+  %282 = phi double [ %446, %232 ], [ %446, %279 ], [ %374, %365 ]
+  %283 = phi double [ %444, %232 ], [ %444, %279 ], [ %371, %365 ]
+  %284 = phi double [ %448, %232 ], [ %377, %279 ], [ %448, %365 ]
+  %285 = phi double [ %446, %232 ], [ %374, %279 ], [ %446, %365 ]
+  %286 = phi double [ %444, %232 ], [ %371, %279 ], [ %444, %365 ]
+  %287 = getelementptr i8, ptr %234, i64 16
+  %288 = getelementptr i64, ptr %287, i64 %119
+  %289 = load i64, ptr %288, align 8
+  %290 = icmp slt i64 %289, 0
+  %291 = select i1 %290, i64 %16, i64 0
+  %292 = add i64 %291, %289
+  %293 = mul i64 %292, %18
+  %294 = getelementptr double, ptr %14, i64 %293
+  %295 = load double, ptr %294, align 8
+  %296 = getelementptr i8, ptr %294, i64 8
+  %297 = load double, ptr %296, align 8
+  %298 = getelementptr i8, ptr %294, i64 16
+  %299 = load double, ptr %298, align 8
+  %300 = fsub double %295, %444
+  %301 = fsub double %297, %446
+  %302 = fsub double %299, %448
+  %303 = fmul double %451, %300
+  %304 = fmul double %453, %301
+  %305 = fadd double %303, %304
+  %306 = fmul double %455, %302
+  %307 = fadd double %306, %305
+  %308 = fcmp oge double %307, 0.000000e+00
+  %309 = xor i1 %277, %308
+  br i1 %309, label %310, label %324
+310:
+  %311 = fcmp ult double %275, 0.000000e+00
+  %312 = fsub double %275, %307
+  %313 = fdiv double %275, %312
+  %314 = fsub double %295, %263
+  %315 = fmul double %314, %313
+  %316 = fadd double %263, %315
+  %317 = fsub double %297, %265
+  %318 = fmul double %317, %313
+  %319 = fadd double %265, %318
+  %320 = fsub double %299, %267
+  %321 = fmul double %320, %313
+  %322 = fadd double %267, %321
+  br i1 %311, label %323, label %324
+323:
+  br label %324
+324:
+  %325 = phi double [ %281, %280 ], [ %281, %323 ], [ %322, %310 ]
+  %326 = phi double [ %282, %280 ], [ %282, %323 ], [ %319, %310 ]
+  %327 = phi double [ %283, %280 ], [ %283, %323 ], [ %316, %310 ]
+  %328 = phi double [ %284, %280 ], [ %322, %323 ], [ %284, %310 ]
+  %329 = phi double [ %285, %280 ], [ %319, %323 ], [ %285, %310 ]
+  %330 = phi double [ %286, %280 ], [ %316, %323 ], [ %286, %310 ]
+  %331 = xor i1 %276, %308
+  br i1 %331, label %332, label %346
+332:
+  %333 = fcmp ult double %307, 0.000000e+00
+  %334 = fsub double %307, %257
+  %335 = fdiv double %307, %334
+  %336 = fsub double %245, %295
+  %337 = fmul double %336, %335
+  %338 = fadd double %295, %337
+  %339 = fsub double %247, %297
+  %340 = fmul double %339, %335
+  %341 = fadd double %297, %340
+  %342 = fsub double %249, %299
+  %343 = fmul double %342, %335
+  %344 = fadd double %299, %343
+  br i1 %333, label %345, label %346
+345:
+  br label %346
+346:
+  %347 = phi double [ %325, %324 ], [ %325, %345 ], [ %344, %332 ]
+  %348 = phi double [ %326, %324 ], [ %326, %345 ], [ %341, %332 ]
+  %349 = phi double [ %327, %324 ], [ %327, %345 ], [ %338, %332 ]
+  %350 = phi double [ %328, %324 ], [ %344, %345 ], [ %328, %332 ]
+  %351 = phi double [ %329, %324 ], [ %341, %345 ], [ %329, %332 ]
+  %352 = phi double [ %330, %324 ], [ %338, %345 ], [ %330, %332 ]
+  %353 = fsub double %444, %349
+  %354 = fsub double %446, %348
+  %355 = fsub double %448, %347
+  %356 = fsub double %352, %349
+  %357 = fsub double %351, %348
+  %358 = fsub double %350, %347
+  %359 = fmul double %356, %356
+  %360 = fmul double %358, %358
+  %361 = fadd double %360, %359
+  %362 = fmul double %357, %357
+  %363 = fadd double %362, %361
+  %364 = fcmp ogt double %363, 0.000000e+00
+  br i1 %364, label %378, label %389
+365:
+  %366 = fcmp ult double %257, 0.000000e+00
+  %367 = fsub double %257, %275
+  %368 = fdiv double %257, %367
+  %369 = fsub double %263, %245
+  %370 = fmul double %369, %368
+  %371 = fadd double %245, %370
+  %372 = fsub double %265, %247
+  %373 = fmul double %372, %368
+  %374 = fadd double %247, %373
+  %375 = fsub double %267, %249
+  %376 = fmul double %375, %368
+  %377 = fadd double %249, %376
+  br i1 %366, label %279, label %280
+378:
+  %379 = fmul double %353, %356
+  %380 = fmul double %355, %358
+  %381 = fadd double %380, %379
+  %382 = fmul double %354, %357
+  %383 = fadd double %382, %381
+  %384 = fdiv double %383, %363
+  %385 = fcmp olt double %384, 0.000000e+00
+  %386 = select i1 %385, double 0.000000e+00, double %384
+  %387 = fcmp ogt double %386, 1.000000e+00
+  %388 = select i1 %387, double 1.000000e+00, double %386
+  br label %389
+389:
+  %390 = phi double [ 0.000000e+00, %346 ], [ %388, %378 ]
+  %391 = fmul double %356, %390
+  %392 = fsub double %353, %391
+  %393 = fmul double %357, %390
+  %394 = fsub double %354, %393
+  %395 = fmul double %358, %390
+  %396 = fsub double %355, %395
+  %397 = fmul double %392, %392
+  %398 = fmul double %394, %394
+  %399 = fadd double %397, %398
+  %400 = fmul double %396, %396
+  %401 = fadd double %400, %399
+  %402 = tail call double @llvm.sqrt.f64(double %401)
+  %403 = fcmp olt double %402, %65
+  br i1 %403, label %408, label %404
+404:
+  %405 = fcmp oeq double %402, %65
+  %406 = icmp slt i64 %116, %64
+  %407 = select i1 %405, i1 %406, i1 false
+  br i1 %407, label %408, label %411
+408:
+  br label %411
+409:
+  %410 = shl nsw i64 %70, 1
+  br label %69
+411:
+  %412 = phi double [ %402, %408 ], [ %65, %210 ], [ %65, %458 ], [ %65, %404 ], [ %65, %69 ]
+  %413 = phi i64 [ %116, %408 ], [ %64, %210 ], [ %64, %458 ], [ %64, %404 ], [ %64, %69 ]
+  %414 = phi i64 [ %459, %408 ], [ %63, %210 ], [ %63, %458 ], [ %63, %404 ], [ %63, %69 ]
+  %415 = add nsw i64 %70, 1
+  %416 = and i64 %70, 1
+  %417 = icmp eq i64 %416, 0
+  br i1 %417, label %423, label %418
+418:
+  %419 = phi i64 [ %420, %418 ], [ %415, %411 ]
+  %420 = ashr i64 %419, 1
+  %421 = and i64 %419, 2
+  %422 = icmp eq i64 %421, 0
+  br i1 %422, label %418, label %423
+423:
+  %424 = phi i64 [ %415, %411 ], [ %420, %418 ]
+  %425 = icmp sgt i64 %424, 1
+  br i1 %425, label %62, label %51
+426:
+  %427 = icmp sgt i64 %414, -1
+  br i1 %427, label %428, label %434
+428:
+  %429 = phi i64 [ %414, %426 ], [ %54, %53 ]
+  br label %430
+430:
+  %431 = phi i64 [ %549, %461 ], [ %439, %428 ]
+  %432 = phi i64 [ %556, %461 ], [ %429, %428 ]
+  %433 = icmp eq i64 %42, %431
+  br i1 %433, label %560, label %461
+434:
+  %435 = phi i64 [ %439, %426 ], [ %549, %461 ]
+  %436 = getelementptr i64, ptr %38, i64 %440
+  store i64 %435, ptr %436, align 8
+  %437 = icmp eq i64 %441, %4
+  br i1 %437, label %560, label %438
+438:
+  %439 = phi i64 [ %435, %434 ], [ 0, %46 ]
+  %440 = phi i64 [ %441, %434 ], [ 0, %46 ]
+  %441 = add nuw nsw i64 %440, 1
+  %442 = mul i64 %440, %6
+  %443 = getelementptr double, ptr %2, i64 %442
+  %444 = load double, ptr %443, align 8
+  %445 = getelementptr i8, ptr %443, i64 8
+  %446 = load double, ptr %445, align 8
+  %447 = getelementptr i8, ptr %443, i64 16
+  %448 = load double, ptr %447, align 8
+  %449 = mul i64 %440, %10
+  %450 = getelementptr double, ptr %8, i64 %449
+  %451 = load double, ptr %450, align 8
+  %452 = getelementptr i8, ptr %450, i64 8
+  %453 = load double, ptr %452, align 8
+  %454 = getelementptr i8, ptr %450, i64 16
   %455 = load double, ptr %454, align 8
-  %456 = getelementptr i8, ptr %454, i64 8
+  %456 = getelementptr double, ptr %12, i64 %440
   %457 = load double, ptr %456, align 8
-  %458 = getelementptr i8, ptr %454, i64 16
-  %459 = load double, ptr %458, align 8
-  %460 = fsub double %455, %636
-  %461 = fsub double %457, %638
-  %462 = fsub double %459, %640
-  %463 = fmul double %643, %460
-  %464 = fmul double %645, %461
-  %465 = fadd double %463, %464
-  %466 = fmul double %647, %462
-  %467 = fadd double %466, %465
-  %468 = fcmp oge double %449, 0.000000e+00
-  %469 = fcmp oge double %467, 0.000000e+00
-  %470 = xor i1 %468, %469
-  br i1 %470, label %557, label %472
-471:
-  br label %472
-472:
-  %473 = phi double [ %640, %424 ], [ %640, %471 ], [ %569, %557 ]
-  %474 = phi double [ %638, %424 ], [ %638, %471 ], [ %566, %557 ]
-  %475 = phi double [ %636, %424 ], [ %636, %471 ], [ %563, %557 ]
-  %476 = phi double [ %640, %424 ], [ %569, %471 ], [ %640, %557 ]
-  %477 = phi double [ %638, %424 ], [ %566, %471 ], [ %638, %557 ]
-  %478 = phi double [ %636, %424 ], [ %563, %471 ], [ %636, %557 ]
-  %479 = getelementptr i8, ptr %426, i64 16
-  %480 = getelementptr i64, ptr %479, i64 %311
-  %481 = load i64, ptr %480, align 8
-  %482 = icmp slt i64 %481, 0
-  %483 = select i1 %482, i64 %18, i64 0
-  %484 = add i64 %483, %481
-  %485 = mul i64 %484, %20
-  %486 = getelementptr double, ptr %16, i64 %485
-  %487 = load double, ptr %486, align 8
-  %488 = getelementptr i8, ptr %486, i64 8
-  %489 = load double, ptr %488, align 8
-  %490 = getelementptr i8, ptr %486, i64 16
-  %491 = load double, ptr %490, align 8
-  %492 = fsub double %487, %636
-  %493 = fsub double %489, %638
-  %494 = fsub double %491, %640
-  %495 = fmul double %643, %492
-  %496 = fmul double %645, %493
-  %497 = fadd double %495, %496
-  %498 = fmul double %647, %494
-  %499 = fadd double %498, %497
-  %500 = fcmp oge double %499, 0.000000e+00
-  %501 = xor i1 %469, %500
-  br i1 %501, label %502, label %516
-502:
-  %503 = fcmp ult double %467, 0.000000e+00
-  %504 = fsub double %467, %499
-  %505 = fdiv double %467, %504
-  %506 = fsub double %487, %455
-  %507 = fmul double %506, %505
-  %508 = fadd double %455, %507
-  %509 = fsub double %489, %457
-  %510 = fmul double %509, %505
-  %511 = fadd double %457, %510
-  %512 = fsub double %491, %459
-  %513 = fmul double %512, %505
-  %514 = fadd double %459, %513
-  br i1 %503, label %515, label %516
-515:
-  br label %516
-516:
-  %517 = phi double [ %473, %472 ], [ %473, %515 ], [ %514, %502 ]
-  %518 = phi double [ %474, %472 ], [ %474, %515 ], [ %511, %502 ]
-  %519 = phi double [ %475, %472 ], [ %475, %515 ], [ %508, %502 ]
-  %520 = phi double [ %476, %472 ], [ %514, %515 ], [ %476, %502 ]
-  %521 = phi double [ %477, %472 ], [ %511, %515 ], [ %477, %502 ]
-  %522 = phi double [ %478, %472 ], [ %508, %515 ], [ %478, %502 ]
-  %523 = xor i1 %468, %500
-  br i1 %523, label %524, label %538
-524:
-  %525 = fcmp ult double %499, 0.000000e+00
-  %526 = fsub double %499, %449
-  %527 = fdiv double %499, %526
-  %528 = fsub double %437, %487
-  %529 = fmul double %528, %527
-  %530 = fadd double %487, %529
-  %531 = fsub double %439, %489
-  %532 = fmul double %531, %527
-  %533 = fadd double %489, %532
-  %534 = fsub double %441, %491
-  %535 = fmul double %534, %527
-  %536 = fadd double %491, %535
-  br i1 %525, label %537, label %538
-537:
-  br label %538
-538:
-  %539 = phi double [ %517, %516 ], [ %517, %537 ], [ %536, %524 ]
-  %540 = phi double [ %518, %516 ], [ %518, %537 ], [ %533, %524 ]
-  %541 = phi double [ %519, %516 ], [ %519, %537 ], [ %530, %524 ]
-  %542 = phi double [ %520, %516 ], [ %536, %537 ], [ %520, %524 ]
-  %543 = phi double [ %521, %516 ], [ %533, %537 ], [ %521, %524 ]
-  %544 = phi double [ %522, %516 ], [ %530, %537 ], [ %522, %524 ]
-  %545 = fsub double %636, %541
-  %546 = fsub double %638, %540
-  %547 = fsub double %640, %539
-  %548 = fsub double %544, %541
-  %549 = fsub double %543, %540
-  %550 = fsub double %542, %539
-  %551 = fmul double %548, %548
-  %552 = fmul double %550, %550
-  %553 = fadd double %552, %551
-  %554 = fmul double %549, %549
-  %555 = fadd double %554, %553
-  %556 = fcmp ogt double %555, 0.000000e+00
-  br i1 %556, label %570, label %581
-557:
-  %558 = fcmp ult double %449, 0.000000e+00
-  %559 = fsub double %449, %467
-  %560 = fdiv double %449, %559
-  %561 = fsub double %455, %437
-  %562 = fmul double %561, %560
-  %563 = fadd double %437, %562
-  %564 = fsub double %457, %439
-  %565 = fmul double %564, %560
-  %566 = fadd double %439, %565
-  %567 = fsub double %459, %441
-  %568 = fmul double %567, %560
-  %569 = fadd double %441, %568
-  br i1 %558, label %471, label %472
-570:
-  %571 = fmul double %545, %548
-  %572 = fmul double %547, %550
-  %573 = fadd double %572, %571
-  %574 = fmul double %546, %549
-  %575 = fadd double %574, %573
-  %576 = fdiv double %575, %555
-  %577 = fcmp olt double %576, 0.000000e+00
-  %578 = select i1 %577, double 0.000000e+00, double %576
-  %579 = fcmp ogt double %578, 1.000000e+00
-  %580 = select i1 %579, double 1.000000e+00, double %578
-  br label %581
-581:
-  %582 = phi double [ 0.000000e+00, %538 ], [ %580, %570 ]
-  %583 = fmul double %548, %582
-  %584 = fsub double %545, %583
-  %585 = fmul double %549, %582
-  %586 = fsub double %546, %585
-  %587 = fmul double %550, %582
-  %588 = fsub double %547, %587
-  %589 = fmul double %584, %584
-  %590 = fmul double %586, %586
-  %591 = fadd double %589, %590
-  %592 = fmul double %588, %588
-  %593 = fadd double %592, %591
-  %594 = tail call double @llvm.sqrt.f64(double %593)
-  %595 = fcmp olt double %594, %257
-  br i1 %595, label %600, label %596
-596:
-  %597 = fcmp oeq double %594, %257
-  %598 = icmp slt i64 %308, %256
-  %599 = select i1 %597, i1 %598, i1 false
-  br i1 %599, label %600, label %603
-600:
-  br label %603
-601:
-  %602 = shl nsw i64 %262, 1
-  br label %261
-603:
-  %604 = phi double [ %594, %600 ], [ %257, %402 ], [ %257, %651 ], [ %257, %596 ], [ %257, %261 ]
-  %605 = phi i64 [ %308, %600 ], [ %256, %402 ], [ %256, %651 ], [ %256, %596 ], [ %256, %261 ]
-  %606 = phi i64 [ %652, %600 ], [ %255, %402 ], [ %255, %651 ], [ %255, %596 ], [ %255, %261 ]
-  %607 = add nsw i64 %262, 1
-  %608 = and i64 %262, 1
-  %609 = icmp eq i64 %608, 0
-  br i1 %609, label %615, label %610
-610:
-  %611 = phi i64 [ %612, %610 ], [ %607, %603 ]
-  %612 = ashr i64 %611, 1
-  %613 = and i64 %611, 2
-  %614 = icmp eq i64 %613, 0
-  br i1 %614, label %610, label %615
-615:
-  %616 = phi i64 [ %607, %603 ], [ %612, %610 ]
-  %617 = icmp sgt i64 %616, 1
-  br i1 %617, label %254, label %242
-618:
-  %619 = icmp sgt i64 %606, -1
-  br i1 %619, label %620, label %626
-620:
-  %621 = phi i64 [ %606, %618 ], [ %245, %244 ]
-  br label %622
-622:
-  %623 = phi i64 [ %742, %654 ], [ %631, %620 ]
-  %624 = phi i64 [ %749, %654 ], [ %621, %620 ]
-  %625 = icmp eq i64 %44, %623
-  br i1 %625, label %753, label %654
-626:
-  %627 = phi i64 [ %631, %618 ], [ %742, %654 ]
-  %628 = getelementptr i64, ptr %40, i64 %632
-  store i64 %627, ptr %628, align 8
-  %629 = icmp eq i64 %633, %4
-  br i1 %629, label %753, label %630
-630:
-  %631 = phi i64 [ %627, %626 ], [ 0, %48 ]
-  %632 = phi i64 [ %633, %626 ], [ 0, %48 ]
-  %633 = add nuw nsw i64 %632, 1
-  %634 = mul i64 %632, %6
-  %635 = getelementptr double, ptr %2, i64 %634
-  %636 = load double, ptr %635, align 8
-  %637 = getelementptr i8, ptr %635, i64 8
-  %638 = load double, ptr %637, align 8
-  %639 = getelementptr i8, ptr %635, i64 16
-  %640 = load double, ptr %639, align 8
-  %641 = mul i64 %632, %10
-  %642 = getelementptr double, ptr %8, i64 %641
-  %643 = load double, ptr %642, align 8
-  %644 = getelementptr i8, ptr %642, i64 8
-  %645 = load double, ptr %644, align 8
-  %646 = getelementptr i8, ptr %642, i64 16
-  %647 = load double, ptr %646, align 8
-  %648 = getelementptr i64, ptr %14, i64 %632
-  %649 = load i64, ptr %648, align 8
-  %650 = icmp sgt i64 %649, -1
-  br i1 %650, label %53, label %238
-651:
-  %652 = phi i64 [ %334, %382 ], [ %309, %338 ], [ %378, %402 ]
-  %653 = icmp sgt i64 %652, -1
-  br i1 %653, label %424, label %603
-654:
-  %655 = freeze i64 %624
-  %656 = urem i64 %655, 3
-  %657 = getelementptr i64, ptr %22, i64 %655
-  %658 = load i64, ptr %657, align 8
-  %659 = icmp slt i64 %658, 0
-  %660 = select i1 %659, i64 %18, i64 0
-  %661 = add i64 %660, %658
-  %662 = mul i64 %661, %20
-  %663 = getelementptr double, ptr %16, i64 %662
-  %664 = load double, ptr %663, align 8
-  %665 = getelementptr i8, ptr %663, i64 8
-  %666 = load double, ptr %665, align 8
-  %667 = getelementptr i8, ptr %663, i64 16
-  %668 = load double, ptr %667, align 8
-  %669 = fsub double %664, %636
-  %670 = fsub double %666, %638
-  %671 = fsub double %668, %640
-  %672 = fmul double %643, %669
-  %673 = fmul double %645, %670
-  %674 = fadd double %672, %673
-  %675 = fmul double %647, %671
-  %676 = fadd double %675, %674
-  %677 = icmp samesign ugt i64 %656, 1
-  %678 = select i1 %677, i64 -2, i64 1
-  %679 = add i64 %678, %655
-  %680 = icmp slt i64 %679, 0
-  %681 = select i1 %680, i64 %24, i64 0
-  %682 = getelementptr i64, ptr %22, i64 %679
-  %683 = getelementptr i64, ptr %682, i64 %681
-  %684 = load i64, ptr %683, align 8
-  %685 = icmp slt i64 %684, 0
-  %686 = select i1 %685, i64 %18, i64 0
-  %687 = add i64 %686, %684
-  %688 = mul i64 %687, %20
-  %689 = getelementptr double, ptr %16, i64 %688
-  %690 = load double, ptr %689, align 8
-  %691 = getelementptr i8, ptr %689, i64 8
-  %692 = load double, ptr %691, align 8
-  %693 = getelementptr i8, ptr %689, i64 16
-  %694 = load double, ptr %693, align 8
-  %695 = fsub double %690, %636
-  %696 = fsub double %692, %638
-  %697 = fsub double %694, %640
-  %698 = fmul double %643, %695
-  %699 = fmul double %645, %696
-  %700 = fadd double %698, %699
-  %701 = fmul double %647, %697
-  %702 = fadd double %701, %700
-  %703 = sub nuw i64 %655, %656
-  %704 = fsub double %676, %702
-  %705 = fdiv double %676, %704
-  %706 = icmp slt i64 %623, 0
-  %707 = select i1 %706, i64 %51, i64 0
-  %708 = getelementptr i8, ptr %42, i64 %707
-  %709 = shl i64 %623, 3
-  %710 = getelementptr i8, ptr %708, i64 %709
-  store i64 %655, ptr %710, align 8
-  %711 = select i1 %706, i64 %52, i64 0
-  %712 = getelementptr i8, ptr %46, i64 %711
-  %713 = getelementptr i8, ptr %712, i64 %709
-  store double %705, ptr %713, align 8
-  %714 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %656, i64 1)
-  %715 = extractvalue { i64, i1 } %714, 0
-  %716 = extractvalue { i64, i1 } %714, 1
-  %717 = select i1 %716, i64 2, i64 %715
-  %718 = add nsw i64 %717, %703
-  %719 = icmp slt i64 %718, 0
-  %720 = select i1 %719, i64 %24, i64 0
-  %721 = getelementptr i64, ptr %22, i64 %718
-  %722 = getelementptr i64, ptr %721, i64 %720
-  %723 = load i64, ptr %722, align 8
-  %724 = icmp slt i64 %723, 0
-  %725 = select i1 %724, i64 %18, i64 0
-  %726 = add i64 %725, %723
-  %727 = mul i64 %726, %20
-  %728 = getelementptr double, ptr %16, i64 %727
-  %729 = load double, ptr %728, align 8
-  %730 = getelementptr i8, ptr %728, i64 8
-  %731 = load double, ptr %730, align 8
-  %732 = getelementptr i8, ptr %728, i64 16
-  %733 = load double, ptr %732, align 8
-  %734 = fsub double %729, %636
-  %735 = fsub double %731, %638
-  %736 = fsub double %733, %640
-  %737 = fmul double %643, %734
-  %738 = fmul double %645, %735
-  %739 = fadd double %737, %738
-  %740 = fmul double %647, %736
-  %741 = fadd double %740, %739
-  %742 = add i64 %623, 1
-  %743 = fcmp ult double %741, 0.000000e+00
-  %744 = select i1 %743, i64 %718, i64 %679
-  %745 = icmp slt i64 %744, 0
-  %746 = select i1 %745, i64 %28, i64 0
-  %747 = getelementptr i64, ptr %26, i64 %744
-  %748 = getelementptr i64, ptr %747, i64 %746
-  %749 = load i64, ptr %748, align 8
-  %750 = icmp ne i64 %749, %621
-  %751 = icmp sgt i64 %749, -1
-  %752 = and i1 %750, %751
-  br i1 %752, label %622, label %626
-753:
-  %754 = phi i64 [ 1, %1 ], [ 0, %622 ], [ 1, %626 ]
-  ret i64 %754
+  br label %53
+458:
+  %459 = phi i64 [ %142, %190 ], [ %117, %146 ], [ %186, %210 ]
+  %460 = icmp sgt i64 %459, -1
+  br i1 %460, label %232, label %411
+461:
+  %462 = freeze i64 %432
+  %463 = urem i64 %462, 3
+  %464 = getelementptr i64, ptr %20, i64 %462
+  %465 = load i64, ptr %464, align 8
+  %466 = icmp slt i64 %465, 0
+  %467 = select i1 %466, i64 %16, i64 0
+  %468 = add i64 %467, %465
+  %469 = mul i64 %468, %18
+  %470 = getelementptr double, ptr %14, i64 %469
+  %471 = load double, ptr %470, align 8
+  %472 = getelementptr i8, ptr %470, i64 8
+  %473 = load double, ptr %472, align 8
+  %474 = getelementptr i8, ptr %470, i64 16
+  %475 = load double, ptr %474, align 8
+  %476 = fsub double %471, %444
+  %477 = fsub double %473, %446
+  %478 = fsub double %475, %448
+  %479 = fmul double %451, %476
+  %480 = fmul double %453, %477
+  %481 = fadd double %479, %480
+  %482 = fmul double %455, %478
+  %483 = fadd double %482, %481
+  %484 = icmp samesign ugt i64 %463, 1
+  %485 = select i1 %484, i64 -2, i64 1
+  %486 = add i64 %485, %462
+  %487 = icmp slt i64 %486, 0
+  %488 = select i1 %487, i64 %22, i64 0
+  %489 = getelementptr i64, ptr %20, i64 %486
+  %490 = getelementptr i64, ptr %489, i64 %488
+  %491 = load i64, ptr %490, align 8
+  %492 = icmp slt i64 %491, 0
+  %493 = select i1 %492, i64 %16, i64 0
+  %494 = add i64 %493, %491
+  %495 = mul i64 %494, %18
+  %496 = getelementptr double, ptr %14, i64 %495
+  %497 = load double, ptr %496, align 8
+  %498 = getelementptr i8, ptr %496, i64 8
+  %499 = load double, ptr %498, align 8
+  %500 = getelementptr i8, ptr %496, i64 16
+  %501 = load double, ptr %500, align 8
+  %502 = fsub double %497, %444
+  %503 = fsub double %499, %446
+  %504 = fsub double %501, %448
+  %505 = fmul double %451, %502
+  %506 = fmul double %453, %503
+  %507 = fadd double %505, %506
+  %508 = fmul double %455, %504
+  %509 = fadd double %508, %507
+  %510 = sub nuw i64 %462, %463
+  %511 = fsub double %483, %509
+  %512 = fdiv double %483, %511
+  %513 = icmp slt i64 %431, 0
+  %514 = select i1 %513, i64 %49, i64 0
+  %515 = getelementptr i8, ptr %40, i64 %514
+  %516 = shl i64 %431, 3
+  %517 = getelementptr i8, ptr %515, i64 %516
+  store i64 %462, ptr %517, align 8
+  %518 = select i1 %513, i64 %50, i64 0
+  %519 = getelementptr i8, ptr %44, i64 %518
+  %520 = getelementptr i8, ptr %519, i64 %516
+  store double %512, ptr %520, align 8
+  %521 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %463, i64 1)
+  %522 = extractvalue { i64, i1 } %521, 0
+  %523 = extractvalue { i64, i1 } %521, 1
+  %524 = select i1 %523, i64 2, i64 %522
+  %525 = add nsw i64 %524, %510
+  %526 = icmp slt i64 %525, 0
+  %527 = select i1 %526, i64 %22, i64 0
+  %528 = getelementptr i64, ptr %20, i64 %525
+  %529 = getelementptr i64, ptr %528, i64 %527
+  %530 = load i64, ptr %529, align 8
+  %531 = icmp slt i64 %530, 0
+  %532 = select i1 %531, i64 %16, i64 0
+  %533 = add i64 %532, %530
+  %534 = mul i64 %533, %18
+  %535 = getelementptr double, ptr %14, i64 %534
+  %536 = load double, ptr %535, align 8
+  %537 = getelementptr i8, ptr %535, i64 8
+  %538 = load double, ptr %537, align 8
+  %539 = getelementptr i8, ptr %535, i64 16
+  %540 = load double, ptr %539, align 8
+  %541 = fsub double %536, %444
+  %542 = fsub double %538, %446
+  %543 = fsub double %540, %448
+  %544 = fmul double %451, %541
+  %545 = fmul double %453, %542
+  %546 = fadd double %544, %545
+  %547 = fmul double %455, %543
+  %548 = fadd double %547, %546
+  %549 = add i64 %431, 1
+  %550 = fcmp ult double %548, 0.000000e+00
+  %551 = select i1 %550, i64 %525, i64 %486
+  %552 = icmp slt i64 %551, 0
+  %553 = select i1 %552, i64 %26, i64 0
+  %554 = getelementptr i64, ptr %24, i64 %551
+  %555 = getelementptr i64, ptr %554, i64 %553
+  %556 = load i64, ptr %555, align 8
+  %557 = icmp ne i64 %556, %429
+  %558 = icmp sgt i64 %556, -1
+  %559 = and i1 %557, %558
+  br i1 %559, label %430, label %434
+560:
+  %561 = phi i64 [ 1, %1 ], [ 0, %430 ], [ 1, %434 ]
+  ret i64 %561
 }
 declare i64 @llvm.smax.i64(i64, i64)
 declare double @atan2(double, double) local_unnamed_addr

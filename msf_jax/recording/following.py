@@ -78,7 +78,7 @@ def record(
     distance, nearest = shape.nearest(x)
     here, paths = shape.winding_numbers(x), measures.paths_of(x, edges, is_held)
     inside = here > 0
-    loops, size = _sections(solid, x, paths, is_held, np.where(inside, distance, 0.0), nearest)
+    loops, size = _sections(solid, x, paths, is_held, np.where(inside, distance, 0.0))
     corners = _with_clouds(surface, edges, loops, len(x))
     a = _smoothing(x, edges, size, corners, is_held)
     offset = np.where(is_held[:, None], 0.0, x - a @ corners.centroid)
@@ -135,7 +135,6 @@ def _sections(
     paths: list[measures.BranchPath],
     is_held: np.ndarray,
     radii: np.ndarray,
-    nearest: np.ndarray,
 ) -> tuple[BoundCorners, np.ndarray]:
     """The sections that count in `centring`, without those that the lid of an opening cuts off, and the size (N,) of
     the limb at every node."""
@@ -143,14 +142,14 @@ def _sections(
     if not paths:
         none = np.zeros(0, dtype=np.int64)
         return BoundCorners(none, none, none, none, np.zeros((0, 3)), none, none), radii
-    limbs = centring.limb_sections(shape, x, paths, is_held, radii, nearest)
+    limbs = centring.limb_sections(shape, x, paths, is_held, radii)
     node, found, normal = limbs.node, limbs.found, limbs.tangent
     weight = limbs.robust(x[node] - found.centroid)
     is_whole = (moved_inside(x, normal, solid.openings) == x).all(axis=1)
     # The centroid across a whole sheet moves much farther by noise than its vertices.
     is_kept = (weight > SLIGHT) & is_whole[node] & (found.radius < measures.WIDE * found.size)
     node, weight = node[is_kept], weight[is_kept]
-    cut = sections.corners(shape, x[node], normal[node], limbs.size[node], nearest[node])
+    cut = sections.corners(shape, x[node], normal[node], limbs.size[node])
     middle = sections.measured(shape, x[node], normal[node], cut).centroid
     return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, middle, node, weight), limbs.size
 

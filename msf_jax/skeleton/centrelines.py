@@ -88,10 +88,9 @@ def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict
         return {}
     size = solid.radii(vertices) / solid.diagonal
     x = moved_inside(given, unit(branches.chords(given, paths, size) @ given), solid.openings)
-    ball, near = shape.approximate_clearance(x)
-    limbs = centring.limb_sections(shape, x, paths, none, ball, near)
+    limbs = centring.limb_sections(shape, x, paths, none, shape.clearance(x))
     node, weight, normal = limbs.node, limbs.weight, limbs.tangent[limbs.node]
-    cut, axes = sections.corners(shape, x[node], normal, limbs.size[node], near[node]), axes_across(normal)
+    cut, axes = sections.corners(shape, x[node], normal, limbs.size[node]), axes_across(normal)
     middle = vertices[node] + solid.diagonal * (x - given)[node]
     corners, bounds = solid.leave(cut.places(shape)), np.searchsorted(cut.loop, np.arange(len(node) + 1))
     found = zip(node.tolist(), middle, axes, bounds[:-1], bounds[1:], weight.tolist(), strict=True)

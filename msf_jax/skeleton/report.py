@@ -232,7 +232,7 @@ def assessed(
 def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[str]:
     """The doubts about places where a branch runs out and back: the sharpest node of each. A stretch that is shorter
     than a radius shows no turn."""
-    radius, is_held = shape.approximate_clearance(vertices)[0], np.zeros(len(vertices), dtype=bool)
+    radius, is_held = shape.clearance(vertices), np.zeros(len(vertices), dtype=bool)
     found: set[int] = set()
     for nodes, is_loop, *_ in branches.paths_of(vertices, edges, is_held):
         path = np.concatenate([nodes[:-1], nodes]) if is_loop else nodes
@@ -313,7 +313,7 @@ def shares_of(
 ) -> dict[str, float]:
     """The report's ``in_sheets``, ``unexplained`` and ``elongation`` of a curve ``(vertices (N, 3), edges (E, 2))`` in
     the solid ``shape``. ``node_of_vertex`` (V,) is the node of each of its vertices; the nearest one if not given."""
-    radius, near = shape.approximate_clearance(vertices)
+    radius = shape.clearance(vertices)
     paths = branches.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
     length, degree = graphs.lengths(vertices, edges), graphs.degrees(len(vertices), edges)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
@@ -321,7 +321,7 @@ def shares_of(
     asked = np.flatnonzero(own * radius > 0)
     normal = unit(branches.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
     places = vertices[asked], normal
-    corners = sections.corners(shape, *places, radius[asked], near[asked])
+    corners = sections.corners(shape, *places, radius[asked])
     found = sections.measured(shape, *places, corners)
     # Where a limb begins, a plane across it cuts off the trunk's side, and a ball beside an axis is small: a section is
     # wider than the ball there, and not flat. In the middle of a round section of a shell is a void. Next to its inner

@@ -12,11 +12,10 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid import kernels
-from msf_jax.solid.geometry import ROUNDING, axes_across, barycentric, cross, unit
+from msf_jax.solid.geometry import ROUNDING, axes_across, cross, unit
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import Mesh, tree_of
 
-SURE = 0.5  # share of an approximate clearance that counts as certain
 MOST_TESTED = 200  # tests of a side against a triangle, for each triangle, to find those that cross; fans need more
 SAMPLE_SPACING = 0.02  # extents between samples of a triangle, or more, for `MOST_SAMPLES`
 MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for memory
@@ -145,25 +144,18 @@ class Enclosure:
         """Unsigned distance (P,) from each point to the surface."""
         return self.nearest(points)[0]
 
-    def nearest(self, points: np.ndarray, is_exact: bool = True) -> tuple[np.ndarray, np.ndarray]:
+    def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,), the first of several.
 
-        If not ``is_exact``, in half the time the nearest of the triangles at the nearest of `samples`. Its distance is
-        never too small. With samples s apart it is too large by at most about s^2 / 2d at a distance d > s, and by s
-        close to the surface."""
+        The search begins with the triangles at the nearest of `samples`."""
         tree, first, fan = self.samples
         distance2, found = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
-        kernels.nearest(points, self.mesh, tree.query(points)[1], first, fan, is_exact, distance2, found)
+        kernels.nearest(points, self.mesh, tree.query(points)[1], first, fan, distance2, found)
         return np.sqrt(distance2), found
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
         """Radius (P,) of the largest ball around each point inside the surface, 0 for a point outside."""
         return np.where(self.contains(points), self.distances(points), 0.0)
-
-    def approximate_clearance(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Approximate `clearance`, in half the time, and a triangle (P,) near each point."""
-        away, near = self.nearest(points, is_exact=False)
-        return np.where(self.contains(points), away, 0.0), near
 
     def surface_points(self, most: int) -> tuple[np.ndarray, np.ndarray]:
         """At most ``most`` samples (P, 3) of the surface inside its triangles, and the unit normals there."""
@@ -175,11 +167,6 @@ class Enclosure:
         # A vertex has no normal of its own, so each sample is moved towards the middle of its triangle.
         points = 0.75 * np.asarray(tree.data)[sample] + 0.25 * self.centroids[triangle]
         return points[has_area], normal[has_area]
-
-    def feet(self, points: np.ndarray) -> np.ndarray:
-        """The foot (P, 3) of each point's perpendicular on its nearly nearest triangle, or nearest point."""
-        triangle = self.triangles[self.nearest(points, is_exact=False)[1]]
-        return np.einsum("pk,pki->pi", barycentric(points, triangle, 0.0), triangle)
 
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """Distance (P,) to the surface from each point along its unit vector, at most ``reach`` (P,)."""

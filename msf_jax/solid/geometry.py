@@ -100,18 +100,6 @@ def triangle_areas(corners: np.ndarray) -> np.ndarray:
     return np.linalg.norm(cross(b - a, c - a), axis=1) / 2
 
 
-def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.ndarray:
-    """Weights (P, 3) of the corners at the foot of each point's perpendicular. They are clipped to at least ``least``,
-    to stay on the triangle, and then normalised to a sum of 1."""
-    a, b, c = np.moveaxis(triangles, 1, 0)
-    normal = cross(b - a, c - a)
-    area2 = np.maximum(np.einsum("ij,ij->i", normal, normal), 1e-300)
-    sides = ((b, c), (c, a), (a, b))
-    weight = np.stack([np.einsum("ij,ij->i", normal, cross(u - points, v - points)) / area2 for u, v in sides])
-    weight = np.clip(weight, least, 1.0)
-    return (weight / np.maximum(weight.sum(axis=0), 1e-300)).T
-
-
 def together(points: np.ndarray, shortest: int) -> np.ndarray:
     """An order (P,) in which each run of ``shortest`` points, of twice as many, and so on, is compact in space.
 

@@ -141,15 +141,13 @@ def triangle_distance2(point: Vector, triangles: Triangles, row: int) -> float:
 
 
 @kernel
-def nearest(
-    points: Points, mesh: Mesh, sample: Ints, first: Ints, fan: Ints, is_exact: bool, found2: Reals, found: Ints
-) -> None:
-    """``found`` (P,): the nearest triangle among ``fan[first[sample] : first[sample + 1]]``, or among all triangles if
-    ``is_exact``; the first of several at the same distance. ``found2`` (P,): the squared distance."""
+def nearest(points: Points, mesh: Mesh, sample: Ints, first: Ints, fan: Ints, found2: Reals, found: Ints) -> None:
+    """``found`` (P,): the nearest triangle, the first of several at the same distance. ``found2`` (P,): the squared
+    distance. Those at a near sample, ``fan[first[sample] : first[sample + 1]]``, are tested first."""
     num = len(mesh.order)
     for row in range(len(points)):
         point, best, which = point_of(points, row), np.inf, num
-        place, node = first[sample[row]], 1 if is_exact else 0
+        place, node = first[sample[row]], 1
         while node or place < first[sample[row] + 1]:
             if place < first[sample[row] + 1]:
                 triangle = fan[place]

@@ -20,7 +20,6 @@ from msf_jax.solid.geometry import arc_length, at, axes_across
 from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
 REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
-DESCENT = 30  # triangles from the given one to the plane, after which the tree is searched instead
 CHORDS = 24  # from points evenly along a loop, and again, twice, from points around that of the shortest one
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
@@ -85,23 +84,6 @@ def edge_down(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
 
 
 @part
-def descended(mesh: Mesh, point: Vector, normal: Vector, face: int) -> int:
-    """The half-edge down through the plane that is reached from a face, face by face; -1 if it is too far."""
-    for _ in range(DESCENT):
-        edge = edge_down(mesh, point, normal, face)
-        if edge >= 0:
-            return edge
-        # To the neighbour across the edge opposite to the corner that is farthest from the plane.
-        farthest, most = 0, -1.0
-        for k in range(3):
-            away = abs(height(mesh, mesh.corners[3 * face + k], point, normal))
-            if away > most:
-                farthest, most = k, away
-        face = mesh.twins[3 * face + (farthest + 1) % 3] // 3
-    return -1
-
-
-@part
 def segment_distance(mesh: Mesh, point: Vector, normal: Vector, face: int) -> float:
     """Distance from a point to the segment in which its plane cuts a face."""
     start = end = point
@@ -116,20 +98,15 @@ def segment_distance(mesh: Mesh, point: Vector, normal: Vector, face: int) -> fl
 
 
 @kernel
-def loops(
-    points: Points, normals: Points, size: Reals, near: Ints, mesh: Mesh, ends: Ints, edges: Ints, parts: Reals
-) -> bool:
+def loops(points: Points, normals: Points, size: Reals, mesh: Mesh, ends: Ints, edges: Ints, parts: Reals) -> bool:
     """For each point, the half-edges down through its plane along one loop.
 
-    The loop is reached from triangle ``near[p]``. If that is -1, or if the plane is far from there, it is the nearest
-    loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance, that of the first
-    triangle. The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane.
-    Returns False if ``edges`` is too short."""
+    It is the nearest loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance,
+    that of the first triangle. The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each
+    above the plane. Returns False if ``edges`` is too short."""
     num, count = len(mesh.order), 0
     for row in range(len(points)):
         point, normal, first = point_of(points, row), point_of(normals, row), -1
-        if near[row] >= 0:
-            first = descended(mesh, point, normal, near[row])
         for reach in REACHES:
             if first >= 0:
                 break
@@ -207,21 +184,17 @@ def cut(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.nda
     return measured(shape, points, normals, corners(shape, points, normals, radii))
 
 
-def corners(
-    shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
-) -> Corners:
+def corners(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray) -> Corners:
     """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3): the corners of the loops.
 
     A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
-    estimates of its distance; the search begins within 1.5 of them. With ``near`` (P,), triangles near the points, the
-    loop reached from such a triangle is taken instead, which is fast."""
+    estimates of its distance; the search begins within 1.5 of them."""
     num, num_faces = len(points), len(shape.faces)
-    near = np.full(num, -1) if near is None else near
     size, ends = np.maximum(radii, 1e-3 * shape.extent), np.empty(num, dtype=np.int64)
     capacity = num_faces + 4 * num * isqrt(num_faces)  # a plane across a ball cuts some 2.3 roots of its triangles
     while True:
         edge, share = np.empty(capacity, dtype=np.int64), np.empty(capacity)
-        if loops(points, normals, size, near, shape.mesh, ends, edge, share):
+        if loops(points, normals, size, shape.mesh, ends, edge, share):
             break
         capacity *= 2
     loop = np.repeat(np.arange(num), np.diff(ends, prepend=0))

@@ -180,6 +180,5 @@ def test_vertices_of_no_face_are_no_surface():
     vertices, faces = arrays(trimesh.creation.icosphere(2))
     points = np.array([[0.2, 0.1, 0.3], [0.9, 0.0, 0.1], [1.5, 1.5, 1.5]])
     with_strays = Enclosure(np.concatenate([points, vertices]), faces + len(points))
-    for is_exact in (False, True):
-        found, expected = (each.nearest(points, is_exact) for each in (with_strays, Enclosure(vertices, faces)))
-        np.testing.assert_array_equal(found, expected)
+    found, expected = (each.nearest(points) for each in (with_strays, Enclosure(vertices, faces)))
+    np.testing.assert_array_equal(found, expected)

@@ -194,22 +194,3 @@ def test_a_corner_of_a_regular_solid_is_on_its_surface():
     for size in np.arange(1, 200) / 100:
         shape = Enclosure(corners * size + [0.3, 0.7, 0.9], faces)
         np.testing.assert_array_equal(shape.nearest(shape.vertices)[0], 0.0)
-
-
-def test_the_approximate_nearest_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
-    random = np.random.default_rng(3)
-    low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
-    points = random.uniform(low, high, (300, 3))
-    exact, (found, triangle) = shape.distances(points), shape.nearest(points, is_exact=False)
-    away = np.linalg.norm(trimesh.triangles.closest_point(shape.triangles[triangle], points) - points, axis=1)
-    np.testing.assert_allclose(found, away, rtol=1e-9)  # it is the distance to that triangle
-    assert (found >= exact * (1 - 1e-12)).all()
-    assert (found <= exact + 0.5 * np.minimum(shape.reaches.max(), 0.05 * np.ptp(shape.vertices))).all()
-    assert shape.nearest(np.empty((0, 3)), is_exact=False)[0].shape == (0,)
-
-
-def test_the_approximate_nearest_finds_the_wall_of_a_box_of_twelve_triangles():
-    """Vertices are far from the middles of the faces; samples are not."""
-    box = Enclosure(*arrays(trimesh.creation.box((1.0, 1.0, 4.0))))
-    points = np.array([[0.3, 0, 0], [0, -0.45, 1.0], [0.1, 0.0, -1.9]])
-    np.testing.assert_allclose(box.nearest(points, is_exact=False)[0], [0.2, 0.05, 0.1], rtol=1e-3)
