@@ -31,10 +31,10 @@ from scipy.sparse import linalg
 
 from msf_jax.curve import branches as measures
 from msf_jax.curve.branches import BranchPath
-from msf_jax.inside.containment import TOUCHING, is_inside
+from msf_jax.inside.containment import is_inside
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import unit
+from msf_jax.solid.geometry import TOUCHING, unit
 from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 

@@ -27,7 +27,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.base.errors import FlowError
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, unit, vertex_normals
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, unit, vertex_normals
 from msf_jax.topology import graphs
 
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
@@ -35,7 +35,6 @@ NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degr
 MOST_SAMPLES = 10_000  # of a surface, between its vertices, at which balls start
 THIN = 0.005  # diagonals: a limb of a smaller radius is thin
 SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
-LEAST_THICKNESS = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
 LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
 NEAREST_SAMPLES = 16  # nearest samples of the surface whose balls give the thickness at a point
 FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
@@ -175,7 +174,7 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
         radius = most - csgraph.dijkstra(paths, directed=False, indices=num)[:num]
     if (radius < THIN).mean() <= FEW:
         return None
-    return np.clip(radius / THIN, LEAST_THICKNESS, 1.0)
+    return np.clip(radius, 100 * RESOLUTION, THIN) / THIN
 
 
 def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:
@@ -184,13 +183,10 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
     them would cost most of the time. The balls touch samples of the surface, which are also between its vertices."""
     samples, normals = shape.surface_points(MOST_SAMPLES)
-    tree, limit = spatial.KDTree(samples), np.zeros(len(points))
-    for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
-        left = np.flatnonzero(limit < longest)
-        away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))
-        enough, radius = np.zeros((2, len(samples)))
-        np.maximum.at(enough, near, longest[left, None] + SLOPE * away)
-        asked = np.flatnonzero(enough)
-        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
-        limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
-    return limit
+    tree = spatial.KDTree(samples)
+    away, near = map(np.asarray, tree.query(points, k=range(1, min(NEAREST_SAMPLES, len(samples)) + 1)))
+    enough, radius = np.zeros((2, len(samples)))
+    np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
+    asked = np.flatnonzero(enough)
+    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
+    return LENGTH * (radius[near] - SLOPE * away).max(axis=1)

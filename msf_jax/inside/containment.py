@@ -22,11 +22,10 @@ from trimesh.triangles import closest_point
 
 from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, distinct
+from msf_jax.solid.geometry import ROUNDING, TOUCHING, distinct
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import down_forest
 
-TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
 NEIGHBOURS = 4  # nearest balls of its own and of each larger size, by powers of two, to which a ball may have links
 REACHES = 2.0, 6.0  # lengths of an edge: diameters of the windows in which a path is sought; beyond them is all else
 AT_ONCE = 2_000  # segments that are tested before it is asked again which parts of a graph are joined

@@ -1,5 +1,4 @@
 ; Made of the kernels by `python -m tests.translate`: edit those.
-@0 = internal unnamed_addr constant [3 x double] [double 1.500000e+00, double 4.500000e+00, double 1.350000e+01], align 8
 define noundef i64 @msf_jax.curve.branches.hold_apart(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 8
@@ -1553,565 +1552,580 @@ define i64 @msf_jax.solid.sections.loops(ptr readonly %0) local_unnamed_addr {
   %42 = load i64, ptr %41, align 8
   %43 = getelementptr i8, ptr %0, i64 224
   %44 = load ptr, ptr %43, align 8
-  %45 = icmp slt i64 %4, 1
-  br i1 %45, label %560, label %46
-46:
-  %47 = getelementptr i8, ptr %0, i64 232
-  %48 = load i64, ptr %47, align 8
-  %49 = shl i64 %42, 3
-  %50 = shl i64 %48, 3
-  br label %438
-51:
-  %52 = icmp eq i64 %56, 3
-  br i1 %52, label %426, label %53
-53:
-  %54 = phi i64 [ -1, %438 ], [ %414, %51 ]
-  %55 = phi i64 [ 0, %438 ], [ %56, %51 ]
-  %56 = add nuw nsw i64 %55, 1
-  %57 = icmp sgt i64 %54, -1
-  br i1 %57, label %428, label %58
-58:
-  %59 = getelementptr inbounds nuw double, ptr @0, i64 %55
-  %60 = load double, ptr %59, align 8
-  %61 = fmul double %457, %60
-  br label %62
-62:
-  %63 = phi i64 [ %414, %423 ], [ -1, %58 ]
-  %64 = phi i64 [ %413, %423 ], [ %36, %58 ]
-  %65 = phi double [ %412, %423 ], [ %61, %58 ]
-  %66 = phi i64 [ %424, %423 ], [ 1, %58 ]
-  %67 = fmul double %65, %65
-  %68 = fmul double %67, 0x3FF000000044B830
-  br label %69
-69:
-  %70 = phi i64 [ %410, %409 ], [ %66, %62 ]
-  %71 = icmp slt i64 %70, 0
-  %72 = select i1 %71, i64 %30, i64 0
-  %73 = add i64 %72, %70
-  %74 = mul i64 %73, %32
-  %75 = getelementptr double, ptr %28, i64 %74
-  %76 = load double, ptr %75, align 8
-  %77 = fsub double %76, %444
-  %78 = getelementptr i8, ptr %75, i64 24
-  %79 = load double, ptr %78, align 8
-  %80 = fsub double %444, %79
-  %81 = fcmp ogt double %80, %77
-  %82 = select i1 %81, double %80, double %77
-  %83 = fcmp olt double %82, 0.000000e+00
-  %84 = select i1 %83, double 0.000000e+00, double %82
-  %85 = getelementptr i8, ptr %75, i64 8
+  %45 = getelementptr double, ptr %28, i64 %32
+  %46 = getelementptr i8, ptr %45, i64 24
+  %47 = load double, ptr %46, align 8
+  %48 = load double, ptr %45, align 8
+  %49 = fsub double %47, %48
+  %50 = getelementptr i8, ptr %45, i64 32
+  %51 = load double, ptr %50, align 8
+  %52 = getelementptr i8, ptr %45, i64 8
+  %53 = load double, ptr %52, align 8
+  %54 = fsub double %51, %53
+  %55 = getelementptr i8, ptr %45, i64 40
+  %56 = load double, ptr %55, align 8
+  %57 = getelementptr i8, ptr %45, i64 16
+  %58 = load double, ptr %57, align 8
+  %59 = fsub double %56, %58
+  %60 = fmul double %49, %49
+  %61 = fmul double %54, %54
+  %62 = fadd double %60, %61
+  %63 = fmul double %59, %59
+  %64 = fadd double %62, %63
+  %65 = tail call double @llvm.sqrt.f64(double %64)
+  %66 = icmp slt i64 %4, 1
+  br i1 %66, label %577, label %469
+67:
+  %68 = phi i64 [ 0, %469 ], [ %466, %465 ]
+  %69 = phi i64 [ 0, %469 ], [ %70, %465 ]
+  %70 = add nuw nsw i64 %69, 1
+  %71 = mul i64 %69, %6
+  %72 = getelementptr double, ptr %2, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr i8, ptr %72, i64 8
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr i8, ptr %72, i64 16
+  %77 = load double, ptr %76, align 8
+  %78 = mul i64 %69, %10
+  %79 = getelementptr double, ptr %8, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = getelementptr i8, ptr %79, i64 8
+  %82 = load double, ptr %81, align 8
+  %83 = getelementptr i8, ptr %79, i64 16
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr double, ptr %12, i64 %69
   %86 = load double, ptr %85, align 8
-  %87 = fsub double %86, %446
-  %88 = getelementptr i8, ptr %75, i64 32
-  %89 = load double, ptr %88, align 8
-  %90 = fsub double %446, %89
-  %91 = fcmp ogt double %90, %87
-  %92 = select i1 %91, double %90, double %87
-  %93 = fcmp olt double %92, 0.000000e+00
-  %94 = select i1 %93, double 0.000000e+00, double %92
-  %95 = getelementptr i8, ptr %75, i64 16
-  %96 = load double, ptr %95, align 8
-  %97 = fsub double %96, %448
-  %98 = getelementptr i8, ptr %75, i64 40
-  %99 = load double, ptr %98, align 8
-  %100 = fsub double %448, %99
-  %101 = fcmp ogt double %100, %97
-  %102 = select i1 %101, double %100, double %97
-  %103 = fcmp olt double %102, 0.000000e+00
-  %104 = select i1 %103, double 0.000000e+00, double %102
-  %105 = fmul double %84, %84
-  %106 = fmul double %94, %94
-  %107 = fadd double %105, %106
-  %108 = fmul double %104, %104
-  %109 = fadd double %107, %108
-  %110 = fcmp ugt double %109, %68
-  br i1 %110, label %411, label %111
-111:
-  %112 = icmp slt i64 %70, %36
-  br i1 %112, label %409, label %113
-113:
-  %114 = sub nsw i64 %70, %36
-  %115 = getelementptr i64, ptr %34, i64 %114
-  %116 = load i64, ptr %115, align 8
-  %117 = mul nsw i64 %116, 3
-  %118 = icmp slt i64 %116, 0
-  %119 = select i1 %118, i64 %22, i64 0
-  %120 = getelementptr i64, ptr %20, i64 %117
-  %121 = getelementptr i64, ptr %120, i64 %119
-  %122 = load i64, ptr %121, align 8
-  %123 = icmp slt i64 %122, 0
-  %124 = select i1 %123, i64 %16, i64 0
-  %125 = add i64 %124, %122
-  %126 = mul i64 %125, %18
-  %127 = getelementptr double, ptr %14, i64 %126
-  %128 = load double, ptr %127, align 8
-  %129 = getelementptr i8, ptr %127, i64 8
+  %87 = fcmp olt double %472, %86
+  %88 = select i1 %87, double %472, double %86
+  %89 = fcmp olt double %88, %65
+  br i1 %89, label %90, label %465
+90:
+  %91 = phi double [ %92, %459 ], [ %88, %67 ]
+  %92 = fmul double %91, 2.000000e+00
+  br label %93
+93:
+  %94 = phi i64 [ %445, %454 ], [ -1, %90 ]
+  %95 = phi i64 [ %444, %454 ], [ %36, %90 ]
+  %96 = phi double [ %443, %454 ], [ %92, %90 ]
+  %97 = phi i64 [ %455, %454 ], [ 1, %90 ]
+  %98 = fmul double %96, %96
+  %99 = fmul double %98, 0x3FF000000044B830
+  br label %100
+100:
+  %101 = phi i64 [ %441, %440 ], [ %97, %93 ]
+  %102 = icmp slt i64 %101, 0
+  %103 = select i1 %102, i64 %30, i64 0
+  %104 = add i64 %103, %101
+  %105 = mul i64 %104, %32
+  %106 = getelementptr double, ptr %28, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = fsub double %107, %73
+  %109 = getelementptr i8, ptr %106, i64 24
+  %110 = load double, ptr %109, align 8
+  %111 = fsub double %73, %110
+  %112 = fcmp ogt double %111, %108
+  %113 = select i1 %112, double %111, double %108
+  %114 = fcmp olt double %113, 0.000000e+00
+  %115 = select i1 %114, double 0.000000e+00, double %113
+  %116 = getelementptr i8, ptr %106, i64 8
+  %117 = load double, ptr %116, align 8
+  %118 = fsub double %117, %75
+  %119 = getelementptr i8, ptr %106, i64 32
+  %120 = load double, ptr %119, align 8
+  %121 = fsub double %75, %120
+  %122 = fcmp ogt double %121, %118
+  %123 = select i1 %122, double %121, double %118
+  %124 = fcmp olt double %123, 0.000000e+00
+  %125 = select i1 %124, double 0.000000e+00, double %123
+  %126 = getelementptr i8, ptr %106, i64 16
+  %127 = load double, ptr %126, align 8
+  %128 = fsub double %127, %77
+  %129 = getelementptr i8, ptr %106, i64 40
   %130 = load double, ptr %129, align 8
-  %131 = getelementptr i8, ptr %127, i64 16
-  %132 = load double, ptr %131, align 8
-  %133 = fsub double %128, %444
-  %134 = fsub double %130, %446
-  %135 = fsub double %132, %448
-  %136 = fmul double %451, %133
-  %137 = fmul double %453, %134
+  %131 = fsub double %77, %130
+  %132 = fcmp ogt double %131, %128
+  %133 = select i1 %132, double %131, double %128
+  %134 = fcmp olt double %133, 0.000000e+00
+  %135 = select i1 %134, double 0.000000e+00, double %133
+  %136 = fmul double %115, %115
+  %137 = fmul double %125, %125
   %138 = fadd double %136, %137
-  %139 = fmul double %455, %135
-  %140 = fadd double %139, %138
-  %141 = fcmp ult double %140, 0.000000e+00
-  %142 = add nsw i64 %117, 1
-  %143 = getelementptr i64, ptr %20, i64 %142
-  %144 = getelementptr i64, ptr %143, i64 %119
-  %145 = load i64, ptr %144, align 8
-  br i1 %141, label %166, label %146
-146:
-  %147 = icmp slt i64 %145, 0
-  %148 = select i1 %147, i64 %16, i64 0
-  %149 = add i64 %148, %145
-  %150 = mul i64 %149, %18
-  %151 = getelementptr double, ptr %14, i64 %150
-  %152 = load double, ptr %151, align 8
-  %153 = getelementptr i8, ptr %151, i64 8
-  %154 = load double, ptr %153, align 8
-  %155 = getelementptr i8, ptr %151, i64 16
-  %156 = load double, ptr %155, align 8
-  %157 = fsub double %152, %444
-  %158 = fsub double %154, %446
-  %159 = fsub double %156, %448
-  %160 = fmul double %451, %157
-  %161 = fmul double %453, %158
-  %162 = fadd double %160, %161
-  %163 = fmul double %455, %159
-  %164 = fadd double %163, %162
-  %165 = fcmp olt double %164, 0.000000e+00
-  br i1 %165, label %458, label %166
-166:
-  %167 = icmp slt i64 %145, 0
-  %168 = select i1 %167, i64 %16, i64 0
-  %169 = add i64 %168, %145
-  %170 = mul i64 %169, %18
-  %171 = getelementptr double, ptr %14, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = getelementptr i8, ptr %171, i64 8
-  %174 = load double, ptr %173, align 8
-  %175 = getelementptr i8, ptr %171, i64 16
-  %176 = load double, ptr %175, align 8
-  %177 = fsub double %172, %444
-  %178 = fsub double %174, %446
-  %179 = fsub double %176, %448
-  %180 = fmul double %451, %177
-  %181 = fmul double %453, %178
-  %182 = fadd double %180, %181
-  %183 = fmul double %455, %179
-  %184 = fadd double %183, %182
-  %185 = fcmp ult double %184, 0.000000e+00
-  %186 = add nsw i64 %117, 2
-  %187 = getelementptr i64, ptr %20, i64 %186
-  %188 = getelementptr i64, ptr %187, i64 %119
-  %189 = load i64, ptr %188, align 8
-  br i1 %185, label %210, label %190
-190:
-  %191 = icmp slt i64 %189, 0
-  %192 = select i1 %191, i64 %16, i64 0
-  %193 = add i64 %192, %189
-  %194 = mul i64 %193, %18
-  %195 = getelementptr double, ptr %14, i64 %194
-  %196 = load double, ptr %195, align 8
-  %197 = getelementptr i8, ptr %195, i64 8
-  %198 = load double, ptr %197, align 8
-  %199 = getelementptr i8, ptr %195, i64 16
-  %200 = load double, ptr %199, align 8
-  %201 = fsub double %196, %444
-  %202 = fsub double %198, %446
-  %203 = fsub double %200, %448
-  %204 = fmul double %451, %201
-  %205 = fmul double %453, %202
-  %206 = fadd double %204, %205
-  %207 = fmul double %455, %203
-  %208 = fadd double %207, %206
-  %209 = fcmp olt double %208, 0.000000e+00
-  br i1 %209, label %458, label %210
-210:
-  %211 = icmp slt i64 %189, 0
-  %212 = select i1 %211, i64 %16, i64 0
-  %213 = add i64 %212, %189
-  %214 = mul i64 %213, %18
-  %215 = getelementptr double, ptr %14, i64 %214
-  %216 = load double, ptr %215, align 8
-  %217 = getelementptr i8, ptr %215, i64 8
-  %218 = load double, ptr %217, align 8
-  %219 = getelementptr i8, ptr %215, i64 16
-  %220 = load double, ptr %219, align 8
-  %221 = fsub double %216, %444
-  %222 = fsub double %218, %446
-  %223 = fsub double %220, %448
-  %224 = fmul double %451, %221
-  %225 = fmul double %453, %222
-  %226 = fadd double %224, %225
-  %227 = fmul double %455, %223
-  %228 = fadd double %227, %226
-  %229 = fcmp oge double %228, 0.000000e+00
-  %230 = fcmp olt double %140, 0.000000e+00
-  %231 = and i1 %230, %229
-  br i1 %231, label %458, label %411
-232:
-  %233 = mul i64 %116, 24
-  %234 = getelementptr i8, ptr %20, i64 %233
-  %235 = getelementptr i64, ptr %234, i64 %119
-  %236 = load i64, ptr %235, align 8
-  %237 = getelementptr i8, ptr %234, i64 8
-  %238 = getelementptr i64, ptr %237, i64 %119
-  %239 = load i64, ptr %238, align 8
-  %240 = icmp slt i64 %236, 0
-  %241 = select i1 %240, i64 %16, i64 0
-  %242 = add i64 %241, %236
-  %243 = mul i64 %242, %18
-  %244 = getelementptr double, ptr %14, i64 %243
-  %245 = load double, ptr %244, align 8
-  %246 = getelementptr i8, ptr %244, i64 8
+  %139 = fmul double %135, %135
+  %140 = fadd double %138, %139
+  %141 = fcmp ugt double %140, %99
+  br i1 %141, label %442, label %142
+142:
+  %143 = icmp slt i64 %101, %36
+  br i1 %143, label %440, label %144
+144:
+  %145 = sub nsw i64 %101, %36
+  %146 = getelementptr i64, ptr %34, i64 %145
+  %147 = load i64, ptr %146, align 8
+  %148 = mul nsw i64 %147, 3
+  %149 = icmp slt i64 %147, 0
+  %150 = select i1 %149, i64 %22, i64 0
+  %151 = getelementptr i64, ptr %20, i64 %148
+  %152 = getelementptr i64, ptr %151, i64 %150
+  %153 = load i64, ptr %152, align 8
+  %154 = icmp slt i64 %153, 0
+  %155 = select i1 %154, i64 %16, i64 0
+  %156 = add i64 %155, %153
+  %157 = mul i64 %156, %18
+  %158 = getelementptr double, ptr %14, i64 %157
+  %159 = load double, ptr %158, align 8
+  %160 = getelementptr i8, ptr %158, i64 8
+  %161 = load double, ptr %160, align 8
+  %162 = getelementptr i8, ptr %158, i64 16
+  %163 = load double, ptr %162, align 8
+  %164 = fsub double %159, %73
+  %165 = fsub double %161, %75
+  %166 = fsub double %163, %77
+  %167 = fmul double %80, %164
+  %168 = fmul double %82, %165
+  %169 = fadd double %167, %168
+  %170 = fmul double %84, %166
+  %171 = fadd double %170, %169
+  %172 = fcmp ult double %171, 0.000000e+00
+  %173 = add nsw i64 %148, 1
+  %174 = getelementptr i64, ptr %20, i64 %173
+  %175 = getelementptr i64, ptr %174, i64 %150
+  %176 = load i64, ptr %175, align 8
+  br i1 %172, label %197, label %177
+177:
+  %178 = icmp slt i64 %176, 0
+  %179 = select i1 %178, i64 %16, i64 0
+  %180 = add i64 %179, %176
+  %181 = mul i64 %180, %18
+  %182 = getelementptr double, ptr %14, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr i8, ptr %182, i64 8
+  %185 = load double, ptr %184, align 8
+  %186 = getelementptr i8, ptr %182, i64 16
+  %187 = load double, ptr %186, align 8
+  %188 = fsub double %183, %73
+  %189 = fsub double %185, %75
+  %190 = fsub double %187, %77
+  %191 = fmul double %80, %188
+  %192 = fmul double %82, %189
+  %193 = fadd double %191, %192
+  %194 = fmul double %84, %190
+  %195 = fadd double %194, %193
+  %196 = fcmp olt double %195, 0.000000e+00
+  br i1 %196, label %475, label %197
+197:
+  %198 = icmp slt i64 %176, 0
+  %199 = select i1 %198, i64 %16, i64 0
+  %200 = add i64 %199, %176
+  %201 = mul i64 %200, %18
+  %202 = getelementptr double, ptr %14, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = getelementptr i8, ptr %202, i64 8
+  %205 = load double, ptr %204, align 8
+  %206 = getelementptr i8, ptr %202, i64 16
+  %207 = load double, ptr %206, align 8
+  %208 = fsub double %203, %73
+  %209 = fsub double %205, %75
+  %210 = fsub double %207, %77
+  %211 = fmul double %80, %208
+  %212 = fmul double %82, %209
+  %213 = fadd double %211, %212
+  %214 = fmul double %84, %210
+  %215 = fadd double %214, %213
+  %216 = fcmp ult double %215, 0.000000e+00
+  %217 = add nsw i64 %148, 2
+  %218 = getelementptr i64, ptr %20, i64 %217
+  %219 = getelementptr i64, ptr %218, i64 %150
+  %220 = load i64, ptr %219, align 8
+  br i1 %216, label %241, label %221
+221:
+  %222 = icmp slt i64 %220, 0
+  %223 = select i1 %222, i64 %16, i64 0
+  %224 = add i64 %223, %220
+  %225 = mul i64 %224, %18
+  %226 = getelementptr double, ptr %14, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = getelementptr i8, ptr %226, i64 8
+  %229 = load double, ptr %228, align 8
+  %230 = getelementptr i8, ptr %226, i64 16
+  %231 = load double, ptr %230, align 8
+  %232 = fsub double %227, %73
+  %233 = fsub double %229, %75
+  %234 = fsub double %231, %77
+  %235 = fmul double %80, %232
+  %236 = fmul double %82, %233
+  %237 = fadd double %235, %236
+  %238 = fmul double %84, %234
+  %239 = fadd double %238, %237
+  %240 = fcmp olt double %239, 0.000000e+00
+  br i1 %240, label %475, label %241
+241:
+  %242 = icmp slt i64 %220, 0
+  %243 = select i1 %242, i64 %16, i64 0
+  %244 = add i64 %243, %220
+  %245 = mul i64 %244, %18
+  %246 = getelementptr double, ptr %14, i64 %245
   %247 = load double, ptr %246, align 8
-  %248 = getelementptr i8, ptr %244, i64 16
+  %248 = getelementptr i8, ptr %246, i64 8
   %249 = load double, ptr %248, align 8
-  %250 = fsub double %245, %444
-  %251 = fsub double %247, %446
-  %252 = fsub double %249, %448
-  %253 = fmul double %451, %250
-  %254 = fmul double %453, %251
-  %255 = fadd double %253, %254
-  %256 = fmul double %455, %252
-  %257 = fadd double %256, %255
-  %258 = icmp slt i64 %239, 0
-  %259 = select i1 %258, i64 %16, i64 0
-  %260 = add i64 %259, %239
-  %261 = mul i64 %260, %18
-  %262 = getelementptr double, ptr %14, i64 %261
-  %263 = load double, ptr %262, align 8
-  %264 = getelementptr i8, ptr %262, i64 8
-  %265 = load double, ptr %264, align 8
-  %266 = getelementptr i8, ptr %262, i64 16
-  %267 = load double, ptr %266, align 8
-  %268 = fsub double %263, %444
-  %269 = fsub double %265, %446
-  %270 = fsub double %267, %448
-  %271 = fmul double %451, %268
-  %272 = fmul double %453, %269
-  %273 = fadd double %271, %272
-  %274 = fmul double %455, %270
-  %275 = fadd double %274, %273
-  %276 = fcmp oge double %257, 0.000000e+00
-  %277 = fcmp oge double %275, 0.000000e+00
-  %278 = xor i1 %276, %277
-  br i1 %278, label %365, label %280
-279:
-  br label %280
-280:
-  %281 = phi double [ %448, %232 ], [ %448, %279 ], [ %377, %365 ]
-  %282 = phi double [ %446, %232 ], [ %446, %279 ], [ %374, %365 ]
-  %283 = phi double [ %444, %232 ], [ %444, %279 ], [ %371, %365 ]
-  %284 = phi double [ %448, %232 ], [ %377, %279 ], [ %448, %365 ]
-  %285 = phi double [ %446, %232 ], [ %374, %279 ], [ %446, %365 ]
-  %286 = phi double [ %444, %232 ], [ %371, %279 ], [ %444, %365 ]
-  %287 = getelementptr i8, ptr %234, i64 16
-  %288 = getelementptr i64, ptr %287, i64 %119
-  %289 = load i64, ptr %288, align 8
-  %290 = icmp slt i64 %289, 0
-  %291 = select i1 %290, i64 %16, i64 0
-  %292 = add i64 %291, %289
-  %293 = mul i64 %292, %18
-  %294 = getelementptr double, ptr %14, i64 %293
-  %295 = load double, ptr %294, align 8
-  %296 = getelementptr i8, ptr %294, i64 8
-  %297 = load double, ptr %296, align 8
-  %298 = getelementptr i8, ptr %294, i64 16
-  %299 = load double, ptr %298, align 8
-  %300 = fsub double %295, %444
-  %301 = fsub double %297, %446
-  %302 = fsub double %299, %448
-  %303 = fmul double %451, %300
-  %304 = fmul double %453, %301
-  %305 = fadd double %303, %304
-  %306 = fmul double %455, %302
-  %307 = fadd double %306, %305
-  %308 = fcmp oge double %307, 0.000000e+00
-  %309 = xor i1 %277, %308
-  br i1 %309, label %310, label %324
+  %250 = getelementptr i8, ptr %246, i64 16
+  %251 = load double, ptr %250, align 8
+  %252 = fsub double %247, %73
+  %253 = fsub double %249, %75
+  %254 = fsub double %251, %77
+  %255 = fmul double %80, %252
+  %256 = fmul double %82, %253
+  %257 = fadd double %255, %256
+  %258 = fmul double %84, %254
+  %259 = fadd double %258, %257
+  %260 = fcmp oge double %259, 0.000000e+00
+  %261 = fcmp olt double %171, 0.000000e+00
+  %262 = and i1 %261, %260
+  br i1 %262, label %475, label %442
+263:
+  %264 = mul i64 %147, 24
+  %265 = getelementptr i8, ptr %20, i64 %264
+  %266 = getelementptr i64, ptr %265, i64 %150
+  %267 = load i64, ptr %266, align 8
+  %268 = getelementptr i8, ptr %265, i64 8
+  %269 = getelementptr i64, ptr %268, i64 %150
+  %270 = load i64, ptr %269, align 8
+  %271 = icmp slt i64 %267, 0
+  %272 = select i1 %271, i64 %16, i64 0
+  %273 = add i64 %272, %267
+  %274 = mul i64 %273, %18
+  %275 = getelementptr double, ptr %14, i64 %274
+  %276 = load double, ptr %275, align 8
+  %277 = getelementptr i8, ptr %275, i64 8
+  %278 = load double, ptr %277, align 8
+  %279 = getelementptr i8, ptr %275, i64 16
+  %280 = load double, ptr %279, align 8
+  %281 = fsub double %276, %73
+  %282 = fsub double %278, %75
+  %283 = fsub double %280, %77
+  %284 = fmul double %80, %281
+  %285 = fmul double %82, %282
+  %286 = fadd double %284, %285
+  %287 = fmul double %84, %283
+  %288 = fadd double %287, %286
+  %289 = icmp slt i64 %270, 0
+  %290 = select i1 %289, i64 %16, i64 0
+  %291 = add i64 %290, %270
+  %292 = mul i64 %291, %18
+  %293 = getelementptr double, ptr %14, i64 %292
+  %294 = load double, ptr %293, align 8
+  %295 = getelementptr i8, ptr %293, i64 8
+  %296 = load double, ptr %295, align 8
+  %297 = getelementptr i8, ptr %293, i64 16
+  %298 = load double, ptr %297, align 8
+  %299 = fsub double %294, %73
+  %300 = fsub double %296, %75
+  %301 = fsub double %298, %77
+  %302 = fmul double %80, %299
+  %303 = fmul double %82, %300
+  %304 = fadd double %302, %303
+  %305 = fmul double %84, %301
+  %306 = fadd double %305, %304
+  %307 = fcmp oge double %288, 0.000000e+00
+  %308 = fcmp oge double %306, 0.000000e+00
+  %309 = xor i1 %307, %308
+  br i1 %309, label %396, label %311
 310:
-  %311 = fcmp ult double %275, 0.000000e+00
-  %312 = fsub double %275, %307
-  %313 = fdiv double %275, %312
-  %314 = fsub double %295, %263
-  %315 = fmul double %314, %313
-  %316 = fadd double %263, %315
-  %317 = fsub double %297, %265
-  %318 = fmul double %317, %313
-  %319 = fadd double %265, %318
-  %320 = fsub double %299, %267
-  %321 = fmul double %320, %313
-  %322 = fadd double %267, %321
-  br i1 %311, label %323, label %324
-323:
-  br label %324
-324:
-  %325 = phi double [ %281, %280 ], [ %281, %323 ], [ %322, %310 ]
-  %326 = phi double [ %282, %280 ], [ %282, %323 ], [ %319, %310 ]
-  %327 = phi double [ %283, %280 ], [ %283, %323 ], [ %316, %310 ]
-  %328 = phi double [ %284, %280 ], [ %322, %323 ], [ %284, %310 ]
-  %329 = phi double [ %285, %280 ], [ %319, %323 ], [ %285, %310 ]
-  %330 = phi double [ %286, %280 ], [ %316, %323 ], [ %286, %310 ]
-  %331 = xor i1 %276, %308
-  br i1 %331, label %332, label %346
-332:
-  %333 = fcmp ult double %307, 0.000000e+00
-  %334 = fsub double %307, %257
-  %335 = fdiv double %307, %334
-  %336 = fsub double %245, %295
-  %337 = fmul double %336, %335
-  %338 = fadd double %295, %337
-  %339 = fsub double %247, %297
-  %340 = fmul double %339, %335
-  %341 = fadd double %297, %340
-  %342 = fsub double %249, %299
-  %343 = fmul double %342, %335
-  %344 = fadd double %299, %343
-  br i1 %333, label %345, label %346
-345:
-  br label %346
-346:
-  %347 = phi double [ %325, %324 ], [ %325, %345 ], [ %344, %332 ]
-  %348 = phi double [ %326, %324 ], [ %326, %345 ], [ %341, %332 ]
-  %349 = phi double [ %327, %324 ], [ %327, %345 ], [ %338, %332 ]
-  %350 = phi double [ %328, %324 ], [ %344, %345 ], [ %328, %332 ]
-  %351 = phi double [ %329, %324 ], [ %341, %345 ], [ %329, %332 ]
-  %352 = phi double [ %330, %324 ], [ %338, %345 ], [ %330, %332 ]
-  %353 = fsub double %444, %349
-  %354 = fsub double %446, %348
-  %355 = fsub double %448, %347
-  %356 = fsub double %352, %349
-  %357 = fsub double %351, %348
-  %358 = fsub double %350, %347
-  %359 = fmul double %356, %356
-  %360 = fmul double %358, %358
-  %361 = fadd double %360, %359
-  %362 = fmul double %357, %357
-  %363 = fadd double %362, %361
-  %364 = fcmp ogt double %363, 0.000000e+00
-  br i1 %364, label %378, label %389
-365:
-  %366 = fcmp ult double %257, 0.000000e+00
-  %367 = fsub double %257, %275
-  %368 = fdiv double %257, %367
-  %369 = fsub double %263, %245
-  %370 = fmul double %369, %368
-  %371 = fadd double %245, %370
-  %372 = fsub double %265, %247
-  %373 = fmul double %372, %368
-  %374 = fadd double %247, %373
-  %375 = fsub double %267, %249
-  %376 = fmul double %375, %368
-  %377 = fadd double %249, %376
-  br i1 %366, label %279, label %280
-378:
-  %379 = fmul double %353, %356
-  %380 = fmul double %355, %358
-  %381 = fadd double %380, %379
-  %382 = fmul double %354, %357
-  %383 = fadd double %382, %381
-  %384 = fdiv double %383, %363
-  %385 = fcmp olt double %384, 0.000000e+00
-  %386 = select i1 %385, double 0.000000e+00, double %384
-  %387 = fcmp ogt double %386, 1.000000e+00
-  %388 = select i1 %387, double 1.000000e+00, double %386
-  br label %389
-389:
-  %390 = phi double [ 0.000000e+00, %346 ], [ %388, %378 ]
-  %391 = fmul double %356, %390
-  %392 = fsub double %353, %391
-  %393 = fmul double %357, %390
-  %394 = fsub double %354, %393
-  %395 = fmul double %358, %390
-  %396 = fsub double %355, %395
-  %397 = fmul double %392, %392
-  %398 = fmul double %394, %394
-  %399 = fadd double %397, %398
-  %400 = fmul double %396, %396
-  %401 = fadd double %400, %399
-  %402 = tail call double @llvm.sqrt.f64(double %401)
-  %403 = fcmp olt double %402, %65
-  br i1 %403, label %408, label %404
-404:
-  %405 = fcmp oeq double %402, %65
-  %406 = icmp slt i64 %116, %64
-  %407 = select i1 %405, i1 %406, i1 false
-  br i1 %407, label %408, label %411
-408:
-  br label %411
+  br label %311
+311:
+  %312 = phi double [ %77, %263 ], [ %77, %310 ], [ %408, %396 ]
+  %313 = phi double [ %75, %263 ], [ %75, %310 ], [ %405, %396 ]
+  %314 = phi double [ %73, %263 ], [ %73, %310 ], [ %402, %396 ]
+  %315 = phi double [ %77, %263 ], [ %408, %310 ], [ %77, %396 ]
+  %316 = phi double [ %75, %263 ], [ %405, %310 ], [ %75, %396 ]
+  %317 = phi double [ %73, %263 ], [ %402, %310 ], [ %73, %396 ]
+  %318 = getelementptr i8, ptr %265, i64 16
+  %319 = getelementptr i64, ptr %318, i64 %150
+  %320 = load i64, ptr %319, align 8
+  %321 = icmp slt i64 %320, 0
+  %322 = select i1 %321, i64 %16, i64 0
+  %323 = add i64 %322, %320
+  %324 = mul i64 %323, %18
+  %325 = getelementptr double, ptr %14, i64 %324
+  %326 = load double, ptr %325, align 8
+  %327 = getelementptr i8, ptr %325, i64 8
+  %328 = load double, ptr %327, align 8
+  %329 = getelementptr i8, ptr %325, i64 16
+  %330 = load double, ptr %329, align 8
+  %331 = fsub double %326, %73
+  %332 = fsub double %328, %75
+  %333 = fsub double %330, %77
+  %334 = fmul double %80, %331
+  %335 = fmul double %82, %332
+  %336 = fadd double %334, %335
+  %337 = fmul double %84, %333
+  %338 = fadd double %337, %336
+  %339 = fcmp oge double %338, 0.000000e+00
+  %340 = xor i1 %308, %339
+  br i1 %340, label %341, label %355
+341:
+  %342 = fcmp ult double %306, 0.000000e+00
+  %343 = fsub double %306, %338
+  %344 = fdiv double %306, %343
+  %345 = fsub double %326, %294
+  %346 = fmul double %345, %344
+  %347 = fadd double %294, %346
+  %348 = fsub double %328, %296
+  %349 = fmul double %348, %344
+  %350 = fadd double %296, %349
+  %351 = fsub double %330, %298
+  %352 = fmul double %351, %344
+  %353 = fadd double %298, %352
+  br i1 %342, label %354, label %355
+354:
+  br label %355
+355:
+  %356 = phi double [ %312, %311 ], [ %312, %354 ], [ %353, %341 ]
+  %357 = phi double [ %313, %311 ], [ %313, %354 ], [ %350, %341 ]
+  %358 = phi double [ %314, %311 ], [ %314, %354 ], [ %347, %341 ]
+  %359 = phi double [ %315, %311 ], [ %353, %354 ], [ %315, %341 ]
+  %360 = phi double [ %316, %311 ], [ %350, %354 ], [ %316, %341 ]
+  %361 = phi double [ %317, %311 ], [ %347, %354 ], [ %317, %341 ]
+  %362 = xor i1 %307, %339
+  br i1 %362, label %363, label %377
+363:
+  %364 = fcmp ult double %338, 0.000000e+00
+  %365 = fsub double %338, %288
+  %366 = fdiv double %338, %365
+  %367 = fsub double %276, %326
+  %368 = fmul double %367, %366
+  %369 = fadd double %326, %368
+  %370 = fsub double %278, %328
+  %371 = fmul double %370, %366
+  %372 = fadd double %328, %371
+  %373 = fsub double %280, %330
+  %374 = fmul double %373, %366
+  %375 = fadd double %330, %374
+  br i1 %364, label %376, label %377
+376:
+  br label %377
+377:
+  %378 = phi double [ %356, %355 ], [ %356, %376 ], [ %375, %363 ]
+  %379 = phi double [ %357, %355 ], [ %357, %376 ], [ %372, %363 ]
+  %380 = phi double [ %358, %355 ], [ %358, %376 ], [ %369, %363 ]
+  %381 = phi double [ %359, %355 ], [ %375, %376 ], [ %359, %363 ]
+  %382 = phi double [ %360, %355 ], [ %372, %376 ], [ %360, %363 ]
+  %383 = phi double [ %361, %355 ], [ %369, %376 ], [ %361, %363 ]
+  %384 = fsub double %73, %380
+  %385 = fsub double %75, %379
+  %386 = fsub double %77, %378
+  %387 = fsub double %383, %380
+  %388 = fsub double %382, %379
+  %389 = fsub double %381, %378
+  %390 = fmul double %387, %387
+  %391 = fmul double %389, %389
+  %392 = fadd double %391, %390
+  %393 = fmul double %388, %388
+  %394 = fadd double %393, %392
+  %395 = fcmp ogt double %394, 0.000000e+00
+  br i1 %395, label %409, label %420
+396:
+  %397 = fcmp ult double %288, 0.000000e+00
+  %398 = fsub double %288, %306
+  %399 = fdiv double %288, %398
+  %400 = fsub double %294, %276
+  %401 = fmul double %400, %399
+  %402 = fadd double %276, %401
+  %403 = fsub double %296, %278
+  %404 = fmul double %403, %399
+  %405 = fadd double %278, %404
+  %406 = fsub double %298, %280
+  %407 = fmul double %406, %399
+  %408 = fadd double %280, %407
+  br i1 %397, label %310, label %311
 409:
-  %410 = shl nsw i64 %70, 1
-  br label %69
-411:
-  %412 = phi double [ %402, %408 ], [ %65, %210 ], [ %65, %458 ], [ %65, %404 ], [ %65, %69 ]
-  %413 = phi i64 [ %116, %408 ], [ %64, %210 ], [ %64, %458 ], [ %64, %404 ], [ %64, %69 ]
-  %414 = phi i64 [ %459, %408 ], [ %63, %210 ], [ %63, %458 ], [ %63, %404 ], [ %63, %69 ]
-  %415 = add nsw i64 %70, 1
-  %416 = and i64 %70, 1
-  %417 = icmp eq i64 %416, 0
-  br i1 %417, label %423, label %418
-418:
-  %419 = phi i64 [ %420, %418 ], [ %415, %411 ]
-  %420 = ashr i64 %419, 1
-  %421 = and i64 %419, 2
-  %422 = icmp eq i64 %421, 0
-  br i1 %422, label %418, label %423
-423:
-  %424 = phi i64 [ %415, %411 ], [ %420, %418 ]
-  %425 = icmp sgt i64 %424, 1
-  br i1 %425, label %62, label %51
-426:
-  %427 = icmp sgt i64 %414, -1
-  br i1 %427, label %428, label %434
-428:
-  %429 = phi i64 [ %414, %426 ], [ %54, %53 ]
-  br label %430
-430:
-  %431 = phi i64 [ %549, %461 ], [ %439, %428 ]
-  %432 = phi i64 [ %556, %461 ], [ %429, %428 ]
-  %433 = icmp eq i64 %42, %431
-  br i1 %433, label %560, label %461
-434:
-  %435 = phi i64 [ %439, %426 ], [ %549, %461 ]
-  %436 = getelementptr i64, ptr %38, i64 %440
-  store i64 %435, ptr %436, align 8
-  %437 = icmp eq i64 %441, %4
-  br i1 %437, label %560, label %438
-438:
-  %439 = phi i64 [ %435, %434 ], [ 0, %46 ]
-  %440 = phi i64 [ %441, %434 ], [ 0, %46 ]
-  %441 = add nuw nsw i64 %440, 1
-  %442 = mul i64 %440, %6
-  %443 = getelementptr double, ptr %2, i64 %442
-  %444 = load double, ptr %443, align 8
-  %445 = getelementptr i8, ptr %443, i64 8
-  %446 = load double, ptr %445, align 8
-  %447 = getelementptr i8, ptr %443, i64 16
-  %448 = load double, ptr %447, align 8
-  %449 = mul i64 %440, %10
-  %450 = getelementptr double, ptr %8, i64 %449
-  %451 = load double, ptr %450, align 8
-  %452 = getelementptr i8, ptr %450, i64 8
-  %453 = load double, ptr %452, align 8
-  %454 = getelementptr i8, ptr %450, i64 16
-  %455 = load double, ptr %454, align 8
-  %456 = getelementptr double, ptr %12, i64 %440
-  %457 = load double, ptr %456, align 8
-  br label %53
-458:
-  %459 = phi i64 [ %142, %190 ], [ %117, %146 ], [ %186, %210 ]
-  %460 = icmp sgt i64 %459, -1
-  br i1 %460, label %232, label %411
+  %410 = fmul double %384, %387
+  %411 = fmul double %386, %389
+  %412 = fadd double %411, %410
+  %413 = fmul double %385, %388
+  %414 = fadd double %413, %412
+  %415 = fdiv double %414, %394
+  %416 = fcmp olt double %415, 0.000000e+00
+  %417 = select i1 %416, double 0.000000e+00, double %415
+  %418 = fcmp ogt double %417, 1.000000e+00
+  %419 = select i1 %418, double 1.000000e+00, double %417
+  br label %420
+420:
+  %421 = phi double [ 0.000000e+00, %377 ], [ %419, %409 ]
+  %422 = fmul double %387, %421
+  %423 = fsub double %384, %422
+  %424 = fmul double %388, %421
+  %425 = fsub double %385, %424
+  %426 = fmul double %389, %421
+  %427 = fsub double %386, %426
+  %428 = fmul double %423, %423
+  %429 = fmul double %425, %425
+  %430 = fadd double %428, %429
+  %431 = fmul double %427, %427
+  %432 = fadd double %431, %430
+  %433 = tail call double @llvm.sqrt.f64(double %432)
+  %434 = fcmp olt double %433, %96
+  br i1 %434, label %439, label %435
+435:
+  %436 = fcmp oeq double %433, %96
+  %437 = icmp slt i64 %147, %95
+  %438 = select i1 %436, i1 %437, i1 false
+  br i1 %438, label %439, label %442
+439:
+  br label %442
+440:
+  %441 = shl nsw i64 %101, 1
+  br label %100
+442:
+  %443 = phi double [ %433, %439 ], [ %96, %241 ], [ %96, %475 ], [ %96, %435 ], [ %96, %100 ]
+  %444 = phi i64 [ %147, %439 ], [ %95, %241 ], [ %95, %475 ], [ %95, %435 ], [ %95, %100 ]
+  %445 = phi i64 [ %476, %439 ], [ %94, %241 ], [ %94, %475 ], [ %94, %435 ], [ %94, %100 ]
+  %446 = add nsw i64 %101, 1
+  %447 = and i64 %101, 1
+  %448 = icmp eq i64 %447, 0
+  br i1 %448, label %454, label %449
+449:
+  %450 = phi i64 [ %451, %449 ], [ %446, %442 ]
+  %451 = ashr i64 %450, 1
+  %452 = and i64 %450, 2
+  %453 = icmp eq i64 %452, 0
+  br i1 %453, label %449, label %454
+454:
+  %455 = phi i64 [ %446, %442 ], [ %451, %449 ]
+  %456 = icmp sgt i64 %455, 1
+  br i1 %456, label %93, label %457
+457:
+  %458 = icmp slt i64 %445, 0
+  br i1 %458, label %459, label %461
+459:
+  %460 = fcmp olt double %92, %65
+  br i1 %460, label %90, label %465
 461:
-  %462 = freeze i64 %432
-  %463 = urem i64 %462, 3
-  %464 = getelementptr i64, ptr %20, i64 %462
-  %465 = load i64, ptr %464, align 8
-  %466 = icmp slt i64 %465, 0
-  %467 = select i1 %466, i64 %16, i64 0
-  %468 = add i64 %467, %465
-  %469 = mul i64 %468, %18
-  %470 = getelementptr double, ptr %14, i64 %469
-  %471 = load double, ptr %470, align 8
-  %472 = getelementptr i8, ptr %470, i64 8
-  %473 = load double, ptr %472, align 8
-  %474 = getelementptr i8, ptr %470, i64 16
-  %475 = load double, ptr %474, align 8
-  %476 = fsub double %471, %444
-  %477 = fsub double %473, %446
-  %478 = fsub double %475, %448
-  %479 = fmul double %451, %476
-  %480 = fmul double %453, %477
-  %481 = fadd double %479, %480
-  %482 = fmul double %455, %478
-  %483 = fadd double %482, %481
-  %484 = icmp samesign ugt i64 %463, 1
-  %485 = select i1 %484, i64 -2, i64 1
-  %486 = add i64 %485, %462
-  %487 = icmp slt i64 %486, 0
-  %488 = select i1 %487, i64 %22, i64 0
-  %489 = getelementptr i64, ptr %20, i64 %486
-  %490 = getelementptr i64, ptr %489, i64 %488
-  %491 = load i64, ptr %490, align 8
-  %492 = icmp slt i64 %491, 0
-  %493 = select i1 %492, i64 %16, i64 0
-  %494 = add i64 %493, %491
-  %495 = mul i64 %494, %18
-  %496 = getelementptr double, ptr %14, i64 %495
-  %497 = load double, ptr %496, align 8
-  %498 = getelementptr i8, ptr %496, i64 8
-  %499 = load double, ptr %498, align 8
-  %500 = getelementptr i8, ptr %496, i64 16
-  %501 = load double, ptr %500, align 8
-  %502 = fsub double %497, %444
-  %503 = fsub double %499, %446
-  %504 = fsub double %501, %448
-  %505 = fmul double %451, %502
-  %506 = fmul double %453, %503
-  %507 = fadd double %505, %506
-  %508 = fmul double %455, %504
-  %509 = fadd double %508, %507
-  %510 = sub nuw i64 %462, %463
-  %511 = fsub double %483, %509
-  %512 = fdiv double %483, %511
-  %513 = icmp slt i64 %431, 0
-  %514 = select i1 %513, i64 %49, i64 0
-  %515 = getelementptr i8, ptr %40, i64 %514
-  %516 = shl i64 %431, 3
-  %517 = getelementptr i8, ptr %515, i64 %516
-  store i64 %462, ptr %517, align 8
-  %518 = select i1 %513, i64 %50, i64 0
-  %519 = getelementptr i8, ptr %44, i64 %518
-  %520 = getelementptr i8, ptr %519, i64 %516
-  store double %512, ptr %520, align 8
-  %521 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %463, i64 1)
-  %522 = extractvalue { i64, i1 } %521, 0
-  %523 = extractvalue { i64, i1 } %521, 1
-  %524 = select i1 %523, i64 2, i64 %522
-  %525 = add nsw i64 %524, %510
-  %526 = icmp slt i64 %525, 0
-  %527 = select i1 %526, i64 %22, i64 0
-  %528 = getelementptr i64, ptr %20, i64 %525
-  %529 = getelementptr i64, ptr %528, i64 %527
-  %530 = load i64, ptr %529, align 8
-  %531 = icmp slt i64 %530, 0
-  %532 = select i1 %531, i64 %16, i64 0
-  %533 = add i64 %532, %530
-  %534 = mul i64 %533, %18
-  %535 = getelementptr double, ptr %14, i64 %534
-  %536 = load double, ptr %535, align 8
-  %537 = getelementptr i8, ptr %535, i64 8
-  %538 = load double, ptr %537, align 8
-  %539 = getelementptr i8, ptr %535, i64 16
-  %540 = load double, ptr %539, align 8
-  %541 = fsub double %536, %444
-  %542 = fsub double %538, %446
-  %543 = fsub double %540, %448
-  %544 = fmul double %451, %541
-  %545 = fmul double %453, %542
-  %546 = fadd double %544, %545
-  %547 = fmul double %455, %543
-  %548 = fadd double %547, %546
-  %549 = add i64 %431, 1
-  %550 = fcmp ult double %548, 0.000000e+00
-  %551 = select i1 %550, i64 %525, i64 %486
-  %552 = icmp slt i64 %551, 0
-  %553 = select i1 %552, i64 %26, i64 0
-  %554 = getelementptr i64, ptr %24, i64 %551
-  %555 = getelementptr i64, ptr %554, i64 %553
-  %556 = load i64, ptr %555, align 8
-  %557 = icmp ne i64 %556, %429
-  %558 = icmp sgt i64 %556, -1
-  %559 = and i1 %557, %558
-  br i1 %559, label %430, label %434
-560:
-  %561 = phi i64 [ 1, %1 ], [ 0, %430 ], [ 1, %434 ]
-  ret i64 %561
+  %462 = phi i64 [ %566, %478 ], [ %68, %457 ]
+  %463 = phi i64 [ %573, %478 ], [ %445, %457 ]
+  %464 = icmp eq i64 %42, %462
+  br i1 %464, label %577, label %478
+465:
+  %466 = phi i64 [ %566, %478 ], [ %68, %67 ], [ %68, %459 ]
+  %467 = getelementptr i64, ptr %38, i64 %69
+  store i64 %466, ptr %467, align 8
+  %468 = icmp eq i64 %70, %4
+  br i1 %468, label %577, label %67
+469:
+  %470 = getelementptr i8, ptr %0, i64 232
+  %471 = load i64, ptr %470, align 8
+  %472 = fmul double %65, 5.000000e-01
+  %473 = shl i64 %42, 3
+  %474 = shl i64 %471, 3
+  br label %67
+475:
+  %476 = phi i64 [ %173, %221 ], [ %148, %177 ], [ %217, %241 ]
+  %477 = icmp sgt i64 %476, -1
+  br i1 %477, label %263, label %442
+478:
+  %479 = freeze i64 %463
+  %480 = urem i64 %479, 3
+  %481 = getelementptr i64, ptr %20, i64 %479
+  %482 = load i64, ptr %481, align 8
+  %483 = icmp slt i64 %482, 0
+  %484 = select i1 %483, i64 %16, i64 0
+  %485 = add i64 %484, %482
+  %486 = mul i64 %485, %18
+  %487 = getelementptr double, ptr %14, i64 %486
+  %488 = load double, ptr %487, align 8
+  %489 = getelementptr i8, ptr %487, i64 8
+  %490 = load double, ptr %489, align 8
+  %491 = getelementptr i8, ptr %487, i64 16
+  %492 = load double, ptr %491, align 8
+  %493 = fsub double %488, %73
+  %494 = fsub double %490, %75
+  %495 = fsub double %492, %77
+  %496 = fmul double %80, %493
+  %497 = fmul double %82, %494
+  %498 = fadd double %496, %497
+  %499 = fmul double %84, %495
+  %500 = fadd double %499, %498
+  %501 = icmp samesign ugt i64 %480, 1
+  %502 = select i1 %501, i64 -2, i64 1
+  %503 = add i64 %502, %479
+  %504 = icmp slt i64 %503, 0
+  %505 = select i1 %504, i64 %22, i64 0
+  %506 = getelementptr i64, ptr %20, i64 %503
+  %507 = getelementptr i64, ptr %506, i64 %505
+  %508 = load i64, ptr %507, align 8
+  %509 = icmp slt i64 %508, 0
+  %510 = select i1 %509, i64 %16, i64 0
+  %511 = add i64 %510, %508
+  %512 = mul i64 %511, %18
+  %513 = getelementptr double, ptr %14, i64 %512
+  %514 = load double, ptr %513, align 8
+  %515 = getelementptr i8, ptr %513, i64 8
+  %516 = load double, ptr %515, align 8
+  %517 = getelementptr i8, ptr %513, i64 16
+  %518 = load double, ptr %517, align 8
+  %519 = fsub double %514, %73
+  %520 = fsub double %516, %75
+  %521 = fsub double %518, %77
+  %522 = fmul double %80, %519
+  %523 = fmul double %82, %520
+  %524 = fadd double %522, %523
+  %525 = fmul double %84, %521
+  %526 = fadd double %525, %524
+  %527 = sub nuw i64 %479, %480
+  %528 = fsub double %500, %526
+  %529 = fdiv double %500, %528
+  %530 = icmp slt i64 %462, 0
+  %531 = select i1 %530, i64 %473, i64 0
+  %532 = getelementptr i8, ptr %40, i64 %531
+  %533 = shl i64 %462, 3
+  %534 = getelementptr i8, ptr %532, i64 %533
+  store i64 %479, ptr %534, align 8
+  %535 = select i1 %530, i64 %474, i64 0
+  %536 = getelementptr i8, ptr %44, i64 %535
+  %537 = getelementptr i8, ptr %536, i64 %533
+  store double %529, ptr %537, align 8
+  %538 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %480, i64 1)
+  %539 = extractvalue { i64, i1 } %538, 0
+  %540 = extractvalue { i64, i1 } %538, 1
+  %541 = select i1 %540, i64 2, i64 %539
+  %542 = add nsw i64 %541, %527
+  %543 = icmp slt i64 %542, 0
+  %544 = select i1 %543, i64 %22, i64 0
+  %545 = getelementptr i64, ptr %20, i64 %542
+  %546 = getelementptr i64, ptr %545, i64 %544
+  %547 = load i64, ptr %546, align 8
+  %548 = icmp slt i64 %547, 0
+  %549 = select i1 %548, i64 %16, i64 0
+  %550 = add i64 %549, %547
+  %551 = mul i64 %550, %18
+  %552 = getelementptr double, ptr %14, i64 %551
+  %553 = load double, ptr %552, align 8
+  %554 = getelementptr i8, ptr %552, i64 8
+  %555 = load double, ptr %554, align 8
+  %556 = getelementptr i8, ptr %552, i64 16
+  %557 = load double, ptr %556, align 8
+  %558 = fsub double %553, %73
+  %559 = fsub double %555, %75
+  %560 = fsub double %557, %77
+  %561 = fmul double %80, %558
+  %562 = fmul double %82, %559
+  %563 = fadd double %561, %562
+  %564 = fmul double %84, %560
+  %565 = fadd double %564, %563
+  %566 = add i64 %462, 1
+  %567 = fcmp ult double %565, 0.000000e+00
+  %568 = select i1 %567, i64 %542, i64 %503
+  %569 = icmp slt i64 %568, 0
+  %570 = select i1 %569, i64 %26, i64 0
+  %571 = getelementptr i64, ptr %24, i64 %568
+  %572 = getelementptr i64, ptr %571, i64 %570
+  %573 = load i64, ptr %572, align 8
+  %574 = icmp ne i64 %573, %445
+  %575 = icmp sgt i64 %573, -1
+  %576 = and i1 %574, %575
+  br i1 %576, label %461, label %465
+577:
+  %578 = phi i64 [ 1, %1 ], [ 0, %461 ], [ 1, %465 ]
+  ret i64 %578
 }
 declare i64 @llvm.smax.i64(i64, i64)
 declare double @atan2(double, double) local_unnamed_addr

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 ROUNDING = 1e-9  # of the size of what is measured, such as a solid's extent: less may be an error of rounding
+TOUCHING = 1e-5  # diagonals or extents of a solid: what is nearer to its surface touches it
 RESOLUTION = 2.0**-20  # diagonals: the grid that coordinates of a component are rounded to
 
 

@@ -19,7 +19,6 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, axes_across
 from msf_jax.solid.kernels import Mesh, Vector, dot, is_within, minus, norm, off_segment, onward, point_of, times
 
-REACHES = (1.5, 4.5, 13.5)  # radii: of successive searches for the nearest loop
 CHORDS = 24  # from points evenly along a loop, and again, twice, from points around that of the shortest one
 ADDED_SINE = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
@@ -101,18 +100,19 @@ def segment_distance(mesh: Mesh, point: Vector, normal: Vector, face: int) -> fl
 def loops(points: Points, normals: Points, size: Reals, mesh: Mesh, ends: Ints, edges: Ints, parts: Reals) -> bool:
     """For each point, the half-edges down through its plane along one loop.
 
-    It is the nearest loop within the first of `REACHES` of ``size[p]`` that has any; of several at the same distance,
-    that of the first triangle. The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each
-    above the plane. Returns False if ``edges`` is too short."""
-    num, count = len(mesh.order), 0
+    It is the nearest loop, of several at the same distance that of the first triangle. It is sought within twice
+    ``size[p]`` and, while there is none, within twice as far, up to the size of the mesh. The half-edges of point p end
+    before ``ends[p]``; ``parts`` is the fraction of each above the plane. Returns False if ``edges`` is too short."""
+    num, count, boxes = len(mesh.order), 0, mesh.boxes
+    farthest = norm((boxes[1, 3] - boxes[1, 0], boxes[1, 4] - boxes[1, 1], boxes[1, 5] - boxes[1, 2]))
     for row in range(len(points)):
         point, normal, first = point_of(points, row), point_of(normals, row), -1
-        for reach in REACHES:
-            if first >= 0:
-                break
-            node, best, which = 1, reach * size[row], num
+        reach = min(size[row], farthest / 2)
+        while first < 0 and reach < farthest:
+            reach *= 2
+            node, best, which = 1, reach, num
             while node:
-                is_met = is_within(point, mesh.boxes, node, best * best)
+                is_met = is_within(point, boxes, node, best * best)
                 if is_met and node >= num:
                     face = mesh.order[node - num]
                     edge = edge_down(mesh, point, normal, face)
@@ -188,7 +188,7 @@ def corners(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np
     """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3): the corners of the loops.
 
     A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
-    estimates of its distance; the search begins within 1.5 of them."""
+    estimates of its distance; the search begins within two of them."""
     num, num_faces = len(points), len(shape.faces)
     size, ends = np.maximum(radii, 1e-3 * shape.extent), np.empty(num, dtype=np.int64)
     capacity = num_faces + 4 * num * isqrt(num_faces)  # a plane across a ball cuts some 2.3 roots of its triangles

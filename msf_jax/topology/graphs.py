@@ -84,15 +84,9 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
 def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
     """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
     edge from a node to itself is no loop."""
-    edges = np.unique(np.sort(edges[edges[:, 0] != edges[:, 1]], axis=1), axis=0)
-    degree, ends = degrees(num_nodes, edges).tolist(), np.concatenate([edges, edges[:, ::-1]])
-    near = np.bincount(ends[:, 0], ends[:, 1], num_nodes).astype(np.int64).tolist()  # the sum of a node's neighbours
-    for leaf in range(num_nodes):
-        while degree[leaf] == 1:
-            other, degree[leaf] = near[leaf], 0
-            degree[other], near[other] = degree[other] - 1, near[other] - leaf
-            leaf = other
-    return np.array(degree) > 1
+    graph = nx.Graph()
+    graph.add_edges_from(edges[edges[:, 0] != edges[:, 1]].tolist())
+    return np.isin(np.arange(num_nodes), nx.k_core(graph, 2))
 
 
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
