@@ -184,7 +184,8 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     them would cost most of the time. The balls touch samples of the surface, which are also between its vertices."""
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree = spatial.KDTree(samples)
-    away, near = map(np.asarray, tree.query(points, k=range(1, min(NEAREST_SAMPLES, len(samples)) + 1)))
+    count = min(NEAREST_SAMPLES, len(samples))
+    away, near = (np.reshape(found, (len(points), count)) for found in tree.query(points, k=count))
     enough, radius = np.zeros((2, len(samples)))
     np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
     asked = np.flatnonzero(enough)
