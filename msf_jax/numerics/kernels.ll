@@ -429,397 +429,366 @@ define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_u
 265:
   ret i64 0
 }
-define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed_addr {
-  %2 = load ptr, ptr %0, align 8
-  %3 = getelementptr i8, ptr %0, i64 8
-  %4 = load i64, ptr %3, align 8
-  %5 = getelementptr i8, ptr %0, i64 16
-  %6 = load i64, ptr %5, align 8
-  %7 = getelementptr i8, ptr %0, i64 64
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr i8, ptr %0, i64 88
-  %10 = load i64, ptr %9, align 8
-  %11 = getelementptr i8, ptr %0, i64 112
-  %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr i8, ptr %0, i64 120
-  %14 = load i64, ptr %13, align 8
-  %15 = getelementptr i8, ptr %0, i64 128
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr i8, ptr %0, i64 136
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr i8, ptr %0, i64 144
-  %20 = load i64, ptr %19, align 8
-  %21 = getelementptr i8, ptr %0, i64 152
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr i8, ptr %0, i64 168
-  %24 = load ptr, ptr %23, align 8
-  %25 = getelementptr i8, ptr %0, i64 176
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 184
-  %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 192
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 200
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 216
-  %34 = load ptr, ptr %33, align 8
-  %35 = icmp slt i64 %4, 1
-  br i1 %35, label %362, label %36
-36:
-  %37 = getelementptr i8, ptr %0, i64 80
-  %38 = load i64, ptr %37, align 8
-  %39 = mul i64 %38, %10
-  %40 = shl i64 %10, 4
-  br label %341
-41:
-  %42 = phi i64 [ %20, %341 ], [ %331, %328 ]
-  %43 = phi double [ 0x7FF0000000000000, %341 ], [ %332, %328 ]
-  %44 = phi i64 [ 1, %341 ], [ %330, %328 ]
-  %45 = phi i64 [ %356, %341 ], [ %329, %328 ]
-  %46 = icmp slt i64 %45, %361
-  br i1 %46, label %47, label %54
-47:
-  %48 = icmp slt i64 %45, 0
-  %49 = select i1 %48, i64 %30, i64 0
-  %50 = getelementptr i64, ptr %28, i64 %45
-  %51 = getelementptr i64, ptr %50, i64 %49
-  %52 = load i64, ptr %51, align 8
-  %53 = add nsw i64 %45, 1
-  br label %118
-54:
-  %55 = icmp slt i64 %44, 0
-  %56 = select i1 %55, i64 %14, i64 0
-  %57 = add i64 %56, %44
-  %58 = mul i64 %57, %16
-  %59 = getelementptr double, ptr %12, i64 %58
-  %60 = load double, ptr %59, align 8
-  %61 = fsub double %60, %345
-  %62 = getelementptr i8, ptr %59, i64 24
-  %63 = load double, ptr %62, align 8
-  %64 = fsub double %345, %63
-  %65 = fcmp ogt double %64, %61
-  %66 = select i1 %65, double %64, double %61
-  %67 = fcmp olt double %66, 0.000000e+00
-  %68 = select i1 %67, double 0.000000e+00, double %66
-  %69 = getelementptr i8, ptr %59, i64 8
-  %70 = load double, ptr %69, align 8
-  %71 = fsub double %70, %347
-  %72 = getelementptr i8, ptr %59, i64 32
-  %73 = load double, ptr %72, align 8
-  %74 = fsub double %347, %73
-  %75 = fcmp ogt double %74, %71
-  %76 = select i1 %75, double %74, double %71
-  %77 = fcmp olt double %76, 0.000000e+00
-  %78 = select i1 %77, double 0.000000e+00, double %76
-  %79 = getelementptr i8, ptr %59, i64 16
-  %80 = load double, ptr %79, align 8
-  %81 = fsub double %80, %349
-  %82 = getelementptr i8, ptr %59, i64 40
-  %83 = load double, ptr %82, align 8
-  %84 = fsub double %349, %83
-  %85 = fcmp ogt double %84, %81
-  %86 = select i1 %85, double %84, double %81
-  %87 = fcmp olt double %86, 0.000000e+00
-  %88 = select i1 %87, double 0.000000e+00, double %86
-  %89 = fmul double %68, %68
-  %90 = fmul double %78, %78
-  %91 = fadd double %89, %90
-  %92 = fmul double %88, %88
-  %93 = fadd double %91, %92
-  %94 = fmul double %43, 0x3FF000000044B830
-  %95 = fcmp ugt double %93, %94
-  br i1 %95, label %104, label %96
-96:
-  %97 = icmp slt i64 %44, %20
-  br i1 %97, label %102, label %98
-98:
-  %99 = sub nsw i64 %44, %20
-  %100 = getelementptr i64, ptr %18, i64 %99
-  %101 = load i64, ptr %100, align 8
-  br label %104
-102:
-  %103 = shl nsw i64 %44, 1
-  br label %328
-104:
-  %105 = phi i64 [ %101, %98 ], [ -1, %54 ]
-  %106 = add nsw i64 %44, 1
-  %107 = and i64 %44, 1
-  %108 = icmp eq i64 %107, 0
-  br i1 %108, label %114, label %109
-109:
-  %110 = phi i64 [ %111, %109 ], [ %106, %104 ]
-  %111 = ashr i64 %110, 1
-  %112 = and i64 %110, 2
-  %113 = icmp eq i64 %112, 0
-  br i1 %113, label %109, label %114
-114:
-  %115 = phi i64 [ %106, %104 ], [ %111, %109 ]
-  %116 = icmp sgt i64 %115, 1
-  %117 = select i1 %116, i64 %115, i64 0
-  br label %118
-118:
-  %119 = phi i64 [ %44, %47 ], [ %117, %114 ]
-  %120 = phi i64 [ %52, %47 ], [ %105, %114 ]
-  %121 = phi i64 [ %53, %47 ], [ %45, %114 ]
-  %122 = icmp sgt i64 %120, -1
-  br i1 %122, label %123, label %328
-123:
-  %124 = mul i64 %39, %120
-  %125 = getelementptr double, ptr %8, i64 %124
-  %126 = load double, ptr %125, align 8
-  %127 = getelementptr i8, ptr %125, i64 8
-  %128 = load double, ptr %127, align 8
-  %129 = getelementptr i8, ptr %125, i64 16
-  %130 = load double, ptr %129, align 8
-  %131 = getelementptr double, ptr %125, i64 %10
-  %132 = load double, ptr %131, align 8
-  %133 = getelementptr i8, ptr %131, i64 8
-  %134 = load double, ptr %133, align 8
-  %135 = getelementptr i8, ptr %131, i64 16
-  %136 = load double, ptr %135, align 8
-  %137 = getelementptr i8, ptr %125, i64 %40
-  %138 = load double, ptr %137, align 8
-  %139 = getelementptr i8, ptr %137, i64 8
-  %140 = load double, ptr %139, align 8
-  %141 = getelementptr i8, ptr %137, i64 16
-  %142 = load double, ptr %141, align 8
-  %143 = fsub double %345, %126
-  %144 = fsub double %347, %128
-  %145 = fsub double %349, %130
-  %146 = fsub double %132, %126
-  %147 = fsub double %134, %128
-  %148 = fsub double %136, %130
-  %149 = fmul double %146, %146
-  %150 = fmul double %148, %148
-  %151 = fadd double %149, %150
-  %152 = fmul double %147, %147
-  %153 = fadd double %152, %151
-  %154 = fcmp ogt double %153, 0.000000e+00
-  br i1 %154, label %155, label %166
-155:
-  %156 = fmul double %143, %146
-  %157 = fmul double %145, %148
-  %158 = fadd double %156, %157
-  %159 = fmul double %144, %147
-  %160 = fadd double %159, %158
-  %161 = fdiv double %160, %153
-  %162 = fcmp olt double %161, 0.000000e+00
-  %163 = select i1 %162, double 0.000000e+00, double %161
-  %164 = fcmp ogt double %163, 1.000000e+00
-  %165 = select i1 %164, double 1.000000e+00, double %163
-  br label %166
+define internal fastcc void @0(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr {
+  %10 = icmp slt i64 %8, 0
+  %11 = select i1 %10, i64 %5, i64 0
+  %12 = add i64 %11, %8
+  %13 = mul i64 %7, %6
+  %14 = mul i64 %13, %12
+  %15 = getelementptr double, ptr %4, i64 %14
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr i8, ptr %15, i64 8
+  %18 = load double, ptr %17, align 8
+  %19 = getelementptr i8, ptr %15, i64 16
+  %20 = load double, ptr %19, align 8
+  %21 = getelementptr double, ptr %15, i64 %7
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr i8, ptr %21, i64 8
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr i8, ptr %21, i64 16
+  %26 = load double, ptr %25, align 8
+  %27 = shl i64 %7, 4
+  %28 = getelementptr i8, ptr %15, i64 %27
+  %29 = load double, ptr %28, align 8
+  %30 = getelementptr i8, ptr %28, i64 8
+  %31 = load double, ptr %30, align 8
+  %32 = getelementptr i8, ptr %28, i64 16
+  %33 = load double, ptr %32, align 8
+  %34 = fsub double %1, %16
+  %35 = fsub double %2, %18
+  %36 = fsub double %3, %20
+  %37 = fsub double %22, %16
+  %38 = fsub double %24, %18
+  %39 = fsub double %26, %20
+  %40 = fmul double %37, %37
+  %41 = fmul double %39, %39
+  %42 = fadd double %40, %41
+  %43 = fmul double %38, %38
+  %44 = fadd double %43, %42
+  %45 = fcmp ogt double %44, 0.000000e+00
+  br i1 %45, label %48, label %59
+46:
+  %47 = phi double [ %147, %121 ], [ %147, %166 ], [ %212, %203 ]
+  store double %47, ptr %0, align 8
+  ret void
+48:
+  %49 = fmul double %34, %37
+  %50 = fmul double %36, %39
+  %51 = fadd double %49, %50
+  %52 = fmul double %35, %38
+  %53 = fadd double %52, %51
+  %54 = fdiv double %53, %44
+  %55 = fcmp olt double %54, 0.000000e+00
+  %56 = select i1 %55, double 0.000000e+00, double %54
+  %57 = fcmp ogt double %56, 1.000000e+00
+  %58 = select i1 %57, double 1.000000e+00, double %56
+  br label %59
+59:
+  %60 = phi double [ 0.000000e+00, %9 ], [ %58, %48 ]
+  %61 = fmul double %37, %60
+  %62 = fsub double %34, %61
+  %63 = fmul double %38, %60
+  %64 = fsub double %35, %63
+  %65 = fmul double %39, %60
+  %66 = fsub double %36, %65
+  %67 = fsub double %1, %22
+  %68 = fsub double %2, %24
+  %69 = fsub double %3, %26
+  %70 = fsub double %29, %22
+  %71 = fsub double %31, %24
+  %72 = fsub double %33, %26
+  %73 = fmul double %70, %70
+  %74 = fmul double %72, %72
+  %75 = fadd double %73, %74
+  %76 = fmul double %71, %71
+  %77 = fadd double %76, %75
+  %78 = fcmp ogt double %77, 0.000000e+00
+  br i1 %78, label %79, label %90
+79:
+  %80 = fmul double %67, %70
+  %81 = fmul double %69, %72
+  %82 = fadd double %80, %81
+  %83 = fmul double %68, %71
+  %84 = fadd double %83, %82
+  %85 = fdiv double %84, %77
+  %86 = fcmp olt double %85, 0.000000e+00
+  %87 = select i1 %86, double 0.000000e+00, double %85
+  %88 = fcmp ogt double %87, 1.000000e+00
+  %89 = select i1 %88, double 1.000000e+00, double %87
+  br label %90
+90:
+  %91 = phi double [ 0.000000e+00, %59 ], [ %89, %79 ]
+  %92 = fmul double %70, %91
+  %93 = fsub double %67, %92
+  %94 = fmul double %71, %91
+  %95 = fsub double %68, %94
+  %96 = fmul double %72, %91
+  %97 = fsub double %69, %96
+  %98 = fsub double %1, %29
+  %99 = fsub double %2, %31
+  %100 = fsub double %3, %33
+  %101 = fsub double %16, %29
+  %102 = fsub double %18, %31
+  %103 = fsub double %20, %33
+  %104 = fmul double %101, %101
+  %105 = fmul double %103, %103
+  %106 = fadd double %104, %105
+  %107 = fmul double %102, %102
+  %108 = fadd double %107, %106
+  %109 = fcmp ogt double %108, 0.000000e+00
+  br i1 %109, label %110, label %121
+110:
+  %111 = fmul double %98, %101
+  %112 = fmul double %100, %103
+  %113 = fadd double %111, %112
+  %114 = fmul double %99, %102
+  %115 = fadd double %114, %113
+  %116 = fdiv double %115, %108
+  %117 = fcmp olt double %116, 0.000000e+00
+  %118 = select i1 %117, double 0.000000e+00, double %116
+  %119 = fcmp ogt double %118, 1.000000e+00
+  %120 = select i1 %119, double 1.000000e+00, double %118
+  br label %121
+121:
+  %122 = phi double [ 0.000000e+00, %90 ], [ %120, %110 ]
+  %123 = fmul double %101, %122
+  %124 = fsub double %98, %123
+  %125 = fmul double %102, %122
+  %126 = fsub double %99, %125
+  %127 = fmul double %103, %122
+  %128 = fsub double %100, %127
+  %129 = fmul double %62, %62
+  %130 = fmul double %66, %66
+  %131 = fadd double %129, %130
+  %132 = fmul double %64, %64
+  %133 = fadd double %132, %131
+  %134 = fmul double %93, %93
+  %135 = fmul double %97, %97
+  %136 = fadd double %134, %135
+  %137 = fmul double %95, %95
+  %138 = fadd double %137, %136
+  %139 = fmul double %124, %124
+  %140 = fmul double %128, %128
+  %141 = fadd double %139, %140
+  %142 = fmul double %126, %126
+  %143 = fadd double %142, %141
+  %144 = fcmp olt double %138, %133
+  %145 = select i1 %144, double %138, double %133
+  %146 = fcmp olt double %143, %145
+  %147 = select i1 %146, double %143, double %145
+  %148 = fsub double %29, %16
+  %149 = fsub double %31, %18
+  %150 = fsub double %33, %20
+  %151 = fmul double %38, %150
+  %152 = fmul double %39, %149
+  %153 = fsub double %151, %152
+  %154 = fmul double %39, %148
+  %155 = fmul double %37, %150
+  %156 = fsub double %154, %155
+  %157 = fmul double %37, %149
+  %158 = fmul double %38, %148
+  %159 = fsub double %157, %158
+  %160 = fmul double %153, %153
+  %161 = fmul double %159, %159
+  %162 = fadd double %161, %160
+  %163 = fmul double %156, %156
+  %164 = fadd double %163, %162
+  %165 = fcmp ogt double %164, 0.000000e+00
+  br i1 %165, label %166, label %46
 166:
-  %167 = phi double [ 0.000000e+00, %123 ], [ %165, %155 ]
-  %168 = fmul double %146, %167
-  %169 = fsub double %143, %168
-  %170 = fmul double %147, %167
-  %171 = fsub double %144, %170
-  %172 = fmul double %148, %167
-  %173 = fsub double %145, %172
-  %174 = fsub double %345, %132
-  %175 = fsub double %347, %134
-  %176 = fsub double %349, %136
-  %177 = fsub double %138, %132
-  %178 = fsub double %140, %134
-  %179 = fsub double %142, %136
-  %180 = fmul double %177, %177
-  %181 = fmul double %179, %179
-  %182 = fadd double %180, %181
-  %183 = fmul double %178, %178
-  %184 = fadd double %183, %182
-  %185 = fcmp ogt double %184, 0.000000e+00
-  br i1 %185, label %186, label %197
-186:
-  %187 = fmul double %174, %177
-  %188 = fmul double %176, %179
-  %189 = fadd double %187, %188
-  %190 = fmul double %175, %178
-  %191 = fadd double %190, %189
-  %192 = fdiv double %191, %184
-  %193 = fcmp olt double %192, 0.000000e+00
-  %194 = select i1 %193, double 0.000000e+00, double %192
-  %195 = fcmp ogt double %194, 1.000000e+00
-  %196 = select i1 %195, double 1.000000e+00, double %194
-  br label %197
-197:
-  %198 = phi double [ 0.000000e+00, %166 ], [ %196, %186 ]
-  %199 = fmul double %177, %198
-  %200 = fsub double %174, %199
-  %201 = fmul double %178, %198
-  %202 = fsub double %175, %201
-  %203 = fmul double %179, %198
-  %204 = fsub double %176, %203
-  %205 = fsub double %345, %138
-  %206 = fsub double %347, %140
-  %207 = fsub double %349, %142
-  %208 = fsub double %126, %138
-  %209 = fsub double %128, %140
-  %210 = fsub double %130, %142
-  %211 = fmul double %208, %208
-  %212 = fmul double %210, %210
-  %213 = fadd double %211, %212
-  %214 = fmul double %209, %209
-  %215 = fadd double %214, %213
-  %216 = fcmp ogt double %215, 0.000000e+00
-  br i1 %216, label %217, label %228
-217:
-  %218 = fmul double %205, %208
-  %219 = fmul double %207, %210
-  %220 = fadd double %218, %219
-  %221 = fmul double %206, %209
-  %222 = fadd double %221, %220
-  %223 = fdiv double %222, %215
-  %224 = fcmp olt double %223, 0.000000e+00
-  %225 = select i1 %224, double 0.000000e+00, double %223
-  %226 = fcmp ogt double %225, 1.000000e+00
-  %227 = select i1 %226, double 1.000000e+00, double %225
-  br label %228
-228:
-  %229 = phi double [ 0.000000e+00, %197 ], [ %227, %217 ]
-  %230 = fmul double %208, %229
-  %231 = fsub double %205, %230
-  %232 = fmul double %209, %229
-  %233 = fsub double %206, %232
-  %234 = fmul double %210, %229
-  %235 = fsub double %207, %234
-  %236 = fmul double %169, %169
-  %237 = fmul double %173, %173
-  %238 = fadd double %236, %237
-  %239 = fmul double %171, %171
-  %240 = fadd double %239, %238
-  %241 = fmul double %200, %200
-  %242 = fmul double %204, %204
-  %243 = fadd double %241, %242
-  %244 = fmul double %202, %202
-  %245 = fadd double %244, %243
-  %246 = fmul double %231, %231
-  %247 = fmul double %235, %235
-  %248 = fadd double %246, %247
-  %249 = fmul double %233, %233
-  %250 = fadd double %249, %248
-  %251 = fcmp olt double %245, %240
-  %252 = select i1 %251, double %245, double %240
-  %253 = fcmp olt double %250, %252
-  %254 = select i1 %253, double %250, double %252
-  %255 = fsub double %138, %126
-  %256 = fsub double %140, %128
-  %257 = fsub double %142, %130
-  %258 = fmul double %147, %257
-  %259 = fmul double %148, %256
-  %260 = fsub double %258, %259
-  %261 = fmul double %148, %255
-  %262 = fmul double %146, %257
-  %263 = fsub double %261, %262
-  %264 = fmul double %146, %256
-  %265 = fmul double %147, %255
-  %266 = fsub double %264, %265
-  %267 = fmul double %260, %260
-  %268 = fmul double %266, %266
-  %269 = fadd double %268, %267
-  %270 = fmul double %263, %263
-  %271 = fadd double %270, %269
-  %272 = fcmp ogt double %271, 0.000000e+00
-  br i1 %272, label %273, label %320
-273:
-  %274 = fmul double %144, %257
-  %275 = fmul double %145, %256
-  %276 = fsub double %274, %275
-  %277 = fmul double %145, %255
-  %278 = fmul double %143, %257
-  %279 = fsub double %277, %278
-  %280 = fmul double %143, %256
-  %281 = fmul double %144, %255
-  %282 = fsub double %280, %281
-  %283 = fmul double %276, %260
-  %284 = fmul double %282, %266
-  %285 = fadd double %284, %283
-  %286 = fmul double %279, %263
-  %287 = fadd double %286, %285
-  %288 = fdiv double %287, %271
-  %289 = fmul double %145, %147
-  %290 = fmul double %144, %148
-  %291 = fsub double %289, %290
-  %292 = fmul double %143, %148
-  %293 = fmul double %145, %146
-  %294 = fsub double %292, %293
-  %295 = fmul double %144, %146
-  %296 = fmul double %143, %147
-  %297 = fsub double %295, %296
-  %298 = fmul double %291, %260
-  %299 = fmul double %297, %266
-  %300 = fadd double %299, %298
-  %301 = fmul double %294, %263
-  %302 = fadd double %301, %300
-  %303 = fdiv double %302, %271
-  %304 = fcmp oge double %288, 0.000000e+00
-  %305 = fcmp oge double %303, 0.000000e+00
-  %306 = fadd double %288, %303
-  %307 = fcmp ole double %306, 1.000000e+00
-  %308 = and i1 %305, %307
-  %309 = select i1 %304, i1 %308, i1 false
-  br i1 %309, label %310, label %320
-310:
-  %311 = fmul double %143, %260
-  %312 = fmul double %145, %266
-  %313 = fadd double %312, %311
-  %314 = fmul double %144, %263
-  %315 = fadd double %314, %313
-  %316 = fmul double %315, %315
-  %317 = fdiv double %316, %271
-  %318 = fcmp olt double %317, %254
-  %319 = select i1 %318, double %317, double %254
-  br label %320
-320:
-  %321 = phi double [ %254, %228 ], [ %254, %273 ], [ %319, %310 ]
-  %322 = fcmp olt double %321, %43
-  br i1 %322, label %327, label %323
-323:
-  %324 = fcmp oeq double %321, %43
-  %325 = icmp slt i64 %120, %42
-  %326 = select i1 %324, i1 %325, i1 false
-  br i1 %326, label %327, label %328
-327:
-  br label %328
-328:
-  %329 = phi i64 [ %121, %327 ], [ %121, %118 ], [ %121, %323 ], [ %45, %102 ]
-  %330 = phi i64 [ %119, %327 ], [ %119, %118 ], [ %119, %323 ], [ %103, %102 ]
-  %331 = phi i64 [ %120, %327 ], [ %42, %118 ], [ %42, %323 ], [ %42, %102 ]
-  %332 = phi double [ %321, %327 ], [ %43, %118 ], [ %43, %323 ], [ %43, %102 ]
-  %333 = icmp ne i64 %330, 0
-  %334 = icmp slt i64 %329, %361
-  %335 = select i1 %333, i1 true, i1 %334
-  br i1 %335, label %41, label %336
-336:
-  %337 = add nuw nsw i64 %342, 1
-  %338 = getelementptr double, ptr %32, i64 %342
-  store double %332, ptr %338, align 8
-  %339 = getelementptr i64, ptr %34, i64 %342
-  store i64 %331, ptr %339, align 8
-  %340 = icmp eq i64 %4, %337
-  br i1 %340, label %362, label %341
-341:
-  %342 = phi i64 [ %337, %336 ], [ 0, %36 ]
-  %343 = mul i64 %342, %6
-  %344 = getelementptr double, ptr %2, i64 %343
-  %345 = load double, ptr %344, align 8
-  %346 = getelementptr i8, ptr %344, i64 8
-  %347 = load double, ptr %346, align 8
-  %348 = getelementptr i8, ptr %344, i64 16
-  %349 = load double, ptr %348, align 8
-  %350 = getelementptr i64, ptr %22, i64 %342
-  %351 = load i64, ptr %350, align 8
-  %352 = icmp slt i64 %351, 0
-  %353 = select i1 %352, i64 %26, i64 0
-  %354 = getelementptr i64, ptr %24, i64 %351
-  %355 = getelementptr i64, ptr %354, i64 %353
-  %356 = load i64, ptr %355, align 8
-  %357 = icmp slt i64 %351, -1
-  %358 = select i1 %357, i64 %26, i64 0
-  %359 = getelementptr i8, ptr %354, i64 8
-  %360 = getelementptr i64, ptr %359, i64 %358
-  %361 = load i64, ptr %360, align 8
-  br label %41
-362:
+  %167 = fmul double %35, %150
+  %168 = fmul double %36, %149
+  %169 = fsub double %167, %168
+  %170 = fmul double %36, %148
+  %171 = fmul double %34, %150
+  %172 = fsub double %170, %171
+  %173 = fmul double %34, %149
+  %174 = fmul double %35, %148
+  %175 = fsub double %173, %174
+  %176 = fmul double %169, %153
+  %177 = fmul double %175, %159
+  %178 = fadd double %177, %176
+  %179 = fmul double %172, %156
+  %180 = fadd double %179, %178
+  %181 = fdiv double %180, %164
+  %182 = fmul double %36, %38
+  %183 = fmul double %35, %39
+  %184 = fsub double %182, %183
+  %185 = fmul double %34, %39
+  %186 = fmul double %36, %37
+  %187 = fsub double %185, %186
+  %188 = fmul double %35, %37
+  %189 = fmul double %34, %38
+  %190 = fsub double %188, %189
+  %191 = fmul double %184, %153
+  %192 = fmul double %190, %159
+  %193 = fadd double %192, %191
+  %194 = fmul double %187, %156
+  %195 = fadd double %194, %193
+  %196 = fdiv double %195, %164
+  %197 = fcmp oge double %181, 0.000000e+00
+  %198 = fcmp oge double %196, 0.000000e+00
+  %199 = fadd double %181, %196
+  %200 = fcmp ole double %199, 1.000000e+00
+  %201 = and i1 %198, %200
+  %202 = select i1 %197, i1 %201, i1 false
+  br i1 %202, label %203, label %46
+203:
+  %204 = fmul double %34, %153
+  %205 = fmul double %36, %159
+  %206 = fadd double %205, %204
+  %207 = fmul double %35, %156
+  %208 = fadd double %207, %206
+  %209 = fmul double %208, %208
+  %210 = fdiv double %209, %164
+  %211 = fcmp olt double %210, %147
+  %212 = select i1 %211, double %210, double %147
+  br label %46
+}
+define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca double, align 8
+  %3 = alloca double, align 8
+  %4 = load ptr, ptr %0, align 8
+  %5 = getelementptr i8, ptr %0, i64 8
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 16
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 64
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 72
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 80
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 88
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 112
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 120
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 128
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 136
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 144
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 152
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 168
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 184
+  %32 = load ptr, ptr %31, align 8
+  %33 = icmp slt i64 %6, 1
+  br i1 %33, label %127, label %110
+34:
+  %35 = phi i64 [ %90, %89 ], [ %123, %122 ]
+  %36 = icmp slt i64 %35, 0
+  %37 = select i1 %36, i64 %20, i64 0
+  %38 = add i64 %37, %35
+  %39 = mul i64 %38, %22
+  %40 = getelementptr double, ptr %18, i64 %39
+  %41 = load double, ptr %40, align 8
+  %42 = fsub double %41, %114
+  %43 = getelementptr i8, ptr %40, i64 24
+  %44 = load double, ptr %43, align 8
+  %45 = fsub double %114, %44
+  %46 = fcmp ogt double %45, %42
+  %47 = select i1 %46, double %45, double %42
+  %48 = fcmp olt double %47, 0.000000e+00
+  %49 = select i1 %48, double 0.000000e+00, double %47
+  %50 = getelementptr i8, ptr %40, i64 8
+  %51 = load double, ptr %50, align 8
+  %52 = fsub double %51, %116
+  %53 = getelementptr i8, ptr %40, i64 32
+  %54 = load double, ptr %53, align 8
+  %55 = fsub double %116, %54
+  %56 = fcmp ogt double %55, %52
+  %57 = select i1 %56, double %55, double %52
+  %58 = fcmp olt double %57, 0.000000e+00
+  %59 = select i1 %58, double 0.000000e+00, double %57
+  %60 = getelementptr i8, ptr %40, i64 16
+  %61 = load double, ptr %60, align 8
+  %62 = fsub double %61, %118
+  %63 = getelementptr i8, ptr %40, i64 40
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %118, %64
+  %66 = fcmp ogt double %65, %62
+  %67 = select i1 %66, double %65, double %62
+  %68 = fcmp olt double %67, 0.000000e+00
+  %69 = select i1 %68, double 0.000000e+00, double %67
+  %70 = fmul double %49, %49
+  %71 = fmul double %59, %59
+  %72 = fadd double %70, %71
+  %73 = fmul double %69, %69
+  %74 = fadd double %72, %73
+  %75 = fcmp ugt double %74, %126
+  br i1 %75, label %91, label %76
+76:
+  %77 = icmp slt i64 %35, %26
+  br i1 %77, label %89, label %78
+78:
+  %79 = sub nsw i64 %35, %26
+  %80 = getelementptr i64, ptr %24, i64 %79
+  %81 = load i64, ptr %80, align 8
+  call fastcc void @0(ptr nonnull %3, double %114, double %116, double %118, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %81)
+  %82 = load double, ptr %3, align 8
+  %83 = fcmp olt double %82, %125
+  br i1 %83, label %88, label %84
+84:
+  %85 = fcmp oeq double %82, %125
+  %86 = icmp slt i64 %81, %124
+  %87 = select i1 %85, i1 %86, i1 false
+  br i1 %87, label %88, label %91
+88:
+  br label %91
+89:
+  %90 = shl nsw i64 %35, 1
+  br label %34
+91:
+  %92 = phi double [ %82, %88 ], [ %125, %84 ], [ %125, %34 ]
+  %93 = phi i64 [ %81, %88 ], [ %124, %84 ], [ %124, %34 ]
+  %94 = add nsw i64 %35, 1
+  %95 = and i64 %35, 1
+  %96 = icmp eq i64 %95, 0
+  br i1 %96, label %102, label %97
+97:
+  %98 = phi i64 [ %99, %97 ], [ %94, %91 ]
+  %99 = ashr i64 %98, 1
+  %100 = and i64 %98, 2
+  %101 = icmp eq i64 %100, 0
+  br i1 %101, label %97, label %102
+102:
+  %103 = phi i64 [ %94, %91 ], [ %99, %97 ]
+  %104 = icmp sgt i64 %103, 1
+  br i1 %104, label %122, label %105
+105:
+  %106 = add nuw nsw i64 %111, 1
+  %107 = getelementptr double, ptr %30, i64 %111
+  store double %92, ptr %107, align 8
+  %108 = getelementptr i64, ptr %32, i64 %111
+  store i64 %93, ptr %108, align 8
+  %109 = icmp eq i64 %6, %106
+  br i1 %109, label %127, label %110
+110:
+  %111 = phi i64 [ %106, %105 ], [ 0, %1 ]
+  %112 = mul i64 %111, %8
+  %113 = getelementptr double, ptr %4, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = getelementptr i8, ptr %113, i64 8
+  %116 = load double, ptr %115, align 8
+  %117 = getelementptr i8, ptr %113, i64 16
+  %118 = load double, ptr %117, align 8
+  %119 = getelementptr i64, ptr %28, i64 %111
+  %120 = load i64, ptr %119, align 8
+  call fastcc void @0(ptr nonnull %2, double %114, double %116, double %118, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %120)
+  %121 = load double, ptr %2, align 8
+  br label %122
+122:
+  %123 = phi i64 [ %103, %102 ], [ 1, %110 ]
+  %124 = phi i64 [ %93, %102 ], [ %120, %110 ]
+  %125 = phi double [ %92, %102 ], [ %121, %110 ]
+  %126 = fmul double %125, 0x3FF000000044B830
+  br label %34
+127:
   ret i64 0
 }
 define noundef i64 @msf_jax.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {

@@ -22,11 +22,10 @@ MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for mem
 
 
 class Samples(NamedTuple):
-    """Samples of the surface: a tree of them; the triangles at sample s are ``fan[first[s] : first[s + 1]]``."""
+    """Samples of the surface: a tree of them, and a triangle (S,) at each."""
 
     tree: spatial.KDTree
-    first: np.ndarray
-    fan: np.ndarray
+    triangle: np.ndarray
 
 
 class Crossed(NamedTuple):
@@ -84,11 +83,10 @@ class Enclosure:
 
     @cached_property
     def samples(self) -> Samples:
-        """Every used vertex with its fan, and a grid of points in every large triangle with that triangle."""
-        reaches, vertices, corner = self.reaches, self.vertices, self.faces.ravel()
+        """Every used vertex, and a grid of points in every large triangle."""
+        reaches, (used, corner) = self.reaches, np.unique(self.faces, return_index=True)
         spacing = max(SAMPLE_SPACING * self.extent, float(np.sqrt((reaches**2).sum() / MOST_SAMPLES)))
-        count = np.bincount(corner, minlength=len(vertices))
-        points, owners = [vertices[count > 0]], []
+        points, owners = [self.vertices[used]], [corner // 3]
         parts = np.ceil(reaches / spacing).astype(np.int64)
         for number in np.unique(parts[parts > 1]):
             i, j = (part.ravel() for part in np.indices((number + 1, number + 1)))
@@ -97,12 +95,10 @@ class Enclosure:
             large = np.flatnonzero(parts == number)
             points.append(np.einsum("sk,fki->fsi", weights, self.triangles[large]).reshape(-1, 3))
             owners.append(np.repeat(large, len(weights)))
-        fan = np.concatenate([np.argsort(corner, kind="stable") // 3, *owners])
-        first = np.concatenate([[0], np.cumsum(count[count > 0]), len(corner) + 1 + np.arange(len(fan) - len(corner))])
         # Boxes that are split in the middle, and not shrunk, are built faster and are several times as fast for points
         # on the axis of a cone, as far from many samples.
         tree = spatial.KDTree(np.concatenate(points), leafsize=32, balanced_tree=False, compact_nodes=False)
-        return Samples(tree, first, fan)
+        return Samples(tree, np.concatenate(owners))
 
     @cached_property
     def crossed(self) -> Crossed:
@@ -145,12 +141,10 @@ class Enclosure:
         return self.nearest(points)[0]
 
     def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,), the first of several.
-
-        The search begins with the triangles at the nearest of `samples`."""
-        tree, first, fan = self.samples
+        """Unsigned distance (P,) from each point to the surface, and the first of the nearest triangles (P,)."""
+        tree, triangle = self.samples
         distance2, found = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
-        kernels.nearest(points, self.mesh, tree.query(points)[1], first, fan, distance2, found)
+        kernels.nearest(points, self.mesh, triangle[tree.query(points)[1]], distance2, found)
         return np.sqrt(distance2), found
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
@@ -159,9 +153,9 @@ class Enclosure:
 
     def surface_points(self, most: int) -> tuple[np.ndarray, np.ndarray]:
         """At most ``most`` samples (P, 3) of the surface inside its triangles, and the unit normals there."""
-        tree, first, fan = self.samples
-        sample = np.arange(0, len(first) - 1, -(-(len(first) - 1) // most))
-        triangle = fan[first[sample]]
+        tree, triangle = self.samples
+        sample = np.arange(0, len(triangle), -(-len(triangle) // most))
+        triangle = triangle[sample]
         normal = self.normals[triangle]
         has_area = normal.any(axis=1)
         # A vertex has no normal of its own, so each sample is moved towards the middle of its triangle.

@@ -141,25 +141,21 @@ def triangle_distance2(point: Vector, triangles: Triangles, row: int) -> float:
 
 
 @kernel
-def nearest(points: Points, mesh: Mesh, sample: Ints, first: Ints, fan: Ints, found2: Reals, found: Ints) -> None:
+def nearest(points: Points, mesh: Mesh, near: Ints, found2: Reals, found: Ints) -> None:
     """``found`` (P,): the nearest triangle, the first of several at the same distance. ``found2`` (P,): the squared
-    distance. Those at a near sample, ``fan[first[sample] : first[sample + 1]]``, are tested first."""
+    distance. The search begins with the triangles ``near`` (P,)."""
     num = len(mesh.order)
     for row in range(len(points)):
-        point, best, which = point_of(points, row), np.inf, num
-        place, node = first[sample[row]], 1
-        while node or place < first[sample[row] + 1]:
-            if place < first[sample[row] + 1]:
-                triangle = fan[place]
-                place += 1
-            else:
-                is_met = is_within(point, mesh.boxes, node, best)
-                triangle = mesh.order[node - num] if is_met and node >= num else -1
-                node = onward(node, num, is_met)
-            if triangle >= 0:
+        point, which, node = point_of(points, row), near[row], 1
+        best = triangle_distance2(point, mesh.triangles, which)
+        while node:
+            is_met = is_within(point, mesh.boxes, node, best)
+            if is_met and node >= num:
+                triangle = mesh.order[node - num]
                 away = triangle_distance2(point, mesh.triangles, triangle)
                 if away < best or (away == best and triangle < which):
                     best, which = away, triangle
+            node = onward(node, num, is_met)
         found2[row], found[row] = best, which
 
 

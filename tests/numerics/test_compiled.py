@@ -32,7 +32,7 @@ import numpy as np
 found, which, none = np.empty(1), np.empty(1, dtype=np.int64), np.zeros(2, dtype=np.int64)
 triangles, (boxes, order) = np.eye(3)[None], kernels.tree_of(np.zeros((1, 3)), np.ones((1, 3)))
 mesh = kernels.Mesh(np.eye(3), np.arange(3), triangles, np.arange(3), boxes, order)
-kernels.nearest(np.ones((1, 3)), mesh, none[:1], none, none[:0], True, found, which)
+kernels.nearest(np.ones((1, 3)), mesh, none[:1], found, which)
 print(found[0])
 assert "numba" not in sys.modules
 """
