@@ -8,7 +8,7 @@ and so one fan: pinched vertices cannot be represented.
 import numpy as np
 
 from msf_jax.base.errors import MeshError
-from msf_jax.topology.graphs import half_edges, next_in_ring
+from msf_jax.topology.graphs import half_edges
 
 
 def ring_capacity(degree: int) -> int:
@@ -23,7 +23,7 @@ def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
         MeshError: a vertex is in no face, or its faces do not form one closed fan.
     """
     edges = half_edges(faces)
-    step = next_in_ring(edges)
+    step = np.roll(edges.twin.reshape(-1, 3), 1, axis=1).ravel()  # from i -> j of face (i, j, k) to i -> k
     degree = np.bincount(edges.origin, minlength=num_vertices)
     if len(edges.origin) == 0 or degree.min() == 0 or (edges.twin < 0).any():
         raise MeshError(

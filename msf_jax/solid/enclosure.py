@@ -15,6 +15,7 @@ from msf_jax.solid import kernels
 from msf_jax.solid.geometry import ROUNDING, axes_across, cross, unit
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import Mesh, tree_of
+from msf_jax.topology.graphs import HalfEdges, half_edges
 
 MOST_TESTED = 200  # tests of a side against a triangle, for each triangle, to find those that cross; fans need more
 SAMPLE_SPACING = 0.02  # extents between samples of a triangle, or more, for `MOST_SAMPLES`
@@ -57,19 +58,16 @@ class Enclosure:
         return unit(cross(b - a, c - a))
 
     @cached_property
-    def heads(self) -> np.ndarray:
-        """(3F,) the vertex at the end of each half-edge."""
-        return np.roll(self.faces, -1, axis=1).ravel()
+    def edges(self) -> HalfEdges:
+        """The half-edges of the faces."""
+        return half_edges(self.faces)
 
     @cached_property
     def mesh(self) -> Mesh:
         """The surface as the kernels take it."""
-        tail, head, num = self.faces.ravel(), self.heads, len(self.vertices)
-        twins = np.empty(len(tail), dtype=np.int64)
-        twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
         corners = np.moveaxis(self.triangles, 1, 0)  # NumPy is slow over axes of length 3
         boxes = (reduce(choice, corners) for choice in (np.minimum, np.maximum))
-        return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes))
+        return Mesh(self.vertices, self.edges.origin, self.triangles, self.edges.twin, *tree_of(*boxes))
 
     @cached_property
     def extent(self) -> float:
@@ -104,16 +102,17 @@ class Enclosure:
     def crossed(self) -> Crossed:
         """Where the surface crosses itself: a side of a triangle passes through another, and both have corners on
         both sides of the other's plane. Triangles with a corner in common do not count."""
-        half = np.flatnonzero(np.arange(len(self.heads)) < self.mesh.twins)
-        a, b = self.vertices[self.mesh.corners[half]], self.vertices[self.heads[half]]
+        tail, head, twin = self.edges
+        half = np.flatnonzero(np.arange(len(twin)) < twin)
+        a, b = self.vertices[tail[half]], self.vertices[head[half]]
         length = np.linalg.norm(b - a, axis=1)
         along = (b - a) / np.maximum(length, 1e-300)[:, None]
         start, reach = a + ROUNDING * (b - a), (1 - 2 * ROUNDING) * length  # not at a corner, where a fan is met
         ray, face, _, is_cut = self.ray_hits(start, along, reach, MOST_TESTED * len(self.faces))
         half = half[ray]
-        sides = np.concatenate([half, self.mesh.twins[half]])
+        sides = np.concatenate([half, twin[half]])
         pairs = np.stack([sides // 3, np.tile(face, 2)], axis=1)
-        ends = np.stack([self.mesh.corners[sides], self.heads[sides]], axis=1)
+        ends = np.stack([tail[sides], head[sides]], axis=1)
         is_through = np.ones(len(pairs), dtype=bool)
         for corner, over in ((ends, pairs[:, 1]), (self.faces[pairs[:, 1]], pairs[:, 0])):
             off = self.vertices[corner] - self.centroids[over][:, None]

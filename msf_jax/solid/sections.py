@@ -199,7 +199,7 @@ def corners(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np
         capacity *= 2
     loop = np.repeat(np.arange(num), np.diff(ends, prepend=0))
     edge, share = edge[: len(loop)], share[: len(loop)]
-    return Corners(loop, shape.mesh.corners[edge], shape.heads[edge], share, edge // 3)
+    return Corners(loop, shape.edges.origin[edge], shape.edges.target[edge], share, edge // 3)
 
 
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
@@ -235,17 +235,17 @@ def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sect
         places = corners._replace(tail=corners.tail[own], head=corners.head[own], part=corners.part[own]).places(shape)
         x = np.einsum("cj,ij->ci", places - found.centroid[row], frame)
         x = np.concatenate([x, x[:1]])
-        found.centroid[row] += _narrowest(x) @ frame
+        found.centroid[row] = _narrowest(shape, x, found.centroid[row], frame)
         found.size[row], found.slide[row], found.turn[row] = found.radius[row], 0.0, 0.0
     return found
 
 
-def _narrowest(x: np.ndarray) -> np.ndarray:
-    """(2,) the middle of the shortest chord that halves a closed polygon ``x`` (C + 1, 2), counterclockwise; 0 if none
-    is found."""
+def _narrowest(shape: Enclosure, x: np.ndarray, origin: np.ndarray, axes: np.ndarray) -> np.ndarray:
+    """(3,) the middle of the shortest chord inside ``shape`` that halves a closed polygon ``x`` (C + 1, 2) along
+    ``axes`` (2, 3) from ``origin`` (3,), counterclockwise; the origin if none is found."""
     along = arc_length(x)
     swept = np.append(0.0, np.cumsum(_cross(x[:-1], x[1:])))  # twice the area between the loop and its start
-    stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, np.zeros(2)
+    stops, reach, middle = np.linspace(0.0, along[-1], CHORDS, endpoint=False), along[-1] / CHORDS, origin
     for _ in range(3):
         stops = stops % along[-1]
         p, begun = at(x, along, stops)[:, None], np.interp(stops, along, swept)[:, None]
@@ -255,20 +255,14 @@ def _narrowest(x: np.ndarray) -> np.ndarray:
         row, side = np.nonzero(((low > 0) != (high > 0)) & ~is_own)
         part = (low[row, side] / (low[row, side] - high[row, side]))[:, None]
         q, p = (1 - part) * x[side] + part * x[side + 1], p[row, 0]
-        length, middles = np.linalg.norm(q - p, axis=1), (p + q) / 2
-        best = next((k for k in length.argsort(kind="stable") if _is_around(x, middles[k])), None)
-        if best is None:
+        middles = origin + (p + q) / 2 @ axes
+        length = np.where(shape.contains(middles), np.linalg.norm(q - p, axis=1), np.inf)
+        if not len(length) or length.min() == np.inf:
             break
+        best = int(length.argmin())
         middle = middles[best]
         stops, reach = stops[row[best]] + reach * np.linspace(-1.0, 1.0, CHORDS + 1), reach * 2 / CHORDS
     return middle
-
-
-def _is_around(x: np.ndarray, point: np.ndarray) -> bool:
-    """Whether the closed polygon ``x`` (C + 1, 2) is around ``point`` (2,): a ray crosses it an odd number of times."""
-    a, b = x[:-1] - point, x[1:] - point
-    is_left = _cross(b - a, -a) > 0
-    return bool((((a[:, 1] > 0) != (b[:, 1] > 0)) & (is_left == (b[:, 1] > a[:, 1]))).sum() % 2)
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -186,13 +186,6 @@ def half_edges(faces: np.ndarray) -> HalfEdges:
     return HalfEdges(origin, target, np.asarray(number[target, origin]).ravel() - 1)
 
 
-def next_in_ring(edges: HalfEdges) -> np.ndarray:
-    """For the half-edge i -> j of face (i, j, k), the half-edge i -> k: one step around vertex i."""
-    num = np.arange(len(edges.origin))
-    previous = num - num % 3 + (num + 2) % 3
-    return edges.twin[previous]
-
-
 def edge_codes(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """For each half-edge, its edge; for each edge, its smaller end and its number of faces."""
     ends = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=-1).reshape(-1, 2), axis=1).astype(np.int64)
