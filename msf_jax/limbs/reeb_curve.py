@@ -54,9 +54,9 @@ def reeb_curve(shape: Enclosure, only_thin: bool = True) -> ReebCurve | None:
     is_thin = step < balls.THIN
     if not is_thin and (only_thin or 2 * length[length > FRAME * reach].sum() <= length.sum()):
         return None
-    # A ball between few vertices can be too large, so the clearances of all middles are asked for.
+    # A ball between few vertices can be too large, so the nearest vertices of all middles are asked for.
     middles = x - radius[:, None] * asked[1]
-    seed = int(shape.clearance(middles).argmax())
+    seed = int(np.where(shape.contains(middles), asked[2].query(middles)[0], 0.0).argmax())
     # Wavefronts begin all around the largest ball: from one vertex of a rim, they would run obliquely along the limb.
     beyond = np.maximum(np.linalg.norm(x - middles[seed], axis=1) - radius[seed], 0.0)
     near = np.flatnonzero(beyond <= radius[seed])
