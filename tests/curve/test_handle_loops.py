@@ -244,7 +244,7 @@ def test_a_loop_proves_nothing_by_what_it_crosses_of_another_solid():
 
 def test_a_ring_within_a_ring_has_its_own_loop():
     """A ring within a ring: both curves are in the middle, or one is beside the other."""
-    outer, inner = torus(minor=0.35), torus(minor=0.15)
+    outer, inner = torus(minor=0.4), torus(minor=0.15)
     shape = shape_of(trimesh.util.concatenate([outer, inner]))
     edges = np.concatenate([cycle(120), cycle(120, 120)])
     node_of_vertex = np.r_[np.zeros(len(outer.vertices), int), np.full(len(inner.vertices), 120)]
