@@ -46,8 +46,7 @@ def test_a_taper_has_the_integrals_of_its_sections():
     wide = place * (1 + slope * place[:, 2:] * [1, 1, 0])
     nodes = np.asarray(msf_jax.follow(skeleton, wide).nodes)
     factor = 1 + slope * nodes[:, 2]
-    is_inner = np.abs(nodes[:, 2]) < 0.4 * length  # cuts are averaged, at an end to one side
-    np.testing.assert_allclose(measures.areas(skeleton, wide)[is_inner], (plain * factor**2)[is_inner], rtol=0.02)
+    np.testing.assert_allclose(measures.areas(skeleton, wide), plain * factor**2, rtol=0.01)  # at the ends, too
     found = msf_jax.follow(binding, rows_of(binding, wide))
     assert measures.lengths(found, binding)[0] == pytest.approx(length, rel=1e-3)
     rows = np.pad(factor, (0, len(binding.rest) - len(factor)), constant_values=1.0)
