@@ -39,7 +39,7 @@ from msf_jax.solid.handles import Handles
 from msf_jax.topology import graphs
 
 # These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
-ROUNDS = 4  # limit on the rounds of a centring: in sheets, where it ends most, more bring nothing
+ROUNDS = 6  # limit on the rounds of a centring: in sheets, where it ends most, more bring nothing
 TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1

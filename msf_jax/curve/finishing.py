@@ -201,7 +201,7 @@ def merge_junctions(draft: Draft, job: Job) -> Draft:
 def centre_and_meet(draft: Draft, job: Job, hold_leaves: bool, is_far: bool = False) -> Draft:
     """Nodes are in the middle of the solid, and junctions are where the axes of their branches meet."""
     curve = draft.vertices, draft.edges, draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    rounds = centring.ROUNDS // 2 if is_far else centring.ROUNDS  # a few before junctions are sought
+    rounds = centring.ROUNDS // 3 if is_far else centring.ROUNDS  # a few before junctions are sought
     draft = draft.changed(centring.centre(job.coarse, *curve, rounds, is_far, job.shape.handles))
     radii = job.coarse.clearance(draft.vertices)
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices

@@ -32,7 +32,7 @@ from msf_jax.topology import graphs
 
 FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
-MOST_SAMPLES = 10_000  # of a surface, between its vertices, at which balls start
+MOST_SAMPLES = 20_000  # of a surface, between its vertices, at which balls start
 THIN = 0.005  # diagonals: a limb of a smaller radius is thin
 SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
 LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb

@@ -70,7 +70,7 @@ class Roadmap:
     @cached_property
     def surface(self) -> tuple[np.ndarray, np.ndarray]:
         """Points (P, 3) of the surface and their normals, at which balls may start."""
-        return self.shape.surface_points(balls.MOST_SAMPLES)
+        return self.shape.surface_points(balls.MOST_SAMPLES // 2)
 
     @cached_property
     def _balls(self) -> np.ndarray:
