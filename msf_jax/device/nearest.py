@@ -14,8 +14,8 @@ from jax import lax
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding
 
-TOGETHER = 1024  # points that are looked at together, and runs: bounds memory
-AT_ONCE = 512  # pairs of a point and a run that are tested in one step
+TOGETHER = 512  # runs that are looked at together: bounds memory
+AT_ONCE = 128  # points that are looked at together, of few meshes, and pairs of a point and a run tested in one step
 ROUNDING = 16  # rounding errors (machine epsilons) that are subtracted from a lower bound of a distance
 
 
@@ -95,7 +95,7 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         state = first.min() // size, jnp.full(num, jnp.inf, dtype) + none, first + none
         return lax.while_loop(lambda state: size * state[0] < stop.max(), test_window, state)[2]
 
-    parts = -(-len(points) // TOGETHER)
+    parts = -(-len(points) // AT_ONCE)
     more = -len(points) % parts
     given = jnp.pad(points, ((0, more), (0, 0))), jnp.pad(first, (0, more), constant_values=len(corners))
     given = *given, jnp.pad(stop, (0, more))

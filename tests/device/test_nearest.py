@@ -109,7 +109,8 @@ def test_points_and_runs_are_looked_at_some_at_a_time(monkeypatch):
         own[: len(rows)] = rows
         alone = np.asarray(nearest.nearest_faces(part, own, part.vertices))[: len(rows)]
         np.testing.assert_array_equal(start[number] + alone, batch.split(expected)[number])
-    monkeypatch.setattr(nearest, "TOGETHER", 8)
+    for name in ("TOGETHER", "AT_ONCE"):
+        monkeypatch.setattr(nearest, name, 8)
     np.testing.assert_array_equal(nearest.nearest_faces(batch, points, vertices), expected)
 
 
