@@ -258,7 +258,7 @@ def contain(
     is_out = (radii < TOUCHING) & ~is_held
     if is_out.any():
         triangle = shape.nearest(x[is_out])[1]
-        foot = closest_point(shape.triangles[triangle], x[is_out])
+        foot = 0.85 * closest_point(shape.triangles[triangle], x[is_out]) + 0.15 * shape.centroids[triangle]
         centre, clearance = balls_behind(shape, foot, shape.normals[triangle])
         entered = np.flatnonzero(is_out)[clearance >= TOUCHING]
         x[entered], radii[entered] = centre[clearance >= TOUCHING], clearance[clearance >= TOUCHING]
