@@ -1,4 +1,8 @@
-"""The decisions of a run as padded arrays, which the host records and `device.playback` replays."""
+"""The decisions of a run as padded arrays, which the host records and `device.playback` replays.
+
+Numbers of rows, iterations, rounds, terms and neighbours are capacities, see `layout.capacity_for`, so that a program
+serves all tapes of a size. What pads has no share in any sum.
+"""
 
 from typing import Any, NamedTuple
 
@@ -26,14 +30,16 @@ class Polynomial(NamedTuple):
 class Stretch(NamedTuple):
     """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
 
-    enter: (T, n) the row of the workspace before, from which each row starts. rings: (T, S) each. degree, free, pull:
-    (T, n). site: (T, n) the row of the first stretch whose pole each row has. left: (T, 2, n, 3) residuals r of the
-    solves. factor: (T,) on w_L. group, share: (T, n) the row that each row is merged into, and its share of that.
-    cut: (T, R, M, 3) the ends of the split edge, and the apex.
+    start: (n,) the row of the workspace before, from which each row starts. rings: (T, S) each. enter: (T, n) the same
+    as start, for each iteration; itself for the first. degree, free, pull: (T, n). site: (T, n) the row of the first
+    stretch whose pole each row has. left: (T, 2, n, 3) residuals r of the solves. factor: (T,) on w_L; 0 for the first
+    lines, which pad: nothing is computed for them. group, share: (T, n) the row that each row is merged into, and its
+    share of that. cut: (T, R, M, 3) the ends of the split edge, and the apex.
     """
 
-    enter: Any
+    start: Any
     rings: Any
+    enter: Any
     degree: Any
     free: Any
     pull: Any

@@ -11,6 +11,7 @@ from typing import NamedTuple
 SMALLEST_CAPACITY = 2048  # vertices: the smallest capacity; smaller ones would not be faster
 LARGER = (3.5, 10.5)  # times the smallest capacity: the next ones, 7168 and 21504 vertices; then each is twice the last
 RAGGED_TAIL = 28  # slots of the last level, unless a vertex needs more
+FEW = 8  # the smallest capacity of what a tape has some of: iterations, rounds, terms, neighbours
 
 
 class Level(NamedTuple):
@@ -54,9 +55,9 @@ def rectangle(capacity: int, largest_degree: int) -> Layout:
     return _layout(capacity, (-(-largest_degree // 8) * 8, capacity))
 
 
-def capacity_for(count: int) -> int:
-    """The smallest capacity for ``count`` vertices: 2048, 7168, 21504, 43008, ..."""
-    sizes = [int(SMALLEST_CAPACITY * times) for times in (1, *LARGER)]
+def capacity_for(count: int, smallest: int | None = None) -> int:
+    """The smallest capacity for ``count`` vertices: 2048, 7168, 21504, 43008, ...; or with another ``smallest``."""
+    sizes = [int((smallest or SMALLEST_CAPACITY) * times) for times in (1, *LARGER)]
     while sizes[-1] < count:
         sizes.append(2 * sizes[-1])
     return next(size for size in sizes if size >= count)

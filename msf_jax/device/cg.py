@@ -24,7 +24,6 @@ from msf_jax.base.options import SolverOptions, is_traced
 Map = Callable[[jax.Array], jax.Array]  # of vectors (n, c)
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
 LONG_REDUCTION = 4096  # entries: XLA on the CPU has a library for longer reductions
-MOST_HALVINGS = 6  # so that the compiled code does not grow with the mesh
 
 
 class SolveReport(NamedTuple):
@@ -82,11 +81,8 @@ def dot(x: jax.Array, y: jax.Array) -> jax.Array:
     """Sum of x y over all entries. Halves of the rows are added until few are left: on the CPU that is faster than a
     long reduction in some versions of XLA, and rounds less."""
     products = x * y
-    for _ in range(MOST_HALVINGS):
-        half, is_odd = divmod(len(products), 2)
-        if is_odd or products.size < LONG_REDUCTION:
-            break
-        products = products[:half] + products[half:]
+    while products.size >= LONG_REDUCTION and len(products) % 2 == 0:
+        products = products[: len(products) // 2] + products[len(products) // 2 :]
     return products.sum()
 
 

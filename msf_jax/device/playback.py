@@ -19,8 +19,6 @@ from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.cg import keeps_solutions
 from msf_jax.device.iteration import move
 
-CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
-
 
 @partial(jax.jit, static_argnames=("layouts", "laplacian", "max_steps"))
 def replay_part(
@@ -45,7 +43,7 @@ def replay_part(
     workspace, sites = _first_rows(part, weights, start)
     poles = _poles(part, sites)
     for stretch, layout in zip(part.stretches, layouts, strict=True):
-        workspace = _replay_stretch(stretch, poles, workspace[stretch.enter[0]], layout, settings)
+        workspace = _replay_stretch(stretch, poles, workspace[stretch.start], layout, settings)
     meso, num = workspace[part.meso_row, :3], len(part.is_held)
     meso, nodes = (part.centre[None] + part.diagonal * (x @ part.axes) for x in (meso, _mixed(part.nodes, meso, num)))
     return meso, jnp.where(part.is_held[:, None], _mixed(part.pins, vertices, num), nodes)
@@ -67,11 +65,9 @@ def _mixed(mixing: Mixing, values: jax.Array, num: int) -> jax.Array:
 
 def _filtered(kept: Any, x: jax.Array) -> jax.Array:
     if not isinstance(kept, Polynomial):
-        num = len(kept)  # padded rows come after the vertices
-        return x.at[:num].set(kept @ (kept.T @ x[:num]))
-    num, width = kept.neighbour.shape
+        return kept @ (kept.T @ x)
     degree = jnp.asarray(kept.degree, x.dtype)[:, None]
-    used = (jnp.arange(width) < degree).astype(x.dtype)[:, :, None]
+    used = (jnp.arange(kept.neighbour.shape[1]) < degree).astype(x.dtype)[:, :, None]
 
     def cosine(y: jax.Array) -> jax.Array:
         return y - 2 / kept.top * (degree * y - (used * y[kept.neighbour]).sum(axis=1))
@@ -80,9 +76,7 @@ def _filtered(kept: Any, x: jax.Array) -> jax.Array:
         before, now, total = carry
         return (now, 2 * cosine(now) - before, total + share * now), None
 
-    rows = x[:num]
-    carry = cosine(rows), rows, jnp.zeros_like(rows)
-    return x.at[:num].set(lax.scan(term, carry, jnp.asarray(kept.share, x.dtype))[0][2])
+    return lax.scan(term, (cosine(x), x, jnp.zeros_like(x)), jnp.asarray(kept.share, x.dtype))[0][2]
 
 
 def _poles(part: Part, sites: jax.Array) -> jax.Array:
@@ -125,10 +119,10 @@ def _replay_stretch(
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 
-    own = jnp.arange(layout.capacity, dtype=stretch.enter.dtype)  # the first iteration has its rows already
-    lines = stretch._replace(enter=jnp.asarray(stretch.enter).at[0].set(own))
     # Reverse mode stores the workspace and the two solutions of every iteration, and recomputes the rest.
-    return lax.scan(jax.checkpoint(iteration, policy=keeps_solutions), jnp.concatenate([rows, fresh]), lines)[0]
+    live, idle = jax.checkpoint(iteration, policy=keeps_solutions), lambda workspace, _: (workspace, None)
+    either = lambda workspace, line: lax.cond(line.factor > 0, live, idle, workspace, line)  # noqa: E731
+    return lax.scan(either, jnp.concatenate([rows, fresh]), stretch._replace(start=None))[0]
 
 
 def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
@@ -142,9 +136,8 @@ def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
         a, b, apex = (workspace[edges[:, k]] for k in range(3))
         along = b[:, :3] - a[:, :3]
         length2 = (along * along).sum(1)
-        is_long = length2 > CUT_AT_ENDS
-        fraction = ((apex[:, :3] - a[:, :3]) * along).sum(1) / jnp.where(is_long, length2, 1.0)
-        fraction = jnp.where(is_long, fraction, 0.5)[:, None]
+        length2 = jnp.where(length2 > 0, length2, 1.0)  # it is 0 in padding
+        fraction = (((apex[:, :3] - a[:, :3]) * along).sum(1) / length2)[:, None]
         return lax.dynamic_update_slice(workspace, (1 - fraction) * a + fraction * b, (place, 0)), None
 
     places = first + num_cuts * jnp.arange(num_rounds)

@@ -2,25 +2,22 @@
 does not see that other weights may collapse, split or fix other vertices, or take more iterations."""
 
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.custom_derivatives import SymbolicZero
 
 from msf_jax.base.decisions import Part
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.base.layout import Layout
+from msf_jax.base.layout import Layout, capacity_for
 from msf_jax.base.options import FACTORED, Config, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.playback import replay_part
 from msf_jax.gradients.follow import check_finite, numbers_of
 from msf_jax.recording.records import Recording, record_component
 
-# Relative residuals of the linear solves: of a value in each type, and of a value with a derivative.
-TOLERANCE = {"float64": 1e-14, "float32": 1e-6, "derivative": 1e-8}
+TOLERANCE = {"float64": 1e-14, "float32": 1e-6}  # relative residuals of the linear solves
 MOST_STEPS = 20_000  # steps of conjugate gradients in one solve
 MOST_KINDS = 12  # of tapes' parts whose programs are kept: each takes some 2,000 of the 65,530 memory maps of a process
 _kinds: set[Any] = set()
@@ -32,8 +29,9 @@ class Tape:
     """The decisions of a run, for `replay`, as ``flow.tape``. A pytree of arrays, for `jax.jit` and pickle.
 
     Attributes:
-        parts, layouts: of each component of the mesh: one-rings, collapses and splits, poles, fixed vertices, residuals
-            of the linear solves, the map to nodes; and the layouts of its buffers.
+        parts, layouts, counts: of each component of the mesh: one-rings, collapses and splits, poles, fixed vertices,
+            residuals of the linear solves, the map to nodes; the layouts of its buffers; and how many vertices its
+            contracted surface has, and nodes its curve. Arrays are padded: tapes of a size share compiled programs.
         vertices: (V, 3) of the mesh, in the caller's units.
         areas: (V,) of each vertex.
         weights, config: of the run.
@@ -45,6 +43,7 @@ class Tape:
     areas: Any
     weights: Weights
     layouts: tuple[tuple[Layout, ...], ...] = field(metadata={"static": True})
+    counts: tuple[tuple[int, int], ...] = field(metadata={"static": True})
     config: Config = field(metadata={"static": True})
     is_joined: bool = field(metadata={"static": True})
 
@@ -54,24 +53,19 @@ class Tape:
     @property
     def num_nodes(self) -> int:
         """The number of nodes of the recorded curve."""
-        return sum(len(part.is_held) for part in self.parts)
-
-    @property
-    def diagonal(self) -> Any:
-        """Length of the bounding box's diagonal."""
-        extent = self.vertices.max(axis=0) - self.vertices.min(axis=0)
-        return (extent * extent).sum() ** 0.5
+        return sum(num for _, num in self.counts)
 
 
 def record(run: Recording, weights: Weights, config: Config, areas: np.ndarray) -> Tape:
     """The tape of a run whose vertices have ``areas`` (V,)."""
-    parts, layouts = zip(*map(record_component, run.components), strict=True)
+    parts, layouts, counts = zip(*map(record_component, run.components), strict=True)
     return Tape(
         parts=parts,
         vertices=run.vertices,
         areas=areas,
         weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
         layouts=layouts,
+        counts=counts,
         config=config,
         is_joined=run.is_joined,
     )
@@ -88,9 +82,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
         tape: of a run, ``flow.tape``.
         weights: each a number, or (V,), one for each vertex of the mesh, interpolated at merged and new vertices.
         vertices: (V, 3) of the mesh in the caller's units. The default is the recorded vertices.
-        tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed (1e-6
-            in float32), and 1e-8 where a derivative is, too, which is three to five times as fast and gives gradients
-            to some thousandths. ``tolerance=1e-14`` makes gradients exact, to rounding.
+        tolerance: relative residual of the linear solves. The default, 1e-14 (1e-6 in float32), makes gradients exact,
+            to rounding; ``tolerance=1e-8`` is somewhat faster and gives them to some thousandths.
 
     Returns:
         (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps, as with extreme weights
@@ -108,16 +101,17 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
         MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or repair made vertices of
             the surface, so that it cannot follow the mesh.
     """
-    return _replayed(tape, weights, vertices, tolerance)[1]
+    return _replayed(tape, weights, vertices, tolerance, 1)
 
 
 def replay_meso(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
     """The vertices (n, 3) of the contracted surface, computed as in `replay`; at the recorded weights and vertices they
     are ``flow.meso_skeleton[0]``."""
-    return _replayed(tape, weights, vertices, tolerance)[0]
+    return _replayed(tape, weights, vertices, tolerance, 0)
 
 
-def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | None) -> tuple[jax.Array, jax.Array]:
+def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | None, which: int) -> jax.Array:
+    """Of `replay_part`'s results the one with number ``which``, without padding, of all components."""
     if not isinstance(tape, Tape):
         raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
     if tape.config.solver.preconditioner == FACTORED or tape.config.flow.w_H_follows_area:
@@ -133,8 +127,16 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
         _kinds.clear()
         replay_part.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
     _kinds.update(kinds)
-    dtype = real_dtype()
-    given = jnp.asarray(tape.vertices, dtype)
+    dtype, shape = real_dtype(), np.shape(tape.vertices)
+
+    def padded(values: Any) -> jax.Array:
+        if np.ndim(values):
+            more = [(0, capacity_for(shape[0]) - shape[0]), (0, 0)][: np.ndim(values)]
+            library = jnp if isinstance(values, jax.Array) else np  # JAX would compile this for every size
+            values = library.pad(values, more)
+        return jnp.asarray(values, dtype)
+
+    given = padded(tape.vertices)
     moved = jnp.zeros_like(given)
     if vertices is not None:
         if tape.is_joined:
@@ -143,50 +145,35 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
                 'expected a run without repair="join" and without extruded rims, or a call without vertices'
             )
         array = numbers_of("vertices", vertices, MeshError).astype(dtype)
-        if array.shape != given.shape:
-            raise MeshError(f"vertices has shape {array.shape}: expected {given.shape}, as in the mesh of the tape")
+        if array.shape != shape:
+            raise MeshError(f"vertices has shape {array.shape}: expected {shape}, as in the mesh of the tape")
         if not is_traced(array):
             check_finite(array)
-        moved = array - given
-    if tolerance is None:
-        tolerances = TOLERANCE[str(dtype)], TOLERANCE["derivative"]
-    elif isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
+        moved = padded(array) - given
+    tolerance = TOLERANCE[str(dtype)] if tolerance is None else tolerance
+    if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
         raise ConfigError(f"tolerance is {tolerance!r}: expected a number above 0 and below 1")
-    else:
-        tolerances = float(tolerance), float(tolerance)
-    laplacian = tape.config.flow.laplacian
-    results = [
-        _replayed_part((layouts, laplacian, MOST_STEPS), tolerances, (part, weights, given + moved, moved))
-        for part, layouts in zip(tape.parts, tape.layouts, strict=True)
+    weights, moved = jax.tree.map(_in_float64, (jax.tree.map(padded, weights), moved))
+    arguments = weights, given + moved, moved, float(tolerance)
+    found = [
+        replay_part(part, *arguments, layouts, tape.config.flow.laplacian, MOST_STEPS)[which][: num[which]]
+        for part, layouts, num in zip(tape.parts, tape.layouts, tape.counts, strict=True)
     ]
-    meso, nodes = map(jnp.concatenate, zip(*results, strict=True))
-    return meso, nodes
+    return jnp.concatenate(found)
 
 
-@partial(jax.custom_jvp, nondiff_argnums=(0, 1))
-def _replayed_part(static: Any, tolerances: tuple[float, float], arguments: Any) -> tuple[jax.Array, jax.Array]:
-    """`replay_part` to the first of ``tolerances``. Under differentiation, value and derivative use the second."""
-    return replay_part(*arguments, tolerances[0], *static)
+@jax.custom_jvp
+def _in_float64(values: jax.Array) -> jax.Array:
+    """``values``, whose derivative there is in float64 only."""
+    return values
 
 
-def _derivative(static: Any, tolerances: tuple[float, float], primals: Any, tangents: Any) -> Any:
-    if real_dtype() != jnp.float64:
+@_in_float64.defjvp
+def _derivative(primals: Any, tangents: Any) -> Any:
+    if primals[0].dtype != jnp.float64:
         raise ConfigError(
             "JAX derives a replay in float32, whose rounding leaves nothing of a derivative through so many solves: "
             'expected jax.config.update("jax_enable_x64", True) at the start; or msf_jax.follow for a derivative by '
             "the vertices, which is right in float32"
         )
-    leaves, structure = jax.tree_util.tree_flatten(primals[0])
-    slopes = structure.flatten_up_to(tangents[0])
-    places = [number for number, slope in enumerate(slopes) if not isinstance(slope, SymbolicZero)]
-
-    def of_live(*live: jax.Array) -> tuple[jax.Array, jax.Array]:
-        every = list(leaves)
-        for place, value in zip(places, live, strict=True):
-            every[place] = value
-        return replay_part(*jax.tree_util.tree_unflatten(structure, every), tolerances[1], *static)
-
-    return jax.jvp(of_live, [leaves[place] for place in places], [slopes[place] for place in places])
-
-
-_replayed_part.defjvp(_derivative, symbolic_zeros=True)
+    return primals[0], tangents[0]

@@ -12,13 +12,14 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax.base.decisions import Mixing, Part, Polynomial, Stretch
-from msf_jax.base.layout import Layout, layout_for
+from msf_jax.base.layout import FEW, Layout, capacity_for, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
 from msf_jax.meso.meso import Compaction, Meso
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.solid.geometry import UnitFrame
 
+SPLIT_TOGETHER = 64  # splits in a round of a tape: a run's own rounds have some 300, then 50, then few
 LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
 
 
@@ -91,8 +92,8 @@ class Recording(NamedTuple):
     is_joined: bool
 
 
-def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]:
-    """The tape of a component, and the layouts of its stretches."""
+def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...], tuple[int, int]]:
+    """The tape of a component, the layouts of its stretches, and its numbers m and N without padding."""
     start, steps, num = record.start, record.steps, len(record.vertices)
     place = edit_matrix(start.edits, num)
     plan = layouts_of(steps)
@@ -105,36 +106,41 @@ def record_component(record: ComponentRecord) -> tuple[Part, tuple[Layout, ...]]
     mesh_filter = site_filter = None
     if start.mesh_filter:
         meso = Meso.from_mesh(record.vertices, record.faces)
-        mesh_filter = record_filter(start.mesh_filter, np.arange(num), meso.rings, meso.degree)
+        mesh_filter = record_filter(start.mesh_filter, np.arange(num), meso.rings, meso.degree, capacity_for(num))
     if start.found and start.found.kept and steps:
-        site_filter = record_filter(start.found.kept, order, steps[0].rings, steps[0].degree)
+        site_filter = record_filter(start.found.kept, order, steps[0].rings, steps[0].degree, capacity)
     is_node = record.node_of_meso >= 0
     node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
     share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
     means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
     num_pins = np.bincount(record.node_of_pin, minlength=record.num_nodes)
     part = Part(
-        vertices=record.vertices,
-        vertex_of_input=record.vertex_of_input.astype(np.int32),
-        is_pin=np.isin(np.arange(num), record.pins),
+        vertices=padded(record.vertices),
+        vertex_of_input=padded(record.vertex_of_input.astype(np.int32)),
+        is_pin=padded(np.isin(np.arange(num), record.pins)),
         mesh_filter=mesh_filter,
         gather=entries(place[order]),
         site_filter=site_filter,
         **record_poles(start.found, order, capacity),
         stretches=tuple(stretches),
-        meso_row=row.astype(np.int32),
+        meso_row=padded(row.astype(np.int32)),
         nodes=entries(means @ edit_matrix(record.thinning, record.num_meso)),
         pins=Mixing(
-            record.node_of_pin.astype(np.int32),
-            record.vertex_of_input[record.pins].astype(np.int32),
-            1.0 / num_pins[record.node_of_pin],
+            padded(record.node_of_pin.astype(np.int32)),
+            padded(record.vertex_of_input[record.pins].astype(np.int32)),
+            padded(1.0 / num_pins[record.node_of_pin]),
         ),
-        is_held=num_pins > 0,
+        is_held=padded(num_pins > 0),
         centre=record.frame.centre,
         diagonal=np.asarray(record.frame.diagonal),
         axes=record.frame.axes,
     )
-    return part, tuple(layout for *_, layout in plan)
+    return part, tuple(layout for *_, layout in plan), (len(row), record.num_nodes)
+
+
+def padded(values: np.ndarray) -> np.ndarray:
+    """``values`` with zeros up to a capacity."""
+    return packing.pad(values, capacity_for(len(values)), 0, values.dtype)
 
 
 def layouts_of(steps: list[Step]) -> list[tuple[int, int, Layout]]:
@@ -160,12 +166,13 @@ def record_stretch(
     the row of the first stretch whose pole each vertex has. Returns what these are afterwards, too."""
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds, num_cuts = max(map(len, cuts)), max((len(done.a) for rounds in cuts for done in rounds), default=1)
+    num_rounds = capacity_for(max(sum(-(-len(done.a) // SPLIT_TOGETHER) for done in rounds) for rounds in cuts), FEW)
     own, lines = np.arange(capacity), []
 
     def in_rows(values: np.ndarray, fill: float = 0.0, dtype: type = np.float64) -> np.ndarray:
         return packing.pad(values, capacity, fill, np.dtype(dtype))
 
+    start = in_rows(row[steps[0].order], dtype=np.int32)
     for step, rounds in zip(steps, cuts, strict=True):
         rank, num_rows = np.argsort(step.order), len(step.order)
         row_before, pole = row, in_rows(site[step.order], dtype=np.int32)
@@ -173,14 +180,16 @@ def record_stretch(
         # Ids of vertices become rows of the buffers, and those of new ones, which have no pole, of the workspace.
         fresh = np.zeros(sum(len(done.new) for done in rounds), dtype=np.int64)
         row, site = np.concatenate([rank, fresh]), np.concatenate([site, fresh])
-        cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
-        for k, done in enumerate(rounds):
-            row[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
-            apex = done.a if done.apex is None else done.apex
-            cut[k, : len(done.a)] = np.stack([row[done.a], row[done.b], row[apex]], axis=1)
+        cut, first = np.zeros((num_rounds * SPLIT_TOGETHER, 3), dtype=np.int32), 0
+        for done in rounds:
+            place = first + np.arange(len(done.new))
+            row[done.new] = capacity + place
+            cut[place] = np.stack([row[done.a], row[done.b], row[done.apex]], axis=1)
+            first += -(-len(place) // SPLIT_TOGETHER) * SPLIT_TOGETHER
         line = Stretch(
-            enter=in_rows(row_before[step.order], dtype=np.int32),
+            start=None,
             rings=packing.slots(step.rings, step.degree, layout),
+            enter=(in_rows(row_before[step.order]) if lines else own).astype(np.int32),
             degree=in_rows(step.degree),
             free=in_rows(step.free),
             pull=in_rows(step.pull),
@@ -189,7 +198,7 @@ def record_stretch(
             factor=np.asarray(step.factor),
             group=np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
             share=in_rows(share[step.order], 1.0),
-            cut=cut,
+            cut=cut.reshape(num_rounds, SPLIT_TOGETHER, 3),
         )
         lines.append(line)
         for edit in step.edits:
@@ -197,9 +206,11 @@ def record_stretch(
                 site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
             elif isinstance(edit, Compaction):
                 row, site = row[edit.live], site[edit.live]
+    idle = lines[0]._replace(factor=np.zeros(()))
+    lines = [idle] * (capacity_for(len(steps), FEW) - len(steps)) + lines
     rings = tuple(np.stack(table) for table in zip(*(line.rings for line in lines), strict=True))
-    stacked = {name: np.stack([getattr(line, name) for line in lines]) for name in Stretch._fields if name != "rings"}
-    return Stretch(rings=rings, **stacked), row, site
+    stacked = {name: np.stack([getattr(line, name) for line in lines]) for name in Stretch._fields[2:]}
+    return Stretch(start=start, rings=rings, **stacked), row, site
 
 
 def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray]:
@@ -233,17 +244,23 @@ def edit_matrix(edits: list[Any], num_rows: int) -> Any:
 
 
 def entries(matrix: Any) -> Mixing:
-    """The entries of a sparse ``matrix`` that are not 0."""
+    """The entries of a sparse ``matrix`` that are not 0, padded."""
     row, column, share = sparse.find(matrix)
-    return Mixing(row.astype(np.int32), column.astype(np.int32), share)
+    return Mixing(padded(row.astype(np.int32)), padded(column.astype(np.int32)), padded(share))
 
 
-def record_filter(kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray) -> np.ndarray | Polynomial:
-    """The filter on vertices ``order`` (n,), with neighbours ``rings`` (n, K), of which ``degree`` (n,) count."""
+def record_filter(
+    kept: LowPass, order: np.ndarray, rings: np.ndarray, degree: np.ndarray, capacity: int
+) -> np.ndarray | Polynomial:
+    """The filter on vertices ``order`` (n,), padded to ``capacity``. Of their neighbours ``rings`` (n, K) the first
+    ``degree`` (n,) count."""
     if kept.basis is not None:
-        return kept.basis[order]
-    rings = np.where(np.arange(rings.shape[1]) < degree[:, None], rings, 0)
-    return Polynomial(rings.astype(np.int32), degree.astype(np.float64), kept.share, np.asarray(kept.top))
+        return packing.pad(kept.basis[order], capacity, 0, np.dtype(np.float64))
+    width, count = rings.shape[1], len(kept.share)
+    neighbour = np.zeros((capacity, capacity_for(width, FEW)), dtype=np.int32)
+    neighbour[: len(rings), :width] = np.where(np.arange(width) < degree[:, None], rings, 0)
+    share = packing.pad(kept.share, capacity_for(count, FEW), 0, np.dtype(np.float64))
+    return Polynomial(neighbour, packing.pad(degree, capacity, 0, np.dtype(np.float64)), share, np.asarray(kept.top))
 
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:

@@ -157,7 +157,7 @@ def _descend(
 def _value_and_slope(objective: Callable, weights: Weights, tape: Tape, fields: dict[str, Any]) -> Any:
     def value(fields: dict[str, Any]) -> jax.Array:
         at = replace(weights, **{name: jnp.exp(field) for name, field in fields.items()})
-        return _number(objective, replay_meso(tape, at))
+        return _number(objective, replay_meso(tape, at, tolerance=1e-8))
 
     return jax.value_and_grad(value)(fields)
 

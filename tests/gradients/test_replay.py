@@ -88,8 +88,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
     """In a larger layout, and in two stretches instead of one: the same nodes. Of few kinds of tapes programs stay."""
 
     def other_plan(steps, *_):
-        beyond = [4] * 20
-        return [(0, 1, layout_for(500, beyond)), (1, len(steps), layout_for(400, beyond))]
+        return [(0, 1, layout_for(500, [4] * 20)), (1, len(steps), layout_for(400, [4] * 20))]
 
     nodes = msf_jax.replay(flow.tape, flow.weights)
     monkeypatch.setattr(records, "layouts_of", other_plan)
@@ -110,8 +109,7 @@ def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
         len(stretch.factor) * 8 * (7 * (layout.capacity + stretch.cut[0, ..., 0].size) + 6 * layout.capacity)
         for stretch, layout in zip(flow.tape.parts[0].stretches, flow.tape.layouts[0], strict=True)
     )
-    of_tape = sum(np.asarray(leaf).nbytes for leaf in jax.tree.leaves(flow.tape))
-    assert kept < 1.5 * states + 2 * of_tape
+    assert kept < 1.5 * states + 2 * sum(np.asarray(leaf).nbytes for leaf in jax.tree.leaves(flow.tape))
 
 
 @pytest.mark.slow  # so is a derivative, in test_second_derivatives
@@ -147,10 +145,14 @@ def test_a_derivative_in_float32_is_refused_when_it_is_traced(flow, name):
 
 
 @pytest.mark.slow
-def test_one_program_serves_all_tolerances(flow, compilations):
+def test_one_program_serves_all_tolerances_and_tapes_of_a_size(flow, compilations):
     first = np.asarray(msf_jax.replay(flow.tape, flow.weights, tolerance=1e-3))
+    shorter = dataclasses.replace(flow.config, max_iterations=2)
+    other = msf_jax.contract(blob(5, 2).apply_scale([1.0, 0.5, 0.4]), config=shorter)
     compilations.clear()
     assert np.abs(np.asarray(msf_jax.replay(flow.tape, flow.weights)) - first).max() > 0 and not compilations
+    np.testing.assert_allclose(msf_jax.replay(other.tape, other.weights), other.curve.vertices, rtol=0, atol=1e-9)
+    assert not compilations
 
 
 @pytest.mark.parametrize(

@@ -69,7 +69,7 @@ def case(name: str) -> Case:
         towards = random.normal(size=(tape.num_nodes, 3))
 
     def replayed(weights, vertices=None):
-        return (towards * msf_jax.replay(tape, weights, vertices, tolerance=1e-14)).sum()
+        return (towards * msf_jax.replay(tape, weights, vertices)).sum()
 
     values = {
         "weights": lambda x: replayed(Weights(*jnp.exp(x))),
@@ -178,14 +178,10 @@ def test_derivatives_by_weight_and_by_vertex_are_those_of_jacfwd():
     """As the guide has them, and by forward mode."""
     tape = recorded().tape
     towards = np.random.default_rng(0).normal(size=(tape.num_nodes, 3))
-
-    def moved(position):
-        return msf_jax.replay(tape, tape.weights, jnp.asarray(tape.vertices).at[7].set(position), tolerance=1e-14)
-
+    moved = lambda at: msf_jax.replay(tape, tape.weights, jnp.asarray(tape.vertices).at[7].set(at))  # noqa: E731
     column = jax.jit(jax.jacfwd(moved))(tape.vertices[7])
     agree((towards[:, :, None] * column).sum(axis=(0, 1)), both("vertices")[2][0][7], 1e-5)
-    run = functools.partial(msf_jax.replay, tolerance=1e-14)
-    by_weight = vars(jax.jit(jax.jacfwd(run, argnums=1))(tape, tape.weights)).values()
+    by_weight = vars(jax.jit(jax.jacfwd(msf_jax.replay, argnums=1))(tape, tape.weights)).values()
     scaled = [weight * slope for weight, slope in zip(jax.tree.leaves(tape.weights), by_weight, strict=True)]
     agree([(towards * slope).sum() for slope in scaled], both("weights")[2][0], 1e-5)
     np.testing.assert_allclose(sum(scaled[:3]), 0, atol=1e-6 * np.abs(scaled[1]).max())  # only ratios matter
@@ -205,7 +201,7 @@ tape, curves, places, values, slopes, followed = pickle.load(open(sys.argv[1], "
 mesh, along = Mesh(np.array(jax.devices()), ("each",)), PartitionSpec("each")
 spread = lambda run: jax.jit(jax.shard_map(jax.vmap(run), mesh=mesh, in_specs=along, out_specs=along))
 towards = np.random.default_rng(0).normal(size=(tape.num_nodes, 3))
-value = lambda x: (towards * msf_jax.replay(tape, Weights(*jax.numpy.exp(x)), tolerance=1e-14)).sum()
+value = lambda x: (towards * msf_jax.replay(tape, Weights(*jax.numpy.exp(x)))).sum()
 found = spread(jax.value_and_grad(value))(places)
 np.testing.assert_allclose(found[0], values, rtol=1e-7)
 np.testing.assert_allclose(found[1], slopes, rtol=0, atol=1e-6 * np.abs(slopes).max())
