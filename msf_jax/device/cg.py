@@ -5,21 +5,25 @@ solve of a `lax.custom_linear_solve`: derivatives of any order are those of the 
 solve each. Under a `jax.checkpoint` with the policy `keeps_solutions`, the backward pass does not repeat the solve.
 """
 
-import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from importlib import util
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
 from jax import lax
 
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
-    from jaxopt import loop
-
 from msf_jax.base.options import SolverOptions, is_traced
+
+if TYPE_CHECKING:
+    from jaxopt import loop
+else:  # from its file: the package imports all of its solvers, which takes 0.2 s, or 0.35 where numba is installed
+    _spec = util.spec_from_file_location("loop", Path(util.find_spec("jaxopt").origin).parent / "_src" / "loop.py")
+    loop = util.module_from_spec(_spec)
+    _spec.loader.exec_module(loop)
 
 Map = Callable[[jax.Array], jax.Array]  # of vectors (n, c)
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8

@@ -96,8 +96,7 @@ def _replay_stretch(
     stretch: Stretch, poles: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
 ) -> jax.Array:
     """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows and of new rows."""
-    num_new = stretch.cut.shape[1] * stretch.cut.shape[2]
-    fresh = jnp.zeros((num_new, rows.shape[1]), rows.dtype)
+    fresh = jnp.zeros((stretch.cut[0, :, :, 0].size, rows.shape[1]), rows.dtype)
 
     def iteration(workspace: jax.Array, line: Any) -> tuple[jax.Array, None]:
         rows = workspace[line.enter]
@@ -127,9 +126,6 @@ def _replay_stretch(
 
 def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
     """Apply rounds of splits (R, M, 3): each adds a row, from ``first`` on, where the apex projects on the edge."""
-    num_rounds, num_cuts, _ = cut.shape
-    if num_rounds == 0:
-        return workspace
 
     def one_round(workspace: jax.Array, line: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, None]:
         edges, place = line
@@ -140,5 +136,5 @@ def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
         fraction = (((apex[:, :3] - a[:, :3]) * along).sum(1) / length2)[:, None]
         return lax.dynamic_update_slice(workspace, (1 - fraction) * a + fraction * b, (place, 0)), None
 
-    places = first + num_cuts * jnp.arange(num_rounds)
+    places = first + cut.shape[1] * jnp.arange(cut.shape[0])
     return lax.scan(one_round, workspace, (cut, places))[0]
