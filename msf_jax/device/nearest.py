@@ -96,10 +96,9 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         return lax.while_loop(lambda state: size * state[0] < stop.max(), test_window, state)[2]
 
     parts = -(-len(points) // AT_ONCE)
-    more = -len(points) % parts
-    given = jnp.pad(points, ((0, more), (0, 0))), jnp.pad(first, (0, more), constant_values=len(corners))
-    given = *given, jnp.pad(stop, (0, more))
-    found = lax.map(of_some, jax.tree.map(lambda x: x.reshape(parts, -1, *x.shape[1:]), given)).ravel()[: len(points)]
+    rows = jnp.arange(parts * -(-len(points) // parts), dtype=jnp.int32)
+    rows = jnp.minimum(rows, len(points) - 1).reshape(parts, -1)  # the last point again, so that parts are alike
+    found = lax.map(of_some, (points[rows], first[rows], stop[rows])).ravel()[: len(points)]
     return jnp.minimum(found, ends.max() - 1)  # padding repeats the last face
 
 

@@ -261,7 +261,8 @@ def untangled(vertices: np.ndarray, faces: np.ndarray) -> Untangled:
     if not boxes:
         return Untangled(vertices, faces, np.arange(len(vertices)), 0, len(places))
     rest = Manifold.batch_boolean([whole, *boxes], OpType.Subtract)
-    made, faces = arrays_of(Manifold.batch_boolean([rest, *strands], OpType.Add))
+    outer, voids = _parted(rest)  # what is left of a strand may be inside another's
+    made, faces = arrays_of(Manifold.batch_boolean([*([rest] if voids else outer), *strands], OpType.Add))
     return Untangled(made, faces, _same_place(vertices, made), len(boxes), len(places) - len(boxes))
 
 

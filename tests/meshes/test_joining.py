@@ -8,7 +8,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair, Weights
 from msf_jax.app.cli import main
 from msf_jax.meshes import checking
-from tests.benchmarks import faults
+from tests.benchmarks import faults, ground_truth
 
 BALL = trimesh.creation.icosphere(2)
 QUICK = Config(max_iterations=1)
@@ -91,6 +91,15 @@ def test_a_handle_is_a_loop():
     ring = trimesh.creation.torus(1.0, 0.2, major_sections=24, minor_sections=8)
     block = trimesh.creation.box([1.0, 3.0, 1.0]).subdivide()
     found = checking.prepare(faults.joined(faults.pair(ring), (block.vertices - [1.2, 0, 0], block.faces)), "join")
+    assert [part.genus for part in found.components] == [1]
+
+
+def test_ends_of_a_tube_that_lie_in_each_other_are_one_place():
+    """Of one turn, with round ends, whose tips are in the tube and cross nothing."""
+    angle = np.linspace(0, 2 * np.pi, 200)
+    circle = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    tube = ground_truth.swept_tube(circle, np.full(200, 0.15), 10, "round")
+    found = checking.prepare(faults.pair(tube), "join")
     assert [part.genus for part in found.components] == [1]
 
 
