@@ -183,11 +183,13 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
     them would cost most of the time. The balls touch samples of the surface, which are also between its vertices."""
     samples, normals = shape.surface_points(MOST_SAMPLES)
-    tree = spatial.KDTree(samples)
-    count = min(NEAREST_SAMPLES, len(samples))
-    away, near = (np.reshape(found, (len(points), count)) for found in tree.query(points, k=count))
-    enough, radius = np.zeros((2, len(samples)))
-    np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
-    asked = np.flatnonzero(enough)
-    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
-    return LENGTH * (radius[near] - SLOPE * away).max(axis=1)
+    tree, limit = spatial.KDTree(samples), np.zeros(len(points))
+    for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
+        left = np.flatnonzero(limit < longest)
+        away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))
+        enough, radius = np.zeros((2, len(samples)))
+        np.maximum.at(enough, near, longest[left, None] + SLOPE * away)
+        asked = np.flatnonzero(enough)
+        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
+        limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
+    return limit
