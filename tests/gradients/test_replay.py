@@ -147,12 +147,14 @@ def test_a_derivative_in_float32_is_refused_when_it_is_traced(flow, name):
 @pytest.mark.slow
 def test_one_program_serves_all_tolerances_and_tapes_of_a_size(flow):
     first = np.asarray(msf_jax.replay(flow.tape, flow.weights, tolerance=1e-3))
-    shorter = dataclasses.replace(flow.config, max_iterations=2)
-    other = msf_jax.contract(blob(5, 2).apply_scale([1.0, 0.5, 0.4]), config=shorter)
     num_programs = playback.replay_part._cache_size()
     assert np.abs(np.asarray(msf_jax.replay(flow.tape, flow.weights)) - first).max() > 0
-    np.testing.assert_allclose(msf_jax.replay(other.tape, other.weights), other.curve.vertices, rtol=0, atol=1e-9)
-    assert playback.replay_part._cache_size() == num_programs
+    for depth in (0.4, 0.41, 0.42):  # one of these may be a little too large for the program of the others
+        run = msf_jax.contract(
+            blob(5, 2).apply_scale([1.0, 0.5, depth]), config=dataclasses.replace(flow.config, max_iterations=2)
+        )
+        np.testing.assert_allclose(msf_jax.replay(run.tape, run.weights), run.curve.vertices, rtol=0, atol=1e-9)
+    assert playback.replay_part._cache_size() <= num_programs + 1
 
 
 @pytest.mark.parametrize(
