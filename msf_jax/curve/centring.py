@@ -196,13 +196,11 @@ def limb_sections(
     tangent = unit(ahead)
     clear = measures.clear_of_others(x, paths, tangent, size, clearance)
     node = np.flatnonzero(ahead.any(axis=1) & (clear > 0) & ~is_off & (clearance > 0))
-    corners = sections.corners(shape, x[node], tangent[node], size[node])
-    found = sections.measured(shape, x[node], tangent[node], corners)
-    found = sections.held_in(shape, tangent[node], corners, found)
+    found = sections.held_in(shape, tangent[node], sections.cut(shape, x[node], tangent[node], size[node]))
     middle, reach = np.zeros_like(x), np.zeros(len(x))
-    middle[node], reach[node] = found.centroid, found.radius
+    middle[node], reach[node] = found.middle, found.radius
     is_own = found.is_around & ~measures.crossed_again(x, paths, tangent, middle, reach)[node]
-    node, found = node[is_own], sections.Sections(*(field[is_own] for field in found))
+    node, found = node[is_own], found.only(is_own)
     is_clear = clear[node] > 1e-6
     width = measures.usual(paths, len(x), node[is_clear], found.radius[is_clear])
     weight = clear[node] * np.minimum(1.0, np.nan_to_num(width[node] / found.radius)) ** ROUNDNESS
@@ -220,7 +218,7 @@ class _System:
     ):
         node, found, t = limbs.node, limbs.found, limbs.tangent[limbs.node]
         flat = np.eye(3) - t[:, :, None] * t[:, None, :]
-        self.off = np.einsum("nij,nj->ni", flat, x[node] - found.centroid)
+        self.off = np.einsum("nij,nj->ni", flat, x[node] - found.middle)
         slide = np.einsum("nij,nj->ni", flat, found.slide)
         own = flat - slide[:, :, None] * t[:, None, :]
         turn = -flat @ found.turn @ flat / np.linalg.norm(limbs.chord[node] @ x, axis=1)[:, None, None]

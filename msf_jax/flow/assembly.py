@@ -149,7 +149,8 @@ def _skeleton(
     found: dict[str, Any] = {"doubts": (UNCHECKED,)}
     if not clock.reason:
         is_joined = report.joined_handles is not None
-        found = assessed(*curve, lambda: skeleton.branches, is_joined) if is_finished else loops_of(*curve)
+        about = *curve, lambda: skeleton.branches, is_joined, solid.lids
+        found = assessed(*about) if is_finished else loops_of(*curve)
         found["notes"] = (*report.notes, *(bare_ends(solid, vertices, edges) if is_finished else ()))
     # The frozen skeleton has no other reader yet, and keeps what it knows of its leaves.
     vars(skeleton)["report"] = replace(report, components=components, cycles=cycles, inside=inside, **found)

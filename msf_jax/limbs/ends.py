@@ -166,9 +166,8 @@ def _held_in(shape: Enclosure, middles: np.ndarray, size: np.ndarray) -> np.ndar
     near = np.searchsorted(out, row)
     heading = unit(middles[out[np.minimum(near + 1, len(out) - 1)]] - middles[out[np.clip(near - 1, 0, len(out) - 2)]])
     row, heading = row[heading.any(axis=1)], heading[heading.any(axis=1)]
-    corners = sections.corners(shape, middles[row], heading, size[row])
-    found = sections.measured(shape, middles[row], heading, corners)
-    held = sections.held_in(shape, heading, corners, found).centroid
+    found = sections.cut(shape, middles[row], heading, size[row])
+    held = sections.held_in(shape, heading, found).middle
     is_own = np.linalg.norm(found.centroid - middles[row], axis=1) < found.size
     middles[row] = np.where((is_own & (held != found.centroid).any(axis=1))[:, None], held, middles[row])
     return middles

@@ -1270,7 +1270,7 @@ define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
   br i1 %155, label %178, label %156
 156:
   %157 = tail call double @llvm.fabs.f64(double %314)
-  %158 = fmul double %303, 0x3D06849B86A12B9B
+  %158 = fmul double %303, 1.000000e-09
   %159 = fcmp ogt double %157, %158
   br i1 %159, label %320, label %178
 160:

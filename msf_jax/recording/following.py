@@ -25,7 +25,6 @@ from trimesh.triangles import closest_point
 from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
 from msf_jax.curve import branches as measures
 from msf_jax.curve import centring
-from msf_jax.solid import sections
 from msf_jax.solid.geometry import RESOLUTION, together, unit
 from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
@@ -144,14 +143,13 @@ def _sections(
         return BoundCorners(none, none, none, none, np.zeros((0, 3)), none, none), radii
     limbs = centring.limb_sections(shape, x, paths, is_held, radii)
     node, found, normal = limbs.node, limbs.found, limbs.tangent
-    weight = limbs.robust(x[node] - found.centroid)
+    weight = limbs.robust(x[node] - found.middle)
     is_whole = (moved_inside(x, normal, solid.openings) == x).all(axis=1)
     # The centroid across a whole sheet moves much farther by noise than its vertices.
     is_kept = (weight > SLIGHT) & is_whole[node] & (found.radius < measures.WIDE * found.size)
-    node, weight = node[is_kept], weight[is_kept]
-    cut = sections.corners(shape, x[node], normal[node], limbs.size[node])
-    middle = sections.measured(shape, x[node], normal[node], cut).centroid
-    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, middle, node, weight), limbs.size
+    found, node, weight = found.only(is_kept), node[is_kept], weight[is_kept]
+    cut = found.corners
+    return BoundCorners(cut.loop, cut.tail, cut.head, cut.part, found.centroid, node, weight), limbs.size
 
 
 def _with_clouds(surface: BoundSurface, edges: np.ndarray, loops: BoundCorners, num: int) -> BoundCorners:

@@ -25,7 +25,6 @@ from trimesh import remesh
 
 from msf_jax.curve import branches, centring
 from msf_jax.curve.junctions import AXIS, Branches
-from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, axes_across, cross, unit
 from msf_jax.solid.solid import Solid, moved_inside
@@ -90,7 +89,7 @@ def limb_sections(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> dict
     x = moved_inside(given, unit(branches.chords(given, paths, size) @ given), solid.openings)
     limbs = centring.limb_sections(shape, x, paths, none, shape.clearance(x))
     node, weight, normal = limbs.node, limbs.weight, limbs.tangent[limbs.node]
-    cut, axes = sections.corners(shape, x[node], normal, limbs.size[node]), axes_across(normal)
+    cut, axes = limbs.found.corners, axes_across(normal)
     middle = vertices[node] + solid.diagonal * (x - given)[node]
     corners, bounds = solid.leave(cut.places(shape)), np.searchsorted(cut.loop, np.arange(len(node) + 1))
     found = zip(node.tolist(), middle, axes, bounds[:-1], bounds[1:], weight.tolist(), strict=True)

@@ -212,9 +212,11 @@ def assessed(
     node_of_vertex: np.ndarray | None = None,
     branches_of: Callable[[], list[Branch]] = list,
     is_joined: bool = False,
+    lids: np.ndarray | tuple[int, ...] = (),
 ) -> dict[str, Any]:
     """The report's ``loops``, ``doubts`` and shares for a finished curve, see `loops_of` and `shares_of`. Its branches
-    are only asked for if it has many ends. Where the solid's parts were joined, ``is_joined``, that is no advice."""
+    are only asked for if it has many ends. Where the solid's parts were joined, ``is_joined``, that is no advice.
+    ``lids`` (L,): the faces that close openings, default none."""
     about, doubts = loops_of(shape, vertices, edges, node_of_vertex), list[str]()
     shares = shares_of(shape, vertices, edges, node_of_vertex)
     if len(leaves_of(edges)) >= MANY:
@@ -225,7 +227,7 @@ def assessed(
     if shares["in_sheets"] > 1 / 2:  # the curve could as well be elsewhere
         doubts.append(IN_SHEETS.format(shares["in_sheets"]))
     doubts += _folds(shape, vertices, edges)
-    doubts += _overlaps(shape, vertices, edges, node_of_vertex, is_joined)
+    doubts += _overlaps(shape, vertices, edges, node_of_vertex, is_joined, lids)
     return about | shares | {"doubts": (*about["doubts"], *doubts)}
 
 
@@ -249,14 +251,19 @@ def _folds(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> list[st
 
 
 def _overlaps(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None, is_joined: bool
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    node_of_vertex: np.ndarray | None,
+    is_joined: bool,
+    lids: np.ndarray | tuple[int, ...],
 ) -> list[str]:
     """The doubts about a surface whose solid it does not bound everywhere, as parts of it are inside, and about specks
     beside or inside the solid, whose limbs are none."""
     node = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1]) if node_of_vertex is None else node_of_vertex
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     doubts = []
-    if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
+    if num := len(crossings.apart_pairs(shape, lids, node, shape.clearance(vertices), edges, length)):
         least = "at least " if shape.crossed.is_cut else ""
         doubts.append(
             f"the surface crosses itself, in {least}{counted(num, 'pair')} of triangles: radii count "
@@ -320,15 +327,13 @@ def shares_of(
     own[degree != 2] = 0.0  # a junction has no cross-section, and the ball of an end is small
     asked = np.flatnonzero(own * radius > 0)
     normal = unit(branches.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
-    places = vertices[asked], normal
-    corners = sections.corners(shape, *places, radius[asked])
-    found = sections.measured(shape, *places, corners)
+    found = sections.cut(shape, vertices[asked], normal, radius[asked])
     # Where a limb begins, a plane across it cuts off the trunk's side, and a ball beside an axis is small: a section is
     # wider than the ball there, and not flat. In the middle of a round section of a shell is a void. Next to its inner
     # wall, the void is beside the curve, and the section is a wall around it.
     is_flat = (found.radius > FLAT_SECTION * found.size) | ~shape.contains(found.centroid)
     is_wide = (found.radius > SHEET * radius[asked]) & is_flat | ~found.is_found
-    known = own[asked] * np.isin(np.arange(len(asked)), corners.loop)
+    known = own[asked] * np.isin(np.arange(len(asked)), found.corners.loop)
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area, traced = np.full(len(vertices), np.nan), graphs.trace(len(vertices), edges)
     area[asked] = np.where(found.is_found, found.area, np.nan)

@@ -515,7 +515,8 @@ def changed(skeleton: Skeleton, vertices: np.ndarray, edges: np.ndarray, node_of
         return result
     vertex, is_joined = source.input_of_vertex, report.joined_handles is not None
     placed = source.solid.shape, source.solid.enter(vertices), edges, None if vertex is None else mesh_map[vertex]
-    found = assessed(*placed, lambda: result.branches, is_joined) | {"inside": _share_inside(result, edges)}
+    found = assessed(*placed, lambda: result.branches, is_joined, source.solid.lids)
+    found |= {"inside": _share_inside(result, edges)}
     result = replace(result, report=replace(report, **found))
     return result if skeleton.radius_of == "ball" else _with_sections(result)
 

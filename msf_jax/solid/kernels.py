@@ -17,7 +17,6 @@ from scipy import spatial
 from msf_jax.numerics.compiled import Ints, Points, Reals, Triangles, kernel, part
 from msf_jax.solid.geometry import ROUNDING
 
-FLAT = 1e-14  # squared sizes of a triangle: a smaller area, seen along a ray, is a rounding error
 Vector = tuple[float, float, float]
 
 
@@ -237,7 +236,7 @@ def hits(
                 total = of_c + of_a + of_b
                 # A triangle seen edge-on has an area of rounding errors only: it is no hit.
                 is_hit = min(of_a, of_b, of_c) >= 0 or max(of_a, of_b, of_c) <= 0
-                if is_hit and abs(total) > FLAT * size2:
+                if is_hit and abs(total) > ROUNDING * size2:
                     t = dot((of_c, of_a, of_b), (c[2], a[2], b[2])) / total
                     t = min(max(t, min(a[2], b[2], c[2])), max(a[2], b[2], c[2]))
                     if 0 <= t <= reach[row]:

@@ -46,15 +46,18 @@ class Sections(NamedTuple):
     """The loop around each of P points.
 
     centroid: (P, 3) of the area inside the loop; the point itself without a loop.
+    middle: (P, 3) the same, but for a centroid outside, after `held_in`.
     radius: (P,) mean distance of the loop from its centroid; 0 without a loop.
     area: (P,) inside the loop, negative for one around a cavity; 0 without a loop.
     size: (P,) twice the area over the loop's length: the radius of a disc, the thickness of a sheet; 0 without a loop.
     is_found: (P,) whether there is a loop that bounds the solid from outside.
     is_around: (P,) whether the loop goes around the point. has_middle: (P,) whether it goes around its centroid.
-    slide: (P, 3) motion of the centroid within the plane, when the plane moves along its normal n by a unit of length.
-    turn: (P, 3, 3) motion of the centroid when the plane turns about the point: turn @ dn for a change dn of n."""
+    slide: (P, 3) motion of the middle within the plane, when the plane moves along its normal n by a unit of length.
+    turn: (P, 3, 3) motion of the middle when the plane turns about the point: turn @ dn for a change dn of n.
+    corners: of the loops."""
 
     centroid: np.ndarray
+    middle: np.ndarray
     radius: np.ndarray
     area: np.ndarray
     size: np.ndarray
@@ -63,6 +66,14 @@ class Sections(NamedTuple):
     has_middle: np.ndarray
     slide: np.ndarray
     turn: np.ndarray
+    corners: Corners
+
+    def only(self, is_kept: np.ndarray) -> "Sections":
+        """The sections of ``is_kept`` (P,)."""
+        loop = self.corners.loop
+        corners = Corners(*(field[is_kept[loop]] for field in self.corners))
+        corners = corners._replace(loop=(np.cumsum(is_kept) - 1)[corners.loop])
+        return Sections._make([*(field[is_kept] for field in self[:-1]), corners])
 
 
 @part
@@ -180,12 +191,7 @@ def measures(places: Points, leans: Reals, normals: Points, ends: Ints, rows: In
 
 
 def cut(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray) -> Sections:
-    """The sections of ``shape`` through ``points`` (P, 3), see `corners`."""
-    return measured(shape, points, normals, corners(shape, points, normals, radii))
-
-
-def corners(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray) -> Corners:
-    """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3): the corners of the loops.
+    """The sections of ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3).
 
     A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
     estimates of its distance; the search begins within two of them."""
@@ -199,12 +205,7 @@ def corners(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np
         capacity *= 2
     loop = np.repeat(np.arange(num), np.diff(ends, prepend=0))
     edge, share = edge[: len(loop)], share[: len(loop)]
-    return Corners(loop, shape.edges.origin[edge], shape.edges.target[edge], share, edge // 3)
-
-
-def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
-    """Measure the loops with these ``corners``, in planes through ``points`` (P, 3) with ``normals`` (P, 3)."""
-    loop = corners.loop
+    corners = Corners(loop, shape.edges.origin[edge], shape.edges.target[edge], share, edge // 3)
     places = corners.places(shape) - points.take(loop, axis=0)
     leans = -np.einsum("ci,ci->c", shape.normals.take(corners.triangle, axis=0), normals.take(loop, axis=0))
     sums = np.zeros((len(points), 20))
@@ -217,25 +218,24 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     slide, turn = sums[:, 7:10] / (safe / 2), -sums[:, 10:19] / (safe / 2)
     centroid = np.where(is_found[:, None], sums[:, :3], 0.0)
     is_around, has_middle = (is_found & (turned > np.pi) for turned in (angle, sums[:, 19]))
-    turn = turn.reshape(-1, 3, 3)
-    return Sections(points + centroid, radius, area2 / 2, size, is_found, is_around, has_middle, slide, turn)
+    turn, centroid, kinds = turn.reshape(-1, 3, 3), points + centroid, (is_found, is_around, has_middle)
+    return Sections(centroid, centroid.copy(), radius, area2 / 2, size, *kinds, slide, turn, corners)
 
 
-def held_in(shape: Enclosure, normals: np.ndarray, corners: Corners, found: Sections) -> Sections:
-    """``found``, measured on ``corners`` in planes across ``normals`` (P, 3), with middles inside the loops.
+def held_in(shape: Enclosure, normals: np.ndarray, found: Sections) -> Sections:
+    """Sections ``found`` in planes across ``normals`` (P, 3), with middles inside the loops.
 
     A centroid outside its loop, and outside ``shape``, gives way to the middle of the shortest chord that halves the
     area. That depends only on the walls there, which run along the limb: its derivatives are 0, and such a section
     counts as a round one, whose size is its radius."""
     rows = np.flatnonzero(found.is_found & ~found.has_middle)
-    found = Sections(*(field.copy() for field in found))
+    found = Sections._make([*(field.copy() for field in found[:-1]), found.corners])
     for row in rows[~shape.contains(found.centroid[rows])].tolist():
-        own = slice(*np.searchsorted(corners.loop, [row, row + 1]))
         (frame,) = axes_across(normals[[row]])
-        places = corners._replace(tail=corners.tail[own], head=corners.head[own], part=corners.part[own]).places(shape)
+        places = found.only(np.arange(len(normals)) == row).corners.places(shape)
         x = np.einsum("cj,ij->ci", places - found.centroid[row], frame)
         x = np.concatenate([x, x[:1]])
-        found.centroid[row] = _narrowest(shape, x, found.centroid[row], frame)
+        found.middle[row] = _narrowest(shape, x, found.centroid[row], frame)
         found.size[row], found.slide[row], found.turn[row] = found.radius[row], 0.0, 0.0
     return found
 

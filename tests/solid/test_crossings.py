@@ -59,6 +59,6 @@ def test_faces_cross_if_they_are_apart_along_the_curve(along, num):
     shape = Enclosure(np.concatenate([corners, corners + [0.1, 0.1, 0.5]]), np.concatenate([faces, faces + 4]))
     node, radii = np.repeat([0, 1], 4), np.array([0.4, 0.4])
     found = crossings.apart_pairs(
-        shape, node, radii if along > 0.5 else 3 * radii, np.array([[0, 1]]), np.array([along])
+        shape, (), node, radii if along > 0.5 else 3 * radii, np.array([[0, 1]]), np.array([along])
     )
     assert len(found) == num

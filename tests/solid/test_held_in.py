@@ -42,9 +42,8 @@ def middle(profile: np.ndarray, normal=(0.0, 0.0, 1.0), turn=None) -> tuple[np.n
     start = np.append(profile[:2].mean(axis=0) + 1e-3 * inward, 5.0)
     normals = (turn @ np.array(normal) / np.linalg.norm(normal))[None]
     points = (turn @ start)[None]
-    corners = sections.corners(shape, points, normals, np.array([1.0]))
-    found = sections.measured(shape, points, normals, corners)
-    return sections.held_in(shape, normals, corners, found).centroid[0] @ turn, found
+    found = sections.cut(shape, points, normals, np.array([1.0]))
+    return sections.held_in(shape, normals, found).middle[0] @ turn, found
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -94,7 +93,6 @@ def test_the_middle_of_a_pipe_stays_in_its_bore():
     mesh = manifold3d.Manifold.extrude(circle(2, 48) - circle(1.5, 48), 10).to_mesh64()
     shape = Enclosure(np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64))
     point, normal = np.array([[1.9, 0, 5]]), np.array([[0.0, 0, 1]])
-    corners = sections.corners(shape, point, normal, np.array([0.2]))
-    found = sections.measured(shape, point, normal, corners)
+    found = sections.cut(shape, point, normal, np.array([0.2]))
     assert found.is_around.all() and not shape.contains(found.centroid).any()
-    np.testing.assert_array_equal(sections.held_in(shape, normal, corners, found).centroid, found.centroid)
+    np.testing.assert_array_equal(sections.held_in(shape, normal, found).middle, found.centroid)

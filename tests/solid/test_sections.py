@@ -23,7 +23,7 @@ def cut_one(mesh: trimesh.Trimesh, point, normal, radius: float = 0.5) -> Sectio
     """The section around a single point, without its leading axis."""
     normal = np.array([normal], dtype=float) / np.linalg.norm(normal)
     found = cut(enclosure(mesh), np.array([point], dtype=float), normal, np.array([radius]))
-    return Sections(*(field[0] for field in found))
+    return Sections._make([*(field[0] for field in found[:-1]), found.corners])
 
 
 def random_normals(random: np.random.Generator, num: int) -> np.ndarray:
@@ -175,7 +175,7 @@ def test_the_nearest_loop_is_the_one_that_is_joined_from_all_segments(name, seed
         loop = min(loops, key=distance_of, default=None)
         assert found.is_found[k] == (loop is not None and loop.is_outer)
         if loop is None or not loop.is_outer:
-            assert_nothing(Sections(*(field[k] for field in found)), points[k])
+            assert_nothing(Sections._make([*(field[k] for field in found[:-1]), found.corners]), points[k])
             continue
         assert found.is_around[k] == is_around(loop.corners, np.zeros(2))
         middle = centroid_of(loop.corners)
@@ -282,10 +282,12 @@ def test_points_do_not_depend_on_each_other(monkeypatch):
     shape, (points, normals, radii) = enclosure(dented(54)), questions(8, 30)
     together = cut(shape, points, normals, radii)
     alone = [cut(shape, points[k : k + 1], normals[k : k + 1], radii[k : k + 1]) for k in range(30)]
-    assert_same(Sections(*(np.concatenate(fields) for fields in zip(*alone, strict=True))), together)
+    for k, one in enumerate(alone):
+        assert_same(one, together.only(np.arange(30) == k))
     monkeypatch.setattr(sections, "isqrt", lambda num: 0)
     many = cut(shape, np.tile(points, (100, 1)), np.tile(normals, (100, 1)), np.tile(radii, 100))
-    assert_same(Sections(*(np.concatenate(100 * [field]) for field in together)), many)
+    for k in range(100):
+        assert_same(many.only(np.arange(3000) // 30 == k), together)
 
 
 def test_the_centroid_moves_as_it_says_when_the_plane_slides_and_turns():
