@@ -3,7 +3,7 @@ options and the command line's help do not import JAX."""
 
 from typing import Any
 
-import jax
+from jax.tree_util import GetAttrKey, register_pytree_with_keys
 
 from msf_jax.base.options import Weights
 
@@ -17,11 +17,8 @@ def _unchecked(names: tuple[str, ...], leaves: Any) -> Weights:
     return weights
 
 
-jax.tree_util.register_pytree_with_keys(
+register_pytree_with_keys(
     Weights,
-    lambda weights: (
-        [(jax.tree_util.GetAttrKey(name), leaf) for name, leaf in vars(weights).items()],
-        tuple(vars(weights)),
-    ),
+    lambda weights: ([(GetAttrKey(name), leaf) for name, leaf in vars(weights).items()], tuple(vars(weights))),
     _unchecked,
 )

@@ -3,7 +3,6 @@
 A padded row has no neighbours and is not free; an unused slot refers to its own row. Neither adds to any sum.
 """
 
-from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -35,22 +34,16 @@ class Buffers(NamedTuple):
     area: jax.Array  # (n,) one-ring areas at the start of the flow, for systems whose w_H follows them
 
 
-# For functions that a step calls many times: each is traced once for each layout, which saves time at the start.
-traced_once = partial(jax.jit, static_argnames="layout", inline=True)
-
-
 def real_dtype() -> jnp.dtype:
     """float64 if JAX has it enabled, else float32."""
     return jax.dtypes.canonicalize_dtype(float)
 
 
-@traced_once
 def at_rows(layout: Layout, values: jax.Array) -> jax.Array:
     """``values`` (n, ...) of the row that each slot belongs to, (S, ...), without a gather."""
     return jnp.concatenate([values[: level.rows] for level in layout.levels for _ in range(level.slots)])
 
 
-@traced_once
 def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
     """Sum (n,) of ``values`` (S,) over the slots of each row."""
     total = jnp.zeros(layout.levels[-1].rows, values.dtype)
@@ -60,7 +53,6 @@ def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
     return total
 
 
-@traced_once
 def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
     """y_i = sum over the slots of row i of weight times x[neighbour], for weights (S,) and x (n, c). From the last
     level on, each is added to a prefix of the rows of the level before it."""

@@ -4,6 +4,7 @@ A section's corners are p_k = (1 - t_k) V_tail + t_k V_head, its area vector is 
 centroid that of the area projected along N: a corner that moves along the limb moves it along the limb, to first order.
 """
 
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -11,7 +12,10 @@ import jax.numpy as jnp
 from jax import lax
 
 from msf_jax.base.binding import Binding
+from msf_jax.device.laplacian import norm
 from msf_jax.device.nearest import signed_distances
+
+sorted_sum = partial(jax.ops.segment_sum, indices_are_sorted=True)
 
 VANISHED = 1e-3  # of a section's area to the mean square of its corners' distances from their mean: below, it is none
 
@@ -38,32 +42,26 @@ def area_vectors(binding: Binding, place: jax.Array) -> tuple[jax.Array, jax.Arr
     """The means (S, 3) of the corners at ``place`` (C, 3) of each section, twice its area vector N (S, 3), and the
     parts (C, 3) of that."""
     num, share = len(binding.node), jnp.asarray(binding.share, place.dtype)[:, None]
-    mean = jax.ops.segment_sum(share * place, binding.section, num, indices_are_sorted=True)
+    mean = sorted_sum(share * place, binding.section, num)
     p = place - mean[binding.section]
     cross = jnp.cross(p, p[binding.onward])
-    return mean, jax.ops.segment_sum(cross, binding.section, num, indices_are_sorted=True), cross
+    return mean, sorted_sum(cross, binding.section, num), cross
 
 
 def centroids(binding: Binding, place: jax.Array) -> tuple[jax.Array, jax.Array]:
     """The centroids (S, 3) of the sections whose corners are at ``place`` (C, 3), and whether each vanished (S,)."""
     num, dtype = len(binding.node), place.dtype
-    share = jnp.asarray(binding.share, dtype)
-
-    def total(value: jax.Array) -> jax.Array:
-        return jax.ops.segment_sum(value, binding.section, num, indices_are_sorted=True)
-
     mean, vector, cross = area_vectors(binding, place)
     p = place - mean[binding.section]
     onward = p[binding.onward]
-    twice2 = (vector * vector).sum(1)
-    is_some = twice2 > 0
-    twice = jnp.where(is_some, jnp.sqrt(jnp.where(is_some, twice2, 1.0)), 0.0)
-    normal = vector / jnp.where(is_some, twice, 1.0)[:, None]
+    twice = norm(vector)
+    normal = vector / jnp.where(twice > 0, twice, 1.0)[:, None]
     part = (cross * normal[binding.section]).sum(1)
-    spread2 = total(share * (p * p).sum(1))
+    spread2 = sorted_sum(jnp.asarray(binding.share, dtype) * (p * p).sum(1), binding.section, num)
     is_loop = jnp.asarray(binding.is_loop)
     is_there = is_loop & (twice / 2 > VANISHED * spread2)
-    off = total(part[:, None] * (p + onward)) / (3 * jnp.where(is_there, twice, 1.0))[:, None]
+    off = sorted_sum(part[:, None] * (p + onward), binding.section, num)
+    off = off / (3 * jnp.where(is_there, twice, 1.0))[:, None]
     return mean + jnp.where(is_there[:, None], off, 0.0), is_loop & ~is_there
 
 
@@ -78,8 +76,7 @@ def follow(binding: Binding, vertices: jax.Array) -> Followed:
     num = len(binding.rest)
 
     def product(row: jax.Array, column: jax.Array, value: jax.Array, of: jax.Array) -> jax.Array:
-        entries = jnp.asarray(value, dtype)[:, None] * of[column]
-        return jax.ops.segment_sum(entries, row, num, indices_are_sorted=True)
+        return sorted_sum(jnp.asarray(value, dtype)[:, None] * of[column], row, num)
 
     nodes = product(binding.a_row, binding.a_column, binding.a_value, centroid)
     turned = product(binding.b_row, binding.b_column, binding.b_value, entered)

@@ -57,28 +57,24 @@ def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout
 
 
 def _rows(buffers: Buffers, settings: StepSettings, layout: Layout) -> LaplacianRows:
-    """The Laplacian of the surface in ``buffers``, with limited entries."""
+    """The Laplacian of the surface in ``buffers``, with limited entries, whose gradient is 0."""
     rows = laplacian.assemble(settings.laplacian, buffers.positions, buffers.rings, buffers.degree, layout)
-    return rows if settings.laplacian in laplacian.BOUNDED else laplacian.limit(rows)
-
-
-# From neighbour (S,), out (S,), own (n,), shift (n,), free (n,), see `contraction.Gram`, and the layout, the host makes
-# the preconditioner r (n, c) -> M r.
-Factoring = Callable[..., Callable[[Any], Any]]
+    largest = jnp.inf if settings.laplacian in laplacian.BOUNDED else laplacian.LARGEST_ENTRY
+    return LaplacianRows(*(jnp.minimum(weight, largest) for weight in rows))
 
 
 def move_factored(
-    buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, factoring: Factoring
+    buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, factoring: Callable
 ) -> Moved:
-    """`move` with a preconditioner on the host, and loops in Python. It cannot be jitted or differentiated."""
+    """`move` with a preconditioner on the host, and loops in Python. It cannot be jitted or differentiated.
+
+    ``factoring`` makes r (n, c) -> M r of neighbour (S,), out (S,), own, shift and free (n,), see `contraction.Gram`,
+    and the layout."""
     positions, reports = buffers.positions, []
     smallest = settings.solver.step_tolerance * buffers.t_c
     for energy, least in zip(_jitted_energies(buffers, weights, settings, layout), (smallest, 0.0), strict=True):
         moved = buffers._replace(positions=positions)
         operator, b = _equations(moved, energy, settings, layout)
-        if bool((b == 0).all()):  # as for a smoothing of strength 0: no factorisation, no solve
-            reports.append(SolveReport(jnp.asarray(0), jnp.zeros((), b.dtype), jnp.asarray(True), jnp.zeros_like(b)))
-            continue
         arrays = operator.neighbour, operator.weights[0], operator.own, operator.shift, operator.free
         precondition = factoring(*jax.device_get(arrays), layout)
         displacement, report = cg.solve_outside(operator, b, settings.solver, precondition, least)

@@ -4,7 +4,6 @@ Entries i -> j and j -> i are computed from the same four points, so that the pr
 too. Lengths are fractions of the diagonal.
 """
 
-from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -19,7 +18,9 @@ STEEPEST = 1e4  # largest tan(alpha / 2) and cot(alpha): angles within a hundred
 # Height over longest edge: flatter triangles have their cotangents reduced, see `_signed_cotangents`. With 0.001
 # vertices at the tips of limbs diverge along the limbs; with 0.1 they sometimes do.
 LEAST_HEIGHT = 0.3
-LARGEST_ENTRY = 20.0  # largest entry in the flow, without unit, see `limit`; a regular mesh has 1.2
+# Largest entry in the flow, without unit; a regular mesh has 1.2. Larger ones, of vertices that nearly coincide or of a
+# flat triangle, only keep two vertices together, too, and the condition number grows with the square of the largest.
+LARGEST_ENTRY = 20.0
 
 
 class LaplacianRows(NamedTuple):
@@ -29,7 +30,6 @@ class LaplacianRows(NamedTuple):
     into: jax.Array  # (S,)
 
 
-@partial(jax.jit, static_argnames=("kind", "layout"), inline=True)
 def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> LaplacianRows:
     """Weights of the Laplacian named ``kind``, dimensionless, for positions (n, 3), rings (S,) each, degree (n,).
 
@@ -47,7 +47,7 @@ def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
     # Weights at i and at j use their own differences, so that L and its transpose agree on needles despite rounding.
     ends = jnp.stack([at_rows(layout, positions), positions[rings.neighbour]])
     edge = ends[::-1] - ends
-    length = _length(edge[0])
+    length = norm(edge[0], SHORTEST)
     mean_length = slot_sum(layout, jnp.where(rings.is_used, length, 0.0)) / jnp.maximum(degree, 1)
     sides = jnp.stack([positions[rings.after], positions[rings.before]])[None] - ends[:, None]
     tangents = _half_angle_tangent(edge[:, None], sides).sum(1)
@@ -68,7 +68,7 @@ def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, la
     """(cot(alpha) + cot(beta)) / 2, which may be negative: L x is the gradient of the area. A flat triangle then does
     not pull its outer corners together, which would shorten a thin limb (see `_flattened`)."""
     at_i, at_j = at_rows(layout, positions), positions[rings.neighbour]
-    square = _square(at_j - at_i)
+    square = squared(at_j - at_i)
     after, before = positions[rings.after], positions[rings.before]
     weight = 0.5 * (_flattened(after - at_i, after - at_j, square) + _flattened(before - at_i, before - at_j, square))
     return LaplacianRows(weight, weight)
@@ -87,42 +87,21 @@ WEIGHTS = {
     "signed_cotangent": _signed_cotangents,
     "uniform": _uniform,
 }
-BOUNDED = ("signed_cotangent",)  # kinds that are bounded without `limit`, which would break their symmetry
+BOUNDED = ("signed_cotangent",)  # kinds that are bounded without that limit, which would break their symmetry
 
 
-def limit(rows: LaplacianRows) -> LaplacianRows:
-    """The same rows with entries of at most ``LARGEST_ENTRY``.
-
-    Larger ones, of vertices that nearly coincide or of a flat triangle, only keep two vertices together, too. The
-    condition number of the normal equations grows with the square of the largest entry.
-    Differentiable in: rows; the gradient of a limited entry is 0.
-    """
-    return LaplacianRows(*(jnp.minimum(weight, LARGEST_ENTRY) for weight in rows))
-
-
-def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
-    """Cross product over the last axis; it is traced much faster than `jnp.cross`."""
-    return jnp.roll(a, -1, -1) * jnp.roll(b, -2, -1) - jnp.roll(a, -2, -1) * jnp.roll(b, -1, -1)
-
-
-def _norm(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, with gradient 0 where its square is close to denormal, as below 1e-15 in float32."""
-    square = (vector * vector).sum(-1)
-    is_zero = square < 1e8 * jnp.finfo(square.dtype).tiny
-    return jnp.where(is_zero, 0.0, jnp.sqrt(jnp.where(is_zero, 1.0, square)))
-
-
-def _length(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, at least SHORTEST; the gradient below that is 0."""
-    square = (vector * vector).sum(-1)
-    is_long = square > SHORTEST**2
-    return jnp.where(is_long, jnp.sqrt(jnp.where(is_long, square, 1.0)), SHORTEST)
+def norm(vectors: jax.Array, least: float = 0.0) -> jax.Array:
+    """Norm over the last axis; ``least``, with gradient 0, where it is not larger, or its square is close to denormal,
+    as below 1e-15 in float32. NaN passes through."""
+    square = squared(vectors)
+    is_short = square <= max(least**2, 1e8 * float(jnp.finfo(square.dtype).tiny))
+    return jnp.where(is_short, least, jnp.sqrt(jnp.where(is_short, 1.0, square)))
 
 
 def _sine_and_cosine(a: jax.Array, b: jax.Array) -> tuple[jax.Array, jax.Array]:
     """|a x b| and a . b of the directions of a and b: of order one, so that no gradient overflows float32."""
-    a, b = a / _length(a)[..., None], b / _length(b)[..., None]
-    return _norm(_cross(a, b)), (a * b).sum(-1)
+    a, b = a / norm(a, SHORTEST)[..., None], b / norm(b, SHORTEST)[..., None]
+    return norm(jnp.cross(a, b)), (a * b).sum(-1)
 
 
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
@@ -150,20 +129,20 @@ def _flattened(a: jax.Array, b: jax.Array, square: jax.Array) -> jax.Array:
     """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``. The divisor is at
     least LEAST_HEIGHT times the square of the longest edge: one factor reduces all three cotangents of a flat triangle,
     and its energy, an area, is never negative."""
-    longest2 = jnp.maximum(jnp.maximum(_square(a), _square(b)), square)
+    longest2 = jnp.maximum(jnp.maximum(squared(a), squared(b)), square)
     is_point = longest2 < SHORTEST**4
     unit = jnp.sqrt(jnp.where(is_point, 1.0, longest2))[..., None]
     a, b = a / unit, b / unit
-    return jnp.where(is_point, 0.0, (a * b).sum(-1) / jnp.maximum(_norm(_cross(a, b)), LEAST_HEIGHT))
+    return jnp.where(is_point, 0.0, (a * b).sum(-1) / jnp.maximum(norm(jnp.cross(a, b)), LEAST_HEIGHT))
 
 
-def _square(vector: jax.Array) -> jax.Array:
+def squared(vector: jax.Array) -> jax.Array:
     return (vector * vector).sum(-1)
 
 
 def one_ring_areas(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> jax.Array:
     """Area (n,) of the triangles around each vertex, at least SHORTEST squared; 1 for a padded row."""
     at_i = at_rows(layout, positions)
-    area = 0.5 * _norm(_cross(positions[rings.neighbour] - at_i, positions[rings.after] - at_i))
+    area = 0.5 * norm(jnp.cross(positions[rings.neighbour] - at_i, positions[rings.after] - at_i))
     total = slot_sum(layout, jnp.where(rings.is_used, area, 0.0))
     return jnp.where(degree > 0, jnp.maximum(total, SHORTEST**2), 1.0)

@@ -13,6 +13,7 @@ import jax.numpy as jnp
 from jax import lax
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding
+from msf_jax.device.laplacian import norm, squared
 
 TOGETHER = 512  # runs that are looked at together: bounds memory
 AT_ONCE = 128  # points that are looked at together, of few meshes, and pairs of a point and a run tested in one step
@@ -27,8 +28,7 @@ def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -
     frozen = lax.stop_gradient((points, vertices))
     face = nearest_faces(binding, *frozen)
     triangles = vertices[binding.faces[face]]
-    best = _square(_from_edges(points, triangles)[0]).min(-1)
-    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
+    to_edge = norm(_from_edges(points, triangles)[0]).min(-1)
     is_over, height, area2 = _over(points, triangles)
     by_edge = jnp.where(_is_inside(binding, *frozen, face), to_edge, -to_edge)
     return jnp.asarray(binding.side, points.dtype) * jnp.where(is_over, -height / jnp.sqrt(area2), by_edge)
@@ -59,7 +59,10 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         def smallest(point: jax.Array, run: jax.Array) -> tuple[jax.Array, jax.Array]:
             faces = size * run[:, None] + jnp.arange(size, dtype=jnp.int32)
             is_own = (first[point, None] <= faces) & (faces < stop[point, None]) & is_wall[faces]
-            away = jnp.where(is_own, squared_distances(points[point], runs[run]), jnp.inf)
+            triangles, of = runs[run], points[point][:, None]
+            is_over, height, area2 = _over(of, triangles)
+            away = jnp.where(is_over, height * height / area2, squared(_from_edges(of, triangles)[0]).min(-1))
+            away = jnp.where(is_own, away, jnp.inf)
             return away.min(axis=1), size * run + away.argmin(axis=1).astype(jnp.int32)
 
         def test_window(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
@@ -102,19 +105,12 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
     return jnp.minimum(found, ends.max() - 1)  # padding repeats the last face
 
 
-def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:
-    """(P, K) squared distances of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3)."""
-    to_edge = _square(_from_edges(points[:, None], triangles)[0]).min(-1)
-    is_over, height, area2 = _over(points[:, None], triangles)
-    return jnp.where(is_over, height * height / area2, to_edge)
-
-
 def _from_edges(points: jax.Array, triangles: jax.Array) -> tuple[jax.Array, jax.Array]:
     """The vectors (..., 3, 3) to each of ``points`` (..., 3) from the nearest points on the edges of its triangle
     (..., 3, 3), and the fractions (..., 3) of the edges where these are."""
     along = jnp.roll(triangles, -1, axis=-2) - triangles
     offset = points[..., None, :] - triangles
-    length2 = _square(along)
+    length2 = squared(along)
     share = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
     return offset - share[..., None] * along, share
 
@@ -125,20 +121,16 @@ def _over(points: jax.Array, triangles: jax.Array) -> tuple[jax.Array, jax.Array
     along = jnp.roll(triangles, -1, axis=-2) - triangles
     offset = points[..., None, :] - triangles
     normal = jnp.cross(along[..., 0, :], along[..., 1, :])
-    area2 = _square(normal)
+    area2 = squared(normal)
     is_over = ((jnp.cross(along, offset) * normal[..., None, :]).sum(-1) >= 0).all(-1) & (area2 > 0)
     return is_over, (offset[..., 0, :] * normal).sum(-1), jnp.where(area2 > 0, area2, 1.0)
-
-
-def _square(vectors: jax.Array) -> jax.Array:
-    return (vectors * vectors).sum(-1)
 
 
 def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: jax.Array) -> jax.Array:
     """(N,) whether each point is inside, by the pseudonormal of the nearest edge or corner of its ``face`` (N,)."""
     aways, shares = _from_edges(points, vertices[binding.faces[face]])
     rows = jnp.arange(len(points))
-    edge = _square(aways).argmin(axis=1)
+    edge = squared(aways).argmin(axis=1)
     away, share = aways[rows, edge], shares[rows, edge]
     corner = jnp.where(share == 1, (edge + 1) % 3, edge)
     first, is_corner = (3 * face + corner).astype(jnp.int32), (share == 0) | (share == 1)
@@ -151,7 +143,7 @@ def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: j
         at = vertices[binding.faces[of]]
         middle, onward, back = (at[rows, (corner + shift) % 3] for shift in (0, 1, 2))
         normal, cosine = jnp.cross(onward - middle, back - middle), ((onward - middle) * (back - middle)).sum(-1)
-        angle = jnp.arctan2(jnp.sqrt(_square(normal)), cosine)
+        angle = jnp.arctan2(jnp.sqrt(squared(normal)), cosine)
         total = jnp.where(is_done[:, None], total, total + angle[:, None] * _normals(binding, vertices, of))
         following = twin[3 * of + (corner + 2) % 3]
         return following.astype(jnp.int32), total, is_done | (following == first), steps + 1
@@ -167,5 +159,5 @@ def _normals(binding: Binding, vertices: jax.Array, face: jax.Array) -> jax.Arra
     """(P, 3) unit normals of the faces ``face`` (P,); 0 for a face without area."""
     a, b, c = jnp.moveaxis(vertices[binding.faces[face]], 1, 0)
     normal = jnp.cross(b - a, c - a)
-    length2 = _square(normal)[:, None]
+    length2 = squared(normal)[:, None]
     return jnp.where(length2 > 0, normal / jnp.sqrt(jnp.where(length2 > 0, length2, 1.0)), 0.0)

@@ -18,6 +18,7 @@ from jax import lax
 
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
+from msf_jax.device import laplacian
 from msf_jax.gradients.follow import numbers_of, promoting
 
 SAMPLES = 4  # points along each edge of a curve
@@ -198,7 +199,5 @@ def _mean(values: jax.Array, weight: jax.Array, mesh: jax.Array, num: int) -> ja
 
 
 def norm(vectors: jax.Array) -> jax.Array:
-    """Norm over the last axis. At length 0, its gradient is 0."""
-    square = (vectors * vectors).sum(-1)
-    is_short = square <= TINY  # False for NaN, which passes through
-    return jnp.where(is_short, 0.0, jnp.sqrt(jnp.where(is_short, 1.0, square)))
+    """Norm over the last axis. At length 0, to rounding, its gradient is 0."""
+    return laplacian.norm(jnp.where(laplacian.squared(vectors)[..., None] <= TINY, 0.0, vectors))
