@@ -32,7 +32,6 @@ from msf_jax.topology import graphs
 REACH = 0.25  # limb sizes along the branch over which sections are averaged, and a frame is fitted
 SLIGHT = 0.1  # least weight w of a section, sections of less are left out; and that of a cloud
 FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
-LEAST_EIGENVALUE = 1e-6  # eigenvalues of S over the largest: along axes of smaller ones, o stays as recorded
 LEAST_SHARE = 1e-2  # of a row's largest entry: smaller entries of a are left out
 
 
@@ -201,7 +200,8 @@ def _turning(surface: BoundSurface, num: int, corners: BoundCorners, a: Any, off
     away = place[corner] - (weight @ place)[row]
     moments = np.zeros((len(offset), 3, 3))
     np.add.at(moments, row, weight.data[:, None, None] * away[:, :, None] * away[:, None, :])
-    lever = np.einsum("nij,nj->ni", np.linalg.pinv(moments, rcond=LEAST_EIGENVALUE, hermitian=True), offset)
+    # Along axes where S has hardly an eigenvalue, o stays as recorded.
+    lever = np.einsum("nij,nj->ni", np.linalg.pinv(moments, rcond=RESOLUTION, hermitian=True), offset)
     omega = sparse.csr_array((weight.data * np.einsum("ci,ci->c", away, lever[row]), (row, corner)), shape=weight.shape)
     each, part = np.arange(len(place)), corners.part
     ends = np.r_[1 - part, part], (np.r_[each, each], surface.vertex[np.r_[corners.tail, corners.head]])

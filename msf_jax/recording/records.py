@@ -17,10 +17,9 @@ from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
 from msf_jax.meso.meso import Compaction, Meso
 from msf_jax.numerics.reconstruction import LowPass
-from msf_jax.solid.geometry import UnitFrame
+from msf_jax.solid.geometry import RESOLUTION, UnitFrame
 
 SPLIT_TOGETHER = 64  # splits in a round of a tape: a run's own rounds have some 300, then 50, then few
-LEAST_DETERMINANT = 1e-5  # of three edges of a tetrahedron, over their product, for a well-conditioned circumcentre
 
 
 class FoundPoles(NamedTuple):
@@ -265,14 +264,15 @@ def record_filter(
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
     """Tetrahedra of the poles, by packed rows (n, ...). is_firm: whether the circumcentre of the four sites is
-    well-conditioned; if not, the pole moves with their mean. offset: (n, 3) of the pole from either."""
+    well-conditioned, by the determinant of three edges over their product; if not, the pole moves with their mean.
+    offset: (n, 3) of the pole from either."""
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
     corner, is_inside = found.sites[found.tetrahedron], found.is_inside[:, None]
     edges = corner[:, 1:] - corner[:, :1]
     square, determinant = (edges * edges).sum(axis=2), np.linalg.det(edges)
-    is_firm = found.is_inside & (np.abs(determinant) > LEAST_DETERMINANT * np.sqrt(square.prod(axis=1)))
+    is_firm = found.is_inside & (np.abs(determinant) > RESOLUTION * np.sqrt(square.prod(axis=1)))
     centre = corner.mean(axis=1)
     centre[is_firm] = corner[is_firm, 0] + np.linalg.solve(edges[is_firm], square[is_firm, :, None] / 2)[:, :, 0]
     fields = {
