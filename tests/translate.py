@@ -39,7 +39,6 @@ MODULES = (
     "msf_jax.solid.handles",
     "msf_jax.solid.kernels",
     "msf_jax.solid.sections",
-    "msf_jax.limbs.fronts",
     "msf_jax.limbs.levels",
     "msf_jax.limbs.tree",
     "msf_jax.meso.kernels",

@@ -146,7 +146,7 @@ def _by_wavefronts(
     astray = 1.0 if is_tangle else _outside(job, nodes, edges)
     if not (is_thin or astray > ASTRAY):
         return None
-    laid = reeb_curve.reeb_curve(outside, only_thin=astray <= ASTRAY)
+    laid = reeb_curve.reeb_curve(outside)
     is_worse = laid is not None and _outside(job, *laid[:2]) > max(astray, ASTRAY)
     return None if is_worse else laid
 

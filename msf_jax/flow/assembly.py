@@ -143,7 +143,7 @@ def _skeleton(
     mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
     mesh_map[~is_used] = spatial.KDTree(vertices).query(checked.strays)[1]
     skeleton = Skeleton(vertices, edges, radii, mesh_map, report, source)
-    if slenderness is not None and not report.wavefronts:
+    if slenderness is not None:
         new = np.full(len(vertices) - len(slenderness), np.inf)
         vars(skeleton)["_slenderness"] = np.concatenate([slenderness, new])
     found: dict[str, Any] = {"doubts": (UNCHECKED,)}

@@ -28,14 +28,14 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, ROUNDING, cross, triangle_areas, unit
 
 RING_SPACING = 0.5  # widths of a limb between its rings
-RINGS = 6  # of a limb at least; those of a short one are nearer to each other
-LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
+LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings; a shorter limb has as many
 WHOLE = 0.8  # of the usual ball in a ring of its size: the least in one around the limb, and of an even limb's rings
-STEADY = 0.9  # of the next ring's length: so long is one around a flat part of a limb, a foot; in a corner 0.89
 GAP = 0.3  # of the largest ball near the limb's end: the ball around the end of the curve
-PLANE_END = 0.95  # length of the mean normal of an end that is a plane, or nearly; 1 / 2 for half a ball
 DEEP = 1.2  # widths of a limb: so near to its end; half a ball's radius is 1.18 of its width
-EQUAL_EIGENVALUES = 0.9  # ratio above which two are one, as in a ball, a cube, a square plate; 0.25 in a plate of 2 : 1
+# Of two that are alike, the smaller one over the larger: eigenvalues, as in a ball, a cube or a square plate, 0.25 in a
+# plate of 2 : 1; rings around a flat part of a limb, a foot, 0.89 in a corner; the mean normal of a plane and 1;
+# distances from two ends.
+ALIKE = 0.9
 
 
 class LimbAxis(NamedTuple):
@@ -85,7 +85,7 @@ def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     # Shifted by a part of 1 / area, the order of the first eigenvalues, so that the matrix is not singular.
     value, vector = linalg.eigsh(matrix.tocsc(), 4, mass, sigma=-0.1 / whole, v0=start)
     order = np.argsort(value)[1:]
-    vector = vector[:, order[value[order] * EQUAL_EIGENVALUES <= value[order[0]]]]
+    vector = vector[:, order[value[order] * ALIKE <= value[order[0]]]]
 
     def length(parts: tuple[float, ...] | np.ndarray) -> float:
         """Of the line on which the sum of the eigenfunctions is 0; infinite where that is 0 all over."""
@@ -112,7 +112,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     away = np.sqrt(2 * np.maximum(u.max() - u, 0.0))
     longest = max(float(away.max()), 1e-300)
     width = float(triangle_areas(x[local]).sum()) / (2 * np.pi * longest)
-    found = levels(x, local, away, min(RING_SPACING * width, longest / RINGS), 0.5)
+    found = levels(x, local, away, RING_SPACING * min(width, longest / LAST))
     # From the piece with the end on, over the longest ring of each piece. The last one, at the base, leans aside.
     rings, piece = list[int](), int(found.piece[away.argmin()])
     while len(above := np.flatnonzero(found.below == piece)):
@@ -125,7 +125,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     # the end is beside the limb's middle, and has a small ball. So has one around a foot, which is as long as the next.
     part = shape.clearance(middles) / np.maximum(size, 1e-300)
     is_around = part >= WHOLE * min(float(np.median(part)), 1.0)
-    is_around |= (part >= GAP) & (perimeter >= STEADY * np.append(perimeter[1:], 0.0))
+    is_around |= (part >= GAP) & (perimeter >= ALIKE * np.append(perimeter[1:], 0.0))
     is_around &= part > ROUNDING  # else its middle is on the surface
     is_around[: min(max(1, _cut_off(x, local, away, middles, perimeter, found.step)), last)] = False
     if not is_around.any():  # the middles of a channel are outside
@@ -134,17 +134,8 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     # The end is ahead on the line through two rings, a radius apart if there are such: a section of a nail's head that
     # is a little oblique has its middle far aside. One behind a hole in the end is alone: there it is across the ring.
     is_far = np.linalg.norm(middles[first:] - middles[first], axis=1) >= size[first]
-    pair = [first, first + int(is_far.argmax()) if is_far.any() else min(first + 1, last)]
-    heading = -found.normal[rings[first]]
-    if np.linalg.norm(np.subtract(*middles[pair])) >= found.step / 4:
-        # In the middle of sections across that line, where that is hardly nearer to the surface, and a section is about
-        # as large as its ring: one through a blind hole is smaller, and one of a blunt limb that leaves it is larger.
-        across = np.tile(unit(np.subtract(*middles[pair])), (2, 1))
-        cuts = sections.cut(shape, middles[pair], across, size[pair])
-        is_better = cuts.is_around & (cuts.size >= WHOLE * size[pair]) & (cuts.size <= size[pair] / WHOLE)
-        is_better &= shape.clearance(cuts.centroid) >= WHOLE * shape.clearance(middles[pair])
-        middles[pair] = np.where(is_better[:, None], cuts.centroid, middles[pair])
-        heading = unit(np.subtract(*middles[pair]))
+    onward = middles[first] - middles[first + int(is_far.argmax()) if is_far.any() else min(first + 1, last)]
+    heading = unit(onward) if np.linalg.norm(onward) >= found.step / 4 else -found.normal[rings[first]]
     reach = np.array([(2 * first + 3) * found.step])
     ahead = float(shape.ray_lengths(middles[[first]], heading[None], reach)[0])
     depth = min(DEEP * width, longest) * np.linspace(0.0, 1.0, 65) ** 2  # denser near the end of a sheet
@@ -195,6 +186,6 @@ def _cut_off(
     a, b, c = np.moveaxis(points[faces[(away[faces] < here).all(axis=1)]], 1, 0)
     normal = cross(b - a, c - a)
     normal = normal[normal @ line > np.linalg.norm(normal, axis=1) / 4]
-    is_plane = np.linalg.norm(normal.sum(axis=0)) > PLANE_END * np.linalg.norm(normal, axis=1).sum()
+    is_plane = np.linalg.norm(normal.sum(axis=0)) > ALIKE * np.linalg.norm(normal, axis=1).sum()
     is_aside = beside(rings[1:deep]) > step / 4
-    return deep if is_aside and is_plane and STEADY * beside(points[away < here]) <= tube else 0
+    return deep if is_aside and is_plane and ALIKE * beside(points[away < here]) <= tube else 0

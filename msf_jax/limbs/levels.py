@@ -172,9 +172,10 @@ def fill_pieces(cuts: Cuts, height: Reals, step: float, measures: Points, piece:
             before = below
 
 
-def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float, offset: float = 0.0) -> Levels:
-    """The level sets of ``height`` (V,), at multiples of ``step``, less ``offset`` steps, linear on each of ``faces``
-    (F, 3)."""
+def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float) -> Levels:
+    """The level sets of ``height`` (V,), at odd multiples of half a ``step``, linear on each of ``faces`` (F, 3).
+
+    No level is at 0, where many vertices often are."""
     num = len(vertices)
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     key, of_face = np.unique(np.minimum(tail, head) * num + np.maximum(tail, head), return_inverse=True)
@@ -184,7 +185,7 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     rise = float((height[ends[:, 1]] - height[ends[:, 0]]).sum())
     while rise / step > MOST_POINTS:
         step *= 2
-    height = height + offset * step
+    height = height + step / 2
     low, high = np.floor(height[ends.T] / step).astype(np.int64)
     count = high - low
     point = np.cumsum(count) - count
@@ -214,5 +215,5 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     centre = np.where(area <= ROUNDING * perimeter**2, middle, centre / np.maximum(area, 1e-300))
     centre = np.where(perimeter > 0, centre, point)
     size = (area / np.maximum(perimeter, 1e-300))[:, 0]
-    at = (own - offset) * step
+    at = (own - 0.5) * step
     return Levels(centre, unit(normal), perimeter[:, 0], size, below, above, own, at, piece[:num], contents, step)

@@ -17,14 +17,13 @@ its corners. Its limbs are the two halves by the first eigenfunction of its Lapl
 as the head of a hammer has, the arcs of the mean exit time from that half (see `ends`).
 """
 
-from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from msf_jax.limbs import ends, fronts
-from msf_jax.limbs.levels import first_of, levels
+from msf_jax.limbs.levels import Levels, first_of, levels
 from msf_jax.meshes.reconnecting import reconnected
 from msf_jax.numerics.compiled import Ints, Points, kernel
 from msf_jax.solid.enclosure import Enclosure
@@ -35,13 +34,11 @@ SOURCES = 32  # points, far from each other, whose distances are averaged; with 
 DIGITS = 6  # of distances that are compared: those of a symmetric solid differ by rounding
 SPLIT = 1_000  # squares of the longest edge that a component's area may have at least: rings follow its limbs then
 LEVELS = 800  # of a function on a component
-OFFSET = 0.37  # steps: from the lowest vertex to one of them, so that no level goes through many vertices
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
 # Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Ears, noses and snouts have
 # 0.46 and more, corners of a block 0.28, those of a thin plate up to 0.4.
 PERSISTENCE = 0.8
-APART = 0.9  # of the distance from a second end of its half: a vertex nearer than that to an end is of that limb
 FINEST = 0.95  # detail: any limb that could stand out
 
 
@@ -51,8 +48,8 @@ class Arcs(NamedTuple):
     top: (a,) the highest vertex of each arc. parent: (a,), -1 at a root. persistence: (a,) at the last level that
     counts, -inf without enough of them. of_vertex, value: (V,) the arc of each vertex, and the function.
 
-    The levels of all arcs, each arc's from its top down: arc (r,), height (r,), area (r,) above, and slenderness (r,)
-    of the ring that cuts it off, -inf where that cuts off no limb."""
+    The levels of all arcs, each arc's from its top down: arc (r,), height (r,), and slenderness (r,) of the ring that
+    cuts it off, -inf where that cuts off no limb."""
 
     top: np.ndarray
     parent: np.ndarray
@@ -61,7 +58,6 @@ class Arcs(NamedTuple):
     value: np.ndarray
     arc: np.ndarray
     height: np.ndarray
-    area: np.ndarray
     slenderness: np.ndarray
 
     def bases(self) -> np.ndarray:
@@ -74,12 +70,11 @@ class Arcs(NamedTuple):
 
 
 class Limb(NamedTuple):
-    """tip: the highest vertex. region: (r,) its vertices, up to its base, the most slender ring. area: of that.
-    slenderness: of its base. detail: the least at which it is a limb (see `Config`). place: (3,) of the tip."""
+    """tip: the highest vertex. region: (r,) its vertices, up to its base, the most slender ring. slenderness: of its
+    base. detail: the least at which it is a limb (see `Config`). place: (3,) of the tip."""
 
     tip: int
     region: np.ndarray
-    area: float
     slenderness: float
     detail: float
     place: np.ndarray
@@ -96,12 +91,11 @@ class Limbs(NamedTuple):
 
 
 class Patch(NamedTuple):
-    """A component of a surface. member: (v,) the numbers of its vertices, which follow each other. points: (v, 3).
-    faces: (f, 3). is_ball: without handles."""
+    """A component of a surface. member: (v,) the numbers of its vertices, which follow each other. is_ball: without
+    handles."""
 
     member: np.ndarray
-    points: np.ndarray
-    faces: np.ndarray
+    shape: Enclosure
     is_ball: bool
 
 
@@ -114,19 +108,15 @@ class LimbTree:
         if ((faces := reconnected(shape.vertices, shape.faces)) != shape.faces).any():
             shape = Enclosure(shape.vertices, faces)
         self.parts, self._found = _patches(shape), dict[tuple[float, float], Limbs]()
-        points = np.concatenate([part.points for part in self.parts])
-        faces = np.concatenate([part.member[part.faces] for part in self.parts])
-        self.shape = shape if np.array_equal(points, shape.vertices) else Enclosure(points, faces)
-        self._away = fronts.distances(self.shape)
+        points = np.concatenate([part.shape.vertices for part in self.parts])
+        faces = np.concatenate([part.member[part.shape.faces] for part in self.parts])
+        self.shape = Enclosure(points, faces) if len(self.parts) > 1 else self.parts[0].shape
 
     @cached_property
     def trees(self) -> list[Arcs]:
         """Of each component, the merge tree of the average geodesic distance."""
-        component = np.repeat(np.arange(len(self.parts)), [len(part.points) for part in self.parts])
-        height = average_distance(self.shape, component, self._away)
         return [
-            merge_tree(part.points, part.faces, height[part.member], WHOLE if part.is_ball else HALF)
-            for part in self.parts
+            merge_tree(part.shape, average_distance(part.shape), WHOLE if part.is_ball else HALF) for part in self.parts
         ]
 
     def limbs(self, least: float, detail: float) -> Limbs:
@@ -137,56 +127,24 @@ class LimbTree:
         around a hole."""
         if (least, detail) in self._found:
             return self._found[least, detail]
-        limbs, finer, halves = list[Limb](), list[Limb](), list[Limb]()
+        limbs, finer = list[Limb](), list[Limb]()
         for part, arcs in zip(self.parts, self.trees, strict=True):
             chosen = limbs_among(arcs, least, 0.0)
             if not part.is_ball:
                 limbs += _limbs_of(part, arcs, chosen, least)
             elif len(chosen) < 3:
-                halves += _halves(part)
+                limbs += _halves(part, least, detail)
             else:
                 chosen = limbs_among(arcs, least, detail)
                 limbs += _limbs_of(part, arcs, chosen, least)
                 more = _limbs_of(part, arcs, limbs_among(arcs, least, FINEST), least)
                 finer += [each for each in more if each.tip not in part.member[arcs.top[chosen]]]
-        limbs += self._parted(halves, least, detail)
-        owner, time = self._times(limbs)
-        self._found[least, detail] = Limbs(limbs, owner, time, sorted(finer, key=lambda each: each.detail))
-        return self._found[least, detail]
-
-    def _parted(self, halves: list[Limb], least: float, detail: float) -> list[Limb]:
-        """The halves of components, or the limbs of a half that has more than one, as the head of a hammer has.
-
-        The function is how far from the half's end the mean exit time is, see `ends`."""
-        owner, time = self._times(halves)
-        last = np.zeros(len(halves) + 1)
-        np.maximum.at(last, owner, time)
-        whole = np.sqrt(2 * last)[owner]
-        height = whole - np.sqrt(np.maximum(whole**2 - 2 * time, 0.0))
-        found: dict[int, list[Limb]] = {}
-        for part in self.parts:
-            if height[part.member].any():
-                arcs = merge_tree(part.points, part.faces, height[part.member], WHOLE, whole[part.member])
-                for each in _limbs_of(part, arcs, limbs_among(arcs, least, detail), least):
-                    found.setdefault(int(owner[each.tip]), []).append(each)
-        parted = list[Limb]()
-        for number, half in enumerate(halves, 1):
-            own = found.get(number, [])
-            if len(own) < 2:
-                parted.append(half)
-                continue
-            away = np.array([self._away(np.array([each.tip]))[half.region] for each in own])
-            first, second = np.sort(away, axis=0)[:2]
-            near = np.where(first < APART * second, np.argmin(away, axis=0), -1)
-            parted += [each._replace(region=half.region[near == k]) for k, each in enumerate(own)]
-        return parted
-
-    def _times(self, limbs: list[Limb]) -> tuple[np.ndarray, np.ndarray]:
-        """(V,) the number of the limb of each vertex, from 1, and the mean exit time from it; 0 for none."""
         owner = np.zeros(len(self.shape.vertices), dtype=np.int64)
         for number, each in enumerate(limbs, 1):
             owner[each.region] = number
-        return owner, ends.exit_times(self.shape.vertices, self.shape.faces, owner)
+        time = ends.exit_times(self.shape.vertices, self.shape.faces, owner)
+        self._found[least, detail] = Limbs(limbs, owner, time, sorted(finer, key=lambda each: each.detail))
+        return self._found[least, detail]
 
     def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.LimbAxis:
         """The curve of one of the limbs in the solid ``shape``."""
@@ -215,26 +173,23 @@ def _patches(shape: Enclosure) -> list[Patch]:
         if (np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2) > finest).any():
             mesh = Manifold(Mesh64(x, faces.astype(np.uint64))).refine_to_length(finest).to_mesh64()
             x, faces = np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64)
-        found.append(Patch(np.arange(num, num + len(x)), x, faces, 2 * len(x) - len(faces) == 4))  # Euler's formula
+        is_ball = 2 * len(x) - len(faces) == 4  # Euler's formula
+        own_shape = shape if np.array_equal(x, shape.vertices) else Enclosure(x, faces)
+        found.append(Patch(np.arange(num, num + len(x)), own_shape, is_ball))
         num += len(x)
     return found
 
 
 def _slenderness_around(arcs: Arcs, feet: np.ndarray) -> np.ndarray:
     """See `LimbTree.slenderness`; ``feet`` (l,) are vertices of the component."""
-    found = np.zeros(len(feet))
-    inner, level = np.zeros((len(arcs.parent) + 1, 2), dtype=np.int64), np.zeros((len(arcs.arc), 2), dtype=np.int64)
-    own = inner.copy()
-    for number, vertex in enumerate(feet.tolist()):  # how many feet are above each level, and the sum of their numbers
-        arc = arcs.of_vertex[vertex]
-        own[arc] += 1, number
-        level[(arcs.arc == arc) & (arcs.height <= arcs.value[vertex])] += 1, number
-    for arc, parent in enumerate(arcs.parent.tolist()):
-        inner[parent] += inner[arc] + own[arc]
-    level += inner[arcs.arc]
-    is_alone = level[:, 0] == 1
-    np.maximum.at(found, level[is_alone, 1], arcs.slenderness[is_alone])
-    return found
+    rows = [np.empty(0, dtype=np.int64)]  # the levels of the tree below each foot
+    for vertex in feet.tolist():
+        below = [arcs.of_vertex[vertex]]
+        while arcs.parent[below[-1]] >= 0:
+            below.append(arcs.parent[below[-1]])
+        rows.append(np.flatnonzero(np.isin(arcs.arc, below) & (arcs.height <= arcs.value[vertex])))
+    count = np.bincount(np.concatenate(rows), minlength=len(arcs.arc))
+    return np.array([arcs.slenderness[own[count[own] == 1]].max(initial=0.0) for own in rows[1:]])
 
 
 def details(arcs: Arcs, least: float) -> np.ndarray:
@@ -259,14 +214,28 @@ def limbs_among(arcs: Arcs, least: float, detail: float) -> list[int]:
     return sorted(upon[-1])
 
 
-def _halves(part: Patch) -> list[Limb]:
-    """The halves of a component, as limbs (see `ends.halves`)."""
-    value, found = ends.halves(part.points, part.faces), []
-    share = np.bincount(part.faces.ravel(), np.repeat(triangle_areas(part.points[part.faces]) / 3, 3))
-    for side in (value, -value):
-        tip, region = int(side.argmax()), np.flatnonzero(side > 0)
-        area = float(share[region].sum())
-        found.append(Limb(int(part.member[tip]), part.member[region], area, np.inf, 0.0, part.points[tip]))
+def _halves(part: Patch, least: float, detail: float) -> list[Limb]:
+    """The halves of a component (see `ends.halves`), or the limbs of a half that has more than one, as the head of a
+    hammer has. These are arcs of how far from a half's end the mean exit time is, see `ends`."""
+    x, faces, found = part.shape.vertices, part.shape.faces, list[Limb]()
+    value = ends.halves(x, faces)
+    side = np.where(value > 0, 1, 2)
+    time = ends.exit_times(x, faces, side)
+    whole = np.sqrt(2 * np.array([time[side == half].max() for half in (1, 2)]))[side - 1]
+    arcs = merge_tree(part.shape, whole - np.sqrt(np.maximum(whole**2 - 2 * time, 0.0)), WHOLE, whole)
+    limbs = _limbs_of(part, arcs, limbs_among(arcs, least, detail), least)
+    for half, tip in ((1, int(value.argmax())), (2, int(value.argmin()))):
+        region = part.member[side == half]
+        own = [each for each in limbs if each.tip in region]
+        if len(own) < 2:
+            own = [Limb(int(part.member[tip]), region, np.inf, 0.0, x[tip])]
+        else:  # a vertex belongs to the end that it is nearest to, unless another one is about as near
+            away = fronts.distances(part.shape)
+            away = np.array([away(indices=[each.tip - part.member[0]])[side == half] for each in own])
+            first, second = np.sort(away, axis=0)[:2]
+            nearest = np.where(first < ends.ALIKE * second, away.argmin(axis=0), -1)
+            own = [each._replace(region=region[nearest == k]) for k, each in enumerate(own)]
+        found += own
     return found
 
 
@@ -279,43 +248,37 @@ def _limbs_of(part: Patch, arcs: Arcs, chosen: list[int], least: float) -> list[
         of_arc[arc] = max(of_arc[arc], of_arc[arcs.parent[arc]])
     number = of_arc[arcs.of_vertex]
     number[arcs.value < np.append(arcs.height[base], np.inf)[number]] = -1
-    figures = zip(arcs.area[base].tolist(), arcs.slenderness[base].tolist(), detail.tolist(), strict=True)
+    figures = zip(arcs.top[chosen].tolist(), arcs.slenderness[base].tolist(), detail.tolist(), strict=True)
     return [
-        Limb(int(part.member[tip]), part.member[number == k], *of_limb, part.points[tip])
-        for k, (tip, of_limb) in enumerate(zip(arcs.top[chosen].tolist(), figures, strict=True))
+        Limb(int(part.member[tip]), part.member[number == k], slenderness, needed, part.shape.vertices[tip])
+        for k, (tip, slenderness, needed) in enumerate(figures)
     ]
 
 
-def average_distance(shape: Enclosure, component: np.ndarray, spread: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """(V,) the average geodesic distance of each vertex from its ``component`` (V,), numbered in order.
-
-    ``spread``: see `fronts.distances`."""
-    x, faces = shape.vertices, shape.faces
-    share = np.bincount(faces.ravel(), np.repeat(triangle_areas(shape.triangles) / 3, 3), len(x))
-    whole, first = np.bincount(component, share), np.flatnonzero(np.diff(component, prepend=-1))
-    middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
+def average_distance(shape: Enclosure) -> np.ndarray:
+    """(V,) the average geodesic distance of each vertex of a connected surface from all of it."""
+    x, faces, spread = shape.vertices, shape.faces, fronts.distances(shape)
+    share = np.bincount(faces.ravel(), np.repeat(triangle_areas(shape.triangles) / 3, 3))
+    share /= share.sum()
 
     def farthest(distance: np.ndarray) -> np.ndarray:
-        """Of each component; of places that are equally far, the last one, however their distances are rounded."""
-        distance, source = np.round(distance, DIGITS), np.empty(len(whole), dtype=np.int64)
-        last = np.flatnonzero(distance == np.maximum.reduceat(distance, first)[component])
-        source[component[last]] = last
-        return source
+        """Of places that are equally far, the last one, however their distances are rounded."""
+        distance = np.round(distance, DIGITS)
+        return np.flatnonzero(distance == distance.max())[-1:]
 
-    source = farthest(spread(farthest(-np.linalg.norm(x - middle[component], axis=1))))
+    source = farthest(spread(indices=farthest(-np.linalg.norm(x - share @ x, axis=1))))
     away, nearest, of_source = np.empty((SOURCES, len(x))), np.full(len(x), np.inf), np.zeros(len(x), dtype=np.int64)
     for row in range(SOURCES):
-        away[row] = spread(source)
+        away[row] = spread(indices=source)
         of_source[away[row] < nearest] = row
         nearest = np.minimum(nearest, away[row])
         source = farthest(nearest)
-    weight = np.bincount(of_source * len(whole) + component, share, SOURCES * len(whole)).reshape(SOURCES, -1)
-    return np.einsum("sv,sv->v", (weight / whole)[:, component], away)
+    return np.einsum("s,sv->v", np.bincount(of_source, share, SOURCES), away)
 
 
 class Parts(NamedTuple):
-    """The parts of a surface on one side of each level. piece: (P,) the piece that stands for the part with each piece,
-    up to its level. Of the pieces that stand for one: loops (P,), how many rings close a loop in the part; highest
+    """The parts of a surface above each level. piece: (P,) the piece that stands for the part with each piece,
+    down to its level. Of the pieces that stand for one: loops (P,), how many rings close a loop in the part; highest
     (P,), the largest of its pieces' numbers; contents (P, c), the sum of its pieces'."""
 
     piece: Ints
@@ -343,36 +306,32 @@ def sweep(first: Ints, here: Ints, there: Ints, root: Ints, parts: Parts) -> Non
             parts.piece[here[ring]] = first_of(root, here[ring])
 
 
-def _swept(here: np.ndarray, there: np.ndarray, level: np.ndarray, highest: np.ndarray, contents: np.ndarray) -> Parts:
-    """The parts on the side of the pieces ``there`` of the rings, of the lowest ``level`` (R,) first; see `sweep`."""
-    order, num = np.lexsort((here, level)), len(contents)
-    first = np.searchsorted(level[order], np.arange(level.min(initial=0), level.max(initial=0) + 2))
+def _swept(found: Levels, highest: np.ndarray, contents: np.ndarray) -> Parts:
+    """The parts above each level, with the ``highest`` vertex (P,) and ``contents`` (P, c) of each piece."""
+    order, num = np.lexsort((found.below, -found.level)), len(contents)
+    first = np.searchsorted(-found.level[order], np.arange(-found.level.max(initial=0), 1))
     parts = Parts(np.arange(num), np.zeros(num, dtype=np.int64), highest.copy(), contents.copy())
-    sweep(first, here[order], there[order], np.arange(num), parts)
+    sweep(first, found.below[order], found.above[order], np.arange(num), parts)
     return parts
 
 
-def merge_tree(
-    vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, most: float, last: np.ndarray | None = None
-) -> Arcs:
-    """The merge tree of ``height`` (V,) on a closed connected surface ``(vertices (V, 3), faces (F, 3))``, at `LEVELS`
-    levels. More than the share ``most`` of its area is no limb.
+def merge_tree(shape: Enclosure, height: np.ndarray, most: float, last: np.ndarray | None = None) -> Arcs:
+    """The merge tree of ``height`` (V,) on a closed connected surface, at `LEVELS` levels. More than the share ``most``
+    of its area is no limb.
 
-    Of several rings that cut off a limb, all but one bound pits, such as blind holes, if each bounds a part of the
-    surface below by itself. Such a part is filled, and belongs to the limb. Else the limb is a part of a handle there.
+    A limb is cut off by one ring. Of several, the others bound pits, such as blind holes, or handles.
 
     How far a top is above a level is the difference of their heights. With ``last`` (V,), heights are last - d for the
     distance d from the end of a limb by the mean exit time; squares of d add up (see `ends`)."""
     low, high = float(height.min()), float(height.max())
     step = max(high - low, 1e-300) / LEVELS
-    found = levels(vertices, faces, height - low, step, OFFSET)
+    found = levels(shape.vertices, shape.faces, height - low, step)
     num, by_height = len(found.contents), np.argsort(height, kind="stable")
     band, highest = np.zeros(num, dtype=np.int64), np.full(num, -1)
     band[found.below], band[found.above] = found.level - 1, found.level
     highest[found.piece[by_height]] = np.arange(len(height))
     contents = np.hstack([found.contents, np.bincount(found.piece, minlength=num)[:, None]])
-    up = _swept(found.above, found.below, found.level, highest, contents)
-    down = _swept(found.below, found.above, -found.level, highest, contents)
+    down = _swept(found, highest, contents)
     # The parts above a level, those of the highest level first, and which of the next level each belongs to.
     order = np.argsort(-band, kind="stable")
     first, part = np.unique(down.piece[order], return_index=True, return_inverse=True)[1:]
@@ -390,17 +349,9 @@ def merge_tree(
     top, parent = by_height[down.highest[stands]], np.full(begins.sum(), -1)
     joins = below[arc_of[below] != arc_of[upon[below]]]
     parent[arc_of[joins]] = arc_of[upon[joins]]
-    # The ring with the largest part below it cuts off a limb; those beside it bound pits.
-    under, owner = up.piece[found.below], part[found.above]
-    by_area = np.lexsort((found.above, -up.contents[under, 0], owner))
-    ring = by_area[np.diff(owner[by_area], prepend=-1) > 0]
-    pit = np.lexsort((found.above, owner))
-    pit = pit[~np.isin(pit, ring)]
-    level, at_pit = owner[ring], np.searchsorted(owner[ring], owner[pit])
-    own, sums = stands[level], down.contents[stands[level]]
-    np.add.at(sums, at_pit, up.contents[under[pit]])
-    is_disc = (down.loops[own] == 0) & (sums[:, 0] < 2 * down.contents[own, 0])
-    is_disc[at_pit[np.bincount(under)[under[pit]] > 1]] = False
+    level, ring, num_rings = np.unique(part[found.above], return_index=True, return_counts=True)
+    own = stands[level]
+    sums, is_disc = down.contents[own], (down.loops[own] == 0) & (num_rings == 1)
     arc, peaks, top = arc_of[level], height[top[level]], top[begins]
     area, vector, moment, count = np.split(sums, [1, 4, 5], axis=1)
     area, length, at = area[:, 0], np.maximum(found.perimeter[ring], 1e-300), found.height[ring] + low
@@ -419,4 +370,4 @@ def merge_tree(
     )
     persistence[(num_counting < FEWEST) | (2 * num_solid < num_levels)] = -np.inf  # or mostly a pit
     slenderness = np.where(counts, 2 * np.pi * area / length**2 - 0.5, -np.inf)
-    return Arcs(top, parent, persistence, arc_of[part[found.piece]], height, arc, at, area, slenderness)
+    return Arcs(top, parent, persistence, arc_of[part[found.piece]], height, arc, at, slenderness)

@@ -157,7 +157,7 @@ class Skeleton:
     @cached_property
     def _slenderness(self) -> np.ndarray | one_branch.Worth:
         """(N,) the slenderness of each leaf on the solid's surface, which a run knows; else a function of the balls."""
-        if self.source is None or self.report.wavefronts:
+        if self.source is None:
             return one_branch.by_balls(self.vertices, self.radii)
         return one_branch.slenderness(self.source.limbs, self.source.solid.enter(self.vertices), self.edges)
 
@@ -166,7 +166,7 @@ class Skeleton:
 
         Nothing below 0.5, half a ball, is a limb, unless it stands out at the detail 0.5, as in `Config`; 0 keeps all
         branches. Components, cycles and branches with a pin or an opening are kept. The mesh's vertices of a pruned
-        branch go to its junction. Without its mesh, or if wavefronts made the curve, branches go by their balls.
+        branch go to its junction. Without its mesh, branches go by their balls.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
@@ -174,7 +174,7 @@ class Skeleton:
         if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
             raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
         x, edges, least, is_held = self.vertices, self.edges, float(slenderness), _held(self)
-        if self.source is not None and not self.report.wavefronts and least:
+        if self.source is not None and least:
             solid, tree = self.source.solid, self.source.limbs
             leaf, _ = one_branch.choose(tree, tree.limbs(least, 0.5), solid.shape, solid.enter(x), edges, is_held)
             stays, target = one_branch.kept(x, edges, np.isin(np.arange(len(x)), leaf), is_held)

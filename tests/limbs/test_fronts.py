@@ -1,67 +1,50 @@
-"""The compiled fronts against the same said in plain Python."""
-
-import heapq
+"""Distances on a surface against plain searches and closed forms."""
 
 import networkx as nx
 import numpy as np
 import pytest
+import trimesh
 from conftest import blob
 
 from msf_jax.limbs import fronts
 from msf_jax.solid.enclosure import Enclosure
 
 
-def unfolded(p, q, r, from_p: float, from_q: float) -> float:
-    """How far r is from a source at such distances from p and q: in the plane of complex numbers, p = 0, q > 0."""
-    length = np.linalg.norm(q - p)
-    along = (r - p) @ (q - p) / length
-    third = complex(along, np.sqrt(max((r - p) @ (r - p) - along**2, 0.0)))
-    x = (from_p**2 - from_q**2 + length**2) / (2 * length)
-    if from_p**2 < x**2:
-        return np.inf
-    source = complex(x, -np.sqrt(from_p**2 - x**2))
-    share = -source.imag / (third - source).imag  # of the line from the source, up to the edge
-    return abs(third - source) if 0 <= (source + share * (third - source)).real <= length else np.inf
-
-
-def marched(x: np.ndarray, faces: np.ndarray, sources: list[int]) -> np.ndarray:
-    """Distances (V,), vertex by vertex."""
-    around = [[] for _ in x]
-    for face in faces.tolist():
-        for corner in face:
-            around[corner].append(face)
-    away, final = np.full(len(x), np.inf), set()
-    away[sources] = 0.0
-    queue = [(0.0, source) for source in sources]
-    while queue:
-        vertex = heapq.heappop(queue)[1]
-        if vertex in final:
-            continue
-        final.add(vertex)
-        for face in around[vertex]:
-            one, other = (corner for corner in face if corner != vertex)
-            for near, far in ((one, other), (other, one)):
-                if far not in final:
-                    found = away[vertex] + np.linalg.norm(x[vertex] - x[far])
-                    if near in final:
-                        found = min(found, unfolded(x[near], x[vertex], x[far], away[near], away[vertex]))
-                    if found < away[far]:
-                        away[far] = found
-                        heapq.heappush(queue, (found, far))
-    return away
-
-
 @pytest.mark.parametrize("num", [1, 3])
-def test_spread_gives_the_distances_of_a_plain_march(num):
-    """And of no march at all they are between those in space and those along edges."""
+def test_distances_are_between_those_in_space_and_those_along_edges(num):
     mesh = blob(92, 3)
     x, faces = np.array(mesh.vertices), np.array(mesh.faces)
     sources = np.random.default_rng(1).choice(len(x), num, replace=False)
-    found = fronts.distances(Enclosure(x, faces))(sources)
-    np.testing.assert_allclose(found, marched(x, faces, sources.tolist()), rtol=1e-12)
+    found = fronts.distances(Enclosure(x, faces))(indices=sources)
     graph = nx.Graph()
     for a, b in np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).tolist():
         graph.add_edge(a, b, weight=float(np.linalg.norm(x[a] - x[b])))
     along = nx.multi_source_dijkstra_path_length(graph, set(sources.tolist()))
     assert (found <= np.array([along[k] for k in range(len(x))]) * (1 + 1e-12)).all()
     assert (found >= np.linalg.norm(x[:, None] - x[sources], axis=2).min(axis=1) * (1 - 1e-12)).all()
+
+
+@pytest.mark.parametrize(("half", "slope"), [(1.0, 0.0), (3.0, 0.5), (3.0, 1.0)])
+def test_a_path_goes_straight_through_the_ridge_of_a_roof(half, slope):
+    """And not through the gables' edges, which lead to the same corner on a longer way."""
+    ridge, eaves = [[0.0, -half, slope], [0, half, slope]], [[1.0, 0, 0], [-1, 0, 0]]
+    x = np.array([*ridge, *eaves, [0.0, 0, -9]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 4], [3, 1, 4], [1, 2, 4], [2, 0, 4]])
+    assert fronts.distances(Enclosure(x, faces))(indices=[2])[3] == pytest.approx(2 * np.hypot(1.0, slope))
+
+
+def test_a_path_that_would_miss_an_edge_goes_around_its_end():
+    """From tip to tip of a kite that is bent at its short diagonal, which lies aside of the line between the tips."""
+    x = np.array([[0.0, 0, 0], [0, 1, 0], [-1.0, 3, 0], [1.0, 2, 0], [0, 1, -9]])
+    faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4]])
+    direct = np.linalg.norm(x[2] - x[1]) + np.linalg.norm(x[3] - x[1])
+    assert fronts.distances(Enclosure(x, faces))(indices=[2])[3] == pytest.approx(direct)
+
+
+def test_distances_on_a_fine_ball_are_two_per_cent_too_long():
+    ball = trimesh.creation.icosphere(4)
+    x = np.array(ball.vertices)
+    found = fronts.distances(Enclosure(x, np.array(ball.faces)))(indices=[0])
+    exact = np.arccos(np.clip(x @ x[0], -1, 1))
+    ratio = found[exact > 0.3] / exact[exact > 0.3]
+    assert ratio.min() > 0.99 and ratio.mean() < 1.025 and ratio.max() < 1.1

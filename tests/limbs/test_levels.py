@@ -13,7 +13,7 @@ def test_rings_and_pieces_have_a_cycle_for_each_handle(mesh, genus):
     found = levels(mesh.vertices, mesh.faces, height, 0.07)
     assert len(found.centre) > 10
     assert len(found.centre) - len(found.contents) + 1 == genus  # edges and nodes of a connected graph
-    level = found.centre @ [1, 0.3, 0.1] / 0.07
+    level = found.centre @ [1, 0.3, 0.1] / 0.07 + 0.5
     np.testing.assert_allclose(level, level.round(), atol=1e-6)
 
 

@@ -59,16 +59,13 @@ def test_each_level_has_the_parts_of_a_plain_search():
     x, faces = np.array(mesh.vertices), np.array(mesh.faces)
     height = np.random.default_rng(3).normal(size=(4, 3)) @ x.T
     height = np.sin(3 * height).sum(axis=0)
-    arcs = tree.merge_tree(x, faces, height, 1.0)
+    arcs = tree.merge_tree(Enclosure(x, faces), height, 1.0)
     for level in np.unique(arcs.height)[::40]:
         expected, own = above(x, faces, height, level), np.flatnonzero(arcs.height == level)
         assert len(own) == len(expected)
-        single = [each for each in expected if each[2] == 1]
-        rows = [row for row in own if arcs.slenderness[row] > -np.inf]
-        for area, length, _ in single:
-            near = min(rows, key=lambda row: abs(arcs.area[row] - area), default=None)
-            if near is not None and abs(arcs.area[near] - area) < 1e-9:
-                assert arcs.slenderness[near] == pytest.approx(2 * np.pi * area / length**2 - 0.5)
+        single = [2 * np.pi * area / length**2 - 0.5 for area, length, num in expected if num == 1]
+        for slenderness in arcs.slenderness[own][arcs.slenderness[own] > -np.inf]:
+            assert np.abs(np.array(single) / slenderness - 1).min() < 1e-6
     for arc, parent in enumerate(arcs.parent):
         assert arc < parent or parent < 0
         assert height[arcs.top[parent]] >= height[arcs.top[arc]] or parent < 0
@@ -103,8 +100,11 @@ def test_limbs_belong_to_the_surface(change):
     else:
         order = rng.permutation(len(x))
         other = Enclosure(x[order], np.argsort(order)[faces][rng.permutation(len(faces))])
-    found = [sorted(limbs(each), key=lambda limb: limb.area) for each in (shape, other)]
-    found = [[limb for limb in each if limb.slenderness > 1 and limb.area < each[-1].area / 2] for each in found]
+    found = [sorted(limbs(each), key=lambda limb: len(limb.region)) for each in (shape, other)]
+    found = [
+        [limb for limb in each if limb.slenderness > 1 and len(limb.region) < len(each[-1].region) / 2]
+        for each in found
+    ]
     assert [len(each) for each in found] == [4, 4]
     np.testing.assert_allclose(*(sorted(limb.slenderness for limb in each) for each in found), rtol=0.1)
     assert all(abs(limb.slenderness - 4) < 0.6 and limb.place[2] > 0.9 for limb in found[0])
@@ -155,7 +155,9 @@ def test_components_do_not_see_each_other():
     one, other = solid(fingers(), 0.2), solid(block() + LIMB["long cylinder"][0], 0.2)
     x = np.concatenate([one.vertices, other.vertices + [9.0, 0, 0]])
     both = Enclosure(x, np.concatenate([one.faces, other.faces + len(one.vertices)]))
-    found = [sorted(round(limb.area, 6) for limb in limbs(shape)) for shape in (one, other, both)]
+    found = [
+        sorted((len(limb.region), round(limb.slenderness, 6)) for limb in limbs(shape)) for shape in (one, other, both)
+    ]
     assert found[2] == sorted(found[0] + found[1])
 
 
