@@ -181,10 +181,10 @@ def _of_meshes(binding: Binding) -> Binding:
 
 
 def joined(bindings: list[Binding]) -> Binding:
-    """One binding of all meshes of ``bindings``, which have no padding, nor has the result."""
+    """One binding of all meshes of ``bindings``, without padding as these. Shifts by Python's numbers keep int32."""
     every = list(map(_of_meshes, bindings))
     live = Sizes(*map(np.concatenate, zip(*(each.live for each in every), strict=True)))
-    start = {kind: np.cumsum([0, *(getattr(each.live, kind).sum() for each in every)]) for kind in REFERS}
+    start = {kind: np.cumsum([0, *(getattr(each.live, kind).sum() for each in every)]).tolist() for kind in REFERS}
 
     def shifted(name: str) -> list[np.ndarray]:
         values, rows = [getattr(each, name) for each in every], 3 if name == "twin" else 1
@@ -205,21 +205,22 @@ def capacity_for(sizes: Sizes) -> Sizes:
     return Sizes(*(int(SMALLEST * 2 ** (step / 2)) for step in steps))
 
 
-def padded(binding: Binding, capacity: Sizes) -> Binding:
-    """``binding``, of NumPy arrays without padding, padded to ``capacity``; integers become int32."""
+def padded(binding: Binding, capacity: Sizes, made: Any = np.asarray) -> Binding:
+    """``binding``, of NumPy arrays without padding, padded to ``capacity``; integers become int32. Of each array only
+    what ``made`` makes of it is kept."""
     row = {kind: getattr(capacity, kind) - 1 for kind in REFERS} | {"vertices": binding.faces[0, 0]}
     filling: dict[str, Any] = {name: row[kind] for name, kind in KIND.items()}
     filling |= {"onward": np.arange(len(binding.onward), capacity.corners), "side": 1.0}
     filling |= {"faces": binding.faces[-1], "twin": binding.twin[-1]}  # padding repeats the last face; others are 0
 
-    def filled(name: str, count: int) -> np.ndarray:
+    def filled(name: str, count: int) -> Any:
         values = np.asarray(getattr(binding, name))
         rest = np.broadcast_to(filling.get(name, 0), (count - len(values), *values.shape[1:]))
-        return np.concatenate([values, rest]).astype(values.dtype if values.dtype.kind in "fb" else np.int32)
+        dtype = values.dtype if values.dtype.kind in "fb" else np.int32
+        return made(np.concatenate([values, rest], dtype=dtype, casting="unsafe"))
 
     rows = {name: filled(name, getattr(capacity, kind)) for kind, names in ROWS.items() for name in names}
-    live = Sizes(*(np.asarray(count, dtype=np.int32) for count in binding.live))
-    return binding._replace(live=live, **rows)
+    return binding._replace(live=Sizes(*(np.asarray(count, dtype=np.int32) for count in binding.live)), **rows)
 
 
 def unpadded(binding: Binding) -> Binding:

@@ -161,4 +161,4 @@ def stack(skeletons: Iterable[Skeleton | Binding]) -> Binding:
             f"skeletons is a {type(skeletons).__name__} of {kinds}: expected a list of at least one msf_jax.Skeleton"
         )
     together = joined([unpadded(binding_of(each)) for each in every])
-    return jax.tree.map(jnp.asarray, padded(together, capacity_for(together.live)))
+    return jax.tree.map(jnp.asarray, padded(together, capacity_for(together.live), jnp.asarray))

@@ -19,7 +19,6 @@ from jax import lax
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
 from msf_jax.device import following
-from msf_jax.device.following import sorted_sum
 from msf_jax.gradients.follow import checked_vertices, numbers_of, promoting
 from msf_jax.gradients.losses import checked, norm
 
@@ -57,7 +56,7 @@ def integrals(found: Any, binding: Binding, values: Any) -> jax.Array:
         raise ConfigError(f"values has shape {values.shape}: expected ({len(nodes)},), a number for each row of nodes")
     a, b = binding.edges.T
     of_edge = jnp.where(binding.edge_mask, norm(nodes[b] - nodes[a]) * (values[a] + values[b]) / 2, 0.0)
-    return sorted_sum(of_edge, binding.branch, len(of_edge))
+    return following.sorted_sum(of_edge, binding.branch, len(of_edge))
 
 
 @promoting()
@@ -100,7 +99,7 @@ def _areas(binding: Binding, vertices: jax.Array) -> jax.Array:
     # The mean over neighbours is one-sided at an end: 5 % off in a taper that is three times as wide at one end.
     of = binding.node[binding.a_column]
     weight = jnp.asarray(binding.a_value, dtype) * is_some[of]
-    total, sums = (sorted_sum(each, binding.a_row, num) for each in (weight, weight * area[of]))
+    total, sums = (following.sorted_sum(each, binding.a_row, num) for each in (weight, weight * area[of]))
     mean = jnp.where(total > 0, sums / jnp.where(total > 0, total, 1.0), jnp.nan)
     return jnp.where(binding.node_mask, jnp.where(is_some, area, mean), 0.0)
 
@@ -130,7 +129,7 @@ def angles(found: Any, binding: Binding, one: Any, other: Any) -> jax.Array:
         part = jnp.clip(stop, low[binding.branch], high[binding.branch])
         part = part - jnp.clip(stop - length, low[binding.branch], high[binding.branch])
         step = (part / jnp.where(length > 0, length, 1.0))[:, None] * along
-        chord = sorted_sum(step, binding.branch, num)
+        chord = following.sorted_sum(step, binding.branch, num)
         return -chord if end else chord
 
     away = jnp.stack([direction(0), direction(1)], axis=1)
