@@ -121,8 +121,10 @@ def _file(key: Key) -> Path | None:
 
 
 def _key(settings: StepSettings, layout: Layout, of_vertices: bool) -> Key:
+    named = jax.config.jax_default_device or jax.devices()[0]  # pyright: ignore[reportAttributeAccessIssue]
+    device = jax.devices(named)[0] if isinstance(named, str) else named
     flags = tuple(repr(getattr(jax.config, name, None)) for name in SAME_FOR_ALL)
-    return settings, layout, of_vertices, str(real_dtype()), jax.device_put(0.0).device, flags  # JAX's default device
+    return settings, layout, of_vertices, str(real_dtype()), device, flags
 
 
 def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
