@@ -5,7 +5,6 @@ from functools import cache
 import numpy as np
 from conftest import torus
 
-from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
 from tests.benchmarks import ground_truth
 
@@ -51,5 +50,5 @@ def theta():
     points = np.concatenate([shape.points, shape.points + [0.01, 0.0, 0.0], small, shape.points[:1]])
     num = len(shape.points)
     edges = np.concatenate([shape.edges, shape.edges + num, cycle(12, 2 * num)])
-    assert is_inside(shape_of(shape.mesh), *(points[edges[:, k]] for k in (0, 1))).all() and size > 0
+    assert shape_of(shape.mesh).holds(*(points[edges[:, k]] for k in (0, 1))).all() and size > 0
     return np.array(shape.mesh.vertices), np.array(shape.mesh.faces), points, edges

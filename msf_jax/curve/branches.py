@@ -10,7 +10,7 @@ import numpy as np
 from scipy import sparse, spatial
 
 from msf_jax.numerics.compiled import Ints, Points, Reals, kernel
-from msf_jax.solid.geometry import RESOLUTION, arc_length, at
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, arc_length, at
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import dot, minus, norm, point_of
 from msf_jax.topology import graphs
@@ -20,7 +20,6 @@ CHUNK = 100  # nodes of a branch at a time that are held against the others: a t
 UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
 STIFFEST = 1e5  # limit on the stiffness
 MARGIN = 0.4  # radii of a ball: beside a ball, width of the step from a limb that is a part of it to one on its own
-FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 
 
 def nearest_on_branch(x: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray) -> np.ndarray:
@@ -184,21 +183,22 @@ def bending(
 def sizes(
     x: np.ndarray, paths: list[BranchPath], size: np.ndarray, weight: np.ndarray, clearance: np.ndarray
 ) -> np.ndarray:
-    """(N,) the size of the limb around each node: a weighted mean of ``size`` along its branch, over nearby nodes. The
-    ends of branches, and branches without any ``weight``, get their ``clearance``."""
+    """(N,) the size of the limb around each node: a weighted mean of ``size`` along its branch, over nearby nodes, and,
+    with a weight of `ROUNDING`, all others. The ends of branches, and branches without any ``weight``, get their
+    ``clearance``."""
     found, degree = clearance.copy(), degree_of_ends(paths, len(x))
     for nodes, is_loop, _, _ in paths:
         own = weight[nodes]
         if own.sum() > 1e-3:
             along = arc_length(x[nodes])
             usual = np.average(size[nodes], weights=own)
-            farthest = usual * np.sqrt(-2 * np.log(FLOOR * np.finfo(float).eps))  # beyond, rounding hides the bell
+            farthest = usual * np.sqrt(-2 * np.log(ROUNDING * np.finfo(float).eps))  # beyond, rounding hides the bell
             both, sums = np.stack([own * size[nodes], own]), np.empty((2, len(nodes)))
             for part in np.array_split(np.arange(len(nodes)), len(nodes) // CHUNK + 1):
                 first, last = np.searchsorted(along, along[part[[0, -1]]] + (-farthest, farthest))
                 bell = np.exp(-0.5 * ((along[part, None] - along[first:last]) / usual) ** 2)
                 sums[:, part] = np.einsum("nm,bm->bn", bell, both[:, first:last])
-            mean = (sums[0] + FLOOR * both[0].sum()) / (sums[1] + FLOOR * own.sum())
+            mean = (sums[0] + ROUNDING * both[0].sum()) / (sums[1] + ROUNDING * own.sum())
             is_own = (degree[nodes] <= 1) | is_loop
             found[nodes[is_own]] = mean[is_own]
     return found

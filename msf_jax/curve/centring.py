@@ -31,7 +31,6 @@ from scipy.sparse import linalg
 
 from msf_jax.curve import branches as measures
 from msf_jax.curve.branches import BranchPath
-from msf_jax.inside.containment import is_inside
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import TOUCHING, unit
@@ -112,7 +111,7 @@ def _keeps_class(handles: Handles, places: Places, y: np.ndarray, edges: np.ndar
 def _is_open(shape: Enclosure, starts: Places, ends: Places, pairs: np.ndarray) -> np.ndarray:
     """(W,) whether the segments from the start a to the end b for (a, b) of ``pairs`` (W, 2) are inside."""
     a, b = pairs.T
-    return is_inside(shape, starts.x[a], ends.x[b], starts.clearance[a] + ends.clearance[b])
+    return shape.holds(starts.x[a], ends.x[b], starts.clearance[a] + ends.clearance[b])
 
 
 def centre(

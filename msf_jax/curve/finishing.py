@@ -153,7 +153,7 @@ def _by_wavefronts(
 
 def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
     """The share of a curve's length in edges that are not inside: rings of a body with arms are no sections of it."""
-    is_out = ~containment.is_inside(job.shape, *nodes[edges.T])
+    is_out = ~job.shape.holds(*nodes[edges.T])
     length = graphs.lengths(nodes, edges)
     return float(length[is_out].sum() / max(length.sum(), 1e-300))
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.inside.containment import Roadmap, is_inside
+from msf_jax.inside.containment import Roadmap
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, signed_volume
 from msf_jax.solid.handles import BLOCK, Span
@@ -99,7 +99,7 @@ def _cycles(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[
     leaves the solid (C,). An edge outside counts as longer than all edges inside. An edge may graze the surface: a
     stretch outside that is shorter than the solid's resolution proves nothing."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    length, is_out = np.linalg.norm(a - b, axis=1), ~is_inside(shape, a, b, sliver=RESOLUTION)
+    length, is_out = np.linalg.norm(a - b, axis=1), ~shape.holds(a, b, sliver=RESOLUTION)
     length += np.where(is_out, length.sum(), 0.0)
     closing, windings, _ = graphs.cycles(len(vertices), edges, shape.handles.linking(a, b), length)
     return closing, windings, is_out[closing]

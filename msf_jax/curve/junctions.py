@@ -21,7 +21,6 @@ import numpy as np
 from numpy.polynomial.polynomial import polyval
 
 from msf_jax.curve import branches
-from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
@@ -170,7 +169,7 @@ def _put(
         place = polyval(ahead + share * (along[last] - ahead), parabola, tensor=False)
         laid.append((nodes, place + (1 - share) * (meet - place[0]) + share * (x[path[last]] - place[-1])))
     stops = np.array([nodes[-1] for nodes, _ in laid])
-    is_open = is_inside(shape, np.repeat(meet[None], len(laid), axis=0), x[stops])
+    is_open = shape.holds(np.repeat(meet[None], len(laid), axis=0), x[stops])
     if is_held[np.concatenate([middle, *(nodes for nodes, _ in laid)])].any() or not is_open.all():
         return False
     for nodes, places in laid:

@@ -5,7 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from msf_jax.inside import containment
 from msf_jax.solid.geometry import arc_length, at, to_segment
 from msf_jax.solid.solid import Solid
 from msf_jax.topology import graphs
@@ -91,7 +90,7 @@ def _bisected(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | No
         first = np.searchsorted(along, stops[:-1], side="right")
         last = np.searchsorted(along, stops[1:], side="left")
         rows = np.flatnonzero(first < last)
-        rows = rows[~containment.is_inside(solid.shape, entered[rows], entered[rows + 1])]
+        rows = rows[~solid.shape.holds(entered[rows], entered[rows + 1])]
         if not len(rows):
             break
         stops = np.sort(np.concatenate([stops, along[(first[rows] + last[rows]) // 2]]))

@@ -30,7 +30,6 @@ from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, ROUNDING, unit, vertex_normals
 from msf_jax.topology import graphs
 
-FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
 MOST_SAMPLES = 20_000  # of a surface, between its vertices, at which balls start
 THIN = 0.005  # diagonals: a limb of a smaller radius is thin
@@ -150,7 +149,7 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
     vertices that the ball touches, each twice. A pole outside the bounding box of ``box`` counts as not found."""
     normals, every = unit(vertex_normals(sites, faces)), np.arange(len(sites))
     extent, box = float(np.ptp(sites, axis=0).max()), sites if box is None else box
-    radius, touching = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, extent, every)
+    radius, touching = shrinking_balls(sites, normals, spatial.KDTree(sites), 2 * THIN * extent, extent, every)
     centre = sites - radius[:, None] * normals
     is_found = (touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
     pair = np.where(is_found, [every, touching, every, touching], -1).T

@@ -22,7 +22,7 @@ from trimesh.triangles import closest_point
 
 from msf_jax.inside import balls
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import ROUNDING, TOUCHING, distinct
+from msf_jax.solid.geometry import TOUCHING, distinct
 from msf_jax.topology import graphs
 from msf_jax.topology.graphs import down_forest
 
@@ -140,7 +140,7 @@ class Roadmap:
         chosen, last = [0], len(stops) - 1
         while chosen[-1] < last:
             ahead = np.arange(chosen[-1] + 2, last + 1)
-            is_seen = is_inside(self.shape, np.repeat(stops[chosen[-1:]], len(ahead), axis=0), stops[ahead])
+            is_seen = self.shape.holds(np.repeat(stops[chosen[-1:]], len(ahead), axis=0), stops[ahead])
             chosen.append(int(ahead[is_seen].max(initial=chosen[-1] + 1)))
         return stops[chosen[1:-1]]
 
@@ -212,7 +212,7 @@ def _tested(shape: Enclosure, network: Network, is_joining: bool) -> Network:
         if not len(others):
             break
         some, others = others[:AT_ONCE], others[AT_ONCE:]
-        is_open = shape.holds(*network.centre[some.T], ROUNDING, are_inside=True)
+        is_open = shape.holds(*network.centre[some.T], are_inside=True)
         links = np.concatenate([links, some[is_open]])
     return network._replace(links=links, others=others)
 
@@ -242,7 +242,7 @@ def balls_behind(shape: Enclosure, points: np.ndarray, normals: np.ndarray) -> t
     samples of the surface a far nearer wall, such as the other side of a plate of two triangles, can be missed: none
     reaches beyond half of the chord behind its point."""
     points = points - TOUCHING / 2 * normals
-    radius = balls.shrinking_balls(points, normals, shape.samples.tree, balls.FIRST, 1.0, own=-1)[0]
+    radius = balls.shrinking_balls(points, normals, shape.samples.tree, 2 * balls.THIN, 1.0, own=-1)[0]
     centre = points - shape.ray_lengths(points, -normals, 2 * radius)[:, None] / 2 * normals
     return centre, shape.clearance(centre)
 
@@ -268,20 +268,8 @@ def contain(
             ball = spatial.KDTree(roadmap.whole.centre).query(x[is_out])[1]
             x[is_out], radii[is_out] = roadmap.whole.centre[ball], roadmap.whole.radius[ball]
 
-    is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
+    is_bad = ~shape.holds(x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
     return _replaced(x, edges, is_bad, roadmap.paths(x, radii, edges[is_bad]))
-
-
-def is_inside(
-    shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None, sliver: float = ROUNDING
-) -> np.ndarray:
-    """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid, up to stretches shorter than
-    ``sliver`` between its ends. A segment shorter than ``covered`` (E,), the sum of the radii of balls around its ends,
-    is inside without a test."""
-    is_in = np.zeros(len(a), dtype=bool) if covered is None else np.linalg.norm(b - a, axis=1) < covered
-    rows = np.flatnonzero(~is_in)
-    is_in[rows] = shape.holds(a[rows], b[rows], sliver)
-    return is_in
 
 
 def refine(

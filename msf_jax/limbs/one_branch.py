@@ -18,7 +18,6 @@ import numpy as np
 from scipy import optimize, spatial
 from scipy.sparse import csgraph
 
-from msf_jax.inside.containment import is_inside
 from msf_jax.limbs.ends import RING_SPACING, LimbAxis
 from msf_jax.limbs.tree import Limbs, LimbTree
 from msf_jax.solid.enclosure import Enclosure
@@ -272,7 +271,7 @@ def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place:
     of the nearest ball from which the way there is inside, or else the nearest node."""
     away = np.linalg.norm(vertices - place, axis=1)
     near = np.argsort(away - radius, kind="stable")
-    is_open = is_inside(shape, vertices[near], np.repeat(place[None], len(near), axis=0))
+    is_open = shape.holds(vertices[near], np.repeat(place[None], len(near), axis=0))
     return int(near[is_open.argmax()] if is_open.any() else np.where(radius == -np.inf, np.inf, away).argmin())
 
 
@@ -306,7 +305,7 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
     is_near = (away <= np.array([lid.reach for lid in wanted])[:, None]).any(axis=0)
     away, leaves = away[:, is_near], leaves[is_near]
     # In a tube that is shorter than wide, both ends of the curve may be near the same lid.
-    is_open = [is_inside(shape, start[leaves], np.repeat(place[None], len(leaves), axis=0)) for place in below]
+    is_open = [shape.holds(start[leaves], np.repeat(place[None], len(leaves), axis=0)) for place in below]
     away = np.where(np.reshape(is_open, away.shape), away, 1e3)  # farther than any, as the solid's diagonal is 1
     leaf = np.full(len(wanted), -1)
     for lid, column in zip(*optimize.linear_sum_assignment(away), strict=True):

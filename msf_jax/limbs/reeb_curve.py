@@ -39,7 +39,7 @@ def reeb_curve(shape: Enclosure) -> ReebCurve | None:
     reach = balls.shrinking_balls(*asked, longest, longest, every)[0]
     if 2 * length[length > np.minimum(reach[tail], reach[head])].sum() <= length.sum():
         return None
-    radius = balls.shrinking_balls(*asked, balls.FIRST, 1.0, every)[0]
+    radius = balls.shrinking_balls(*asked, 2 * balls.THIN, 1.0, every)[0]
     # A ball between few vertices can be too large, so the nearest vertices of all middles are asked for.
     middles = x - radius[:, None] * asked[1]
     seed = int(np.where(shape.contains(middles), asked[2].query(middles)[0], 0.0).argmax())

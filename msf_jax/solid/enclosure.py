@@ -186,18 +186,29 @@ class Enclosure:
                 return ray[:count], face[:count], distance[:count], left[0] == 0
             capacity = count
 
-    def holds(self, a: np.ndarray, b: np.ndarray, sliver: float, are_inside: bool = False) -> np.ndarray:
+    def holds(
+        self,
+        a: np.ndarray,
+        b: np.ndarray,
+        covered: np.ndarray | float = 0.0,
+        sliver: float = ROUNDING,
+        are_inside: bool = False,
+    ) -> np.ndarray:
         """(E,) whether the segments from a (E, 3) to b (E, 3) are inside, up to stretches shorter than ``sliver``
-        between hits of the surface. ``are_inside``: their ends are known to be.
+        between hits of the surface. A segment shorter than ``covered`` (E,), the sum of the radii of balls around its
+        ends, is inside without a test. ``are_inside``: all ends are known to be.
 
         At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits
         decide. A ray along a face, or from the surface, may miss its exit, so both ends are tested, too."""
-        is_in = np.ones(len(a), dtype=bool) if are_inside else self.contains(a)
-        is_in[is_in] = are_inside or self.contains(b[is_in])
-        rows = np.flatnonzero(is_in)
-        a, along = a[rows], b[rows] - a[rows]
+        along = b - a
         length = np.linalg.norm(along, axis=1)
-        along /= np.maximum(length, 1e-300)[:, None]
+        is_in = length < covered
+        rows = np.flatnonzero(~is_in)
+        for ends in () if are_inside else (a, b):
+            rows = rows[self.contains(ends[rows])]
+        is_in[rows] = True
+        a, length = a[rows], length[rows]
+        along = along[rows] / np.maximum(length, 1e-300)[:, None]
         ray, _, stop, _ = self.ray_hits(a, along, length)
         if not len(ray):
             return is_in

@@ -12,8 +12,7 @@ from loop_cases import NO_EDGES, RING, circle, cycle, shape_of, theta, torus_kno
 import msf_jax
 from msf_jax import metrics
 from msf_jax.curve import handle_loops
-from msf_jax.inside import containment
-from msf_jax.inside.containment import Roadmap, is_inside
+from msf_jax.inside.containment import Roadmap
 from msf_jax.skeleton.report import loops_of
 from msf_jax.solid import handles
 from msf_jax.solid.enclosure import Enclosure
@@ -30,8 +29,8 @@ def test_a_loop_may_graze_the_surface(width, is_in):
     found = (block - wedge).to_mesh()
     shape = Enclosure(found.vert_properties[:, :3].astype(float), found.tri_verts.astype(np.int64))
     a, b = np.array([[-0.1, width / 2, 0.01]]), np.array([[0.1, width / 2, 0.01]])
-    assert not containment.is_inside(shape, a, b).any()
-    assert containment.is_inside(shape, a, b, sliver=RESOLUTION).tolist() == [is_in]
+    assert not shape.holds(a, b).any()
+    assert shape.holds(a, b, sliver=RESOLUTION).tolist() == [is_in]
     is_out = handle_loops.proof(
         shape, np.concatenate([a, b, [[0.0, -0.1, 0.01]]]), np.array([[0, 1], [1, 2], [0, 2]])
     ).outside
@@ -235,7 +234,7 @@ def test_a_loop_proves_nothing_by_what_it_crosses_of_another_solid():
     both = trimesh.util.concatenate([ring, ball])
     shape = shape_of(both)
     across = circle(0.4, (1.0, 0.0, 0.0))[:, [0, 2, 1]]
-    assert is_inside(shape, across, np.roll(across, -1, axis=0)).all()
+    assert shape.holds(across, np.roll(across, -1, axis=0)).all()
     node_of_vertex = np.r_[np.zeros(len(ring.vertices), int), np.full(len(ball.vertices), 120)]
     nodes, edges = np.concatenate([circle(1.0), across]), np.concatenate([cycle(120), cycle(120, 120)])
     assert counts(handle_loops.proof(shape, nodes, edges, node_of_vertex)) == (1, 1, 0, 0, 0)

@@ -56,7 +56,7 @@ def test_a_segment_through_a_fold_inside_the_solid_is_inside():
     shape = Enclosure(np.asarray(both.vertices), np.asarray(both.faces))
     ends = np.array([[0.0, 0, 0], [1.2, 0, 0], [0.6, 0.5, 0], [0.6, 1.2, 0]])
     a, b = ends[[0, 0, 0]], ends[[1, 2, 3]]
-    assert containment.is_inside(shape, a, b).tolist() == [True, True, False]
+    assert shape.holds(a, b).tolist() == [True, True, False]
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -72,7 +72,7 @@ def test_a_segment_that_leaves_along_a_face_is_not_inside(seed):
     a = np.stack([random.uniform(-0.8, -0.2, 50), y[0], np.zeros(50)], axis=1) @ turn.T
     b = np.stack([random.uniform(1.1, 2, 50), y[1], np.zeros(50)], axis=1) @ turn.T
     assert shape.contains(a).all() and not shape.contains(b).any()
-    assert not containment.is_inside(shape, a, b).any()
+    assert not shape.holds(a, b).any()
 
 
 def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
@@ -104,7 +104,7 @@ def test_nodes_of_an_inside_out_pocket_come_in():
     line = np.linspace([-0.1, 0, 0], [0.35, 0, 0], 10)
     edges = np.stack([np.arange(9), np.arange(1, 10)], axis=1)
     x, edges = containment.contain(Roadmap(shape), line, edges, np.zeros(10, dtype=bool))
-    assert containment.is_inside(shape, x[edges[:, 0]], x[edges[:, 1]]).all()
+    assert shape.holds(x[edges[:, 0]], x[edges[:, 1]]).all()
     assert cycle_count(len(x), edges) == (1, 0)
 
 
