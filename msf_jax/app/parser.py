@@ -132,7 +132,7 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         ("--max-seconds",): "end each run after this many seconds, with the curve so far (default: no limit)",
         ("--w-L",): f"weight of contraction (default of msf: {weights.w_L})",
         ("--w-H",): f"weight of a vertex's current position (default of msf: {weights.w_H})",
-        ("--w-M",): f"weight of the Voronoi pole (default of msf: {weights.w_M})",
+        ("--w-M",): f"weight of the pole (default of msf: {weights.w_M})",
         ("--smoothing",): f"lambda of the implicit smoothing (default of msf: {weights.smoothing})",
     }.items():
         flow.add_argument(*names, type=float, metavar="X", help=what)

@@ -28,7 +28,7 @@ class Weights:
     Attributes:
         w_L: contraction, >= 0.
         w_H: attraction to the vertex's current position, > 0, which keeps the system definite.
-        w_M: attraction to the Voronoi pole, >= 0.
+        w_M: attraction to the pole, >= 0.
         smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
 
     All are dimensionless. Only the ratios of w_L, w_H and w_M matter: a larger w_L / w_H contracts more in one

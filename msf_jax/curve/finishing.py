@@ -114,7 +114,7 @@ def finish(
 
     ``centre`` and ``extend`` switch those passes. If both are on and no node is held, a solid that is too coarse for
     the flow gets a Reeb curve (see `limbs.reeb_curve`): if it ``is_thin``, or more than `ASTRAY` of the flow's curve is
-    outside. ``is_tangle`` says that the flow ended in a tangle that no pass can
+    outside, unless more of the Reeb curve is. ``is_tangle`` says that the flow ended in a tangle that no pass can
     repair: it stays as it is, unless there is a Reeb curve. ``outside`` is the surface without cavities. ``first`` is a
     pass that comes before all others. If ``clock`` says that the run has to end, the curve is the one after the last
     pass that was done."""
