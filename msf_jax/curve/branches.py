@@ -10,13 +10,15 @@ import numpy as np
 from scipy import sparse, spatial
 
 from msf_jax.numerics.compiled import Ints, Points, Reals, kernel
-from msf_jax.solid.geometry import RESOLUTION, ROUNDING, arc_length, at, repeated
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, arc_length, at
 from msf_jax.solid.handles import Handles
 from msf_jax.solid.kernels import dot, minus, norm, point_of
 from msf_jax.topology import graphs
 
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
-LEAST_GAP = 0.05  # reaches of the stiffness: nearer nodes count as so far apart
+CHUNK = 100  # nodes of a branch at a time that are held against the others: a table of them stays in the cache
+UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
+STIFFEST = 1e5  # limit on the stiffness
 MARGIN = 0.4  # radii of a ball: beside a ball, width of the step from a limb that is a part of it to one on its own
 
 
@@ -55,13 +57,13 @@ def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | N
 def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Merge junctions whose path is within the ball of one of them, and shorter than its radius, at the one with the
-    largest radius.
+    """Merge junctions whose path is within the ball of one of them, at the one with the largest radius.
 
     Returns which nodes stay (N,), the target of each node (N,), and the edges. Junctions whose merge would remove a
     loop, or lead it around other ``handles``, are not merged, and nodes of ``is_held`` (N,) stay."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     target = every = np.arange(len(vertices))
+    moved = np.zeros(len(vertices), dtype=np.int64)  # class of the path from each node to its target
     cycles = graphs.cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
     paths = [path for path in graphs.trace(len(vertices), edges) if min(degree[path[0]], degree[path[-1]]) > 2]
@@ -70,18 +72,23 @@ def merge_junctions(
         return float(arc_length(vertices[path])[-1] / max(radii[path[0]], radii[path[-1]], 1e-300))
 
     for path in sorted(paths, key=apart):  # the nearest first, so that the order of the nodes does not decide
+        if is_held[path[1:-1]].any():
+            continue
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
         a, b = target[path[0]], target[path[-1]]
-        gone = np.append(np.flatnonzero(target == b), path[1:-1]).astype(np.int64)
-        is_near = np.linalg.norm(vertices[gone] - vertices[a], axis=1).max() < radii[a]
-        if a != b and is_near and arc_length(vertices[path])[-1] < radii[a] and not is_held[gone].any():
-            tried = target.copy()
-            tried[gone] = a
-            moved = handles.classes(vertices, vertices[tried])  # the ball is inside, and so is the way to its middle
-            after = handles.classes(*vertices[tried[edges.T]])
-            is_kept = after == own - moved[edges[:, 0]] + moved[edges[:, 1]]
+        length = float(arc_length(vertices[path])[-1])
+        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < radii[a]
+        if a != b and is_near and not is_held[target == b].any():
+            tried, added = target.copy(), moved.copy()
+            steps = handles.classes(vertices[path[:-1]], vertices[path[1:]])
+            inner, gone = np.array(path[1:-1], dtype=np.int64), np.flatnonzero(target == b)
+            tried[inner] = tried[gone] = a
+            added[inner] = moved[path[0]] - np.cumsum(steps)[:-1]
+            added[gone] += moved[path[0]] - steps.sum() - moved[path[-1]]
+            after = handles.classes(vertices[tried[edges[:, 0]]], vertices[tried[edges[:, 1]]])
+            is_kept = after == own - added[edges[:, 0]] + added[edges[:, 1]]
             if is_kept.all() and graphs.cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
-                target = tried
+                target, moved = tried, added
     return target == every, target, _relabelled(edges, target)
 
 
@@ -164,11 +171,10 @@ def bending(
         gaps.append(np.stack([gap[:-1], gap[1:]], axis=1))
         turn = is_loop * np.pi * gaps[-1].sum(axis=1) / max(gap[: len(nodes) - 1].sum(), 1e-300)
         rest.append((2 * np.cos(turn) - 2)[:, None] * (x[polyline[1:-1]] - x[nodes[1:]].mean(axis=0)))
-    triple = np.concatenate(found)
-    gap = np.maximum(np.concatenate(gaps).T, np.maximum(LEAST_GAP * reach[triple[:, 1]], 1e-12))
-    spacing = gap.mean(axis=0)
-    stiffness = (reach[triple[:, 1]] / spacing) ** 4
-    before, after = spacing / gap
+    triple, gap = np.concatenate(found), np.maximum(np.concatenate(gaps), 1e-12)
+    spacing = gap.mean(axis=1)
+    stiffness = np.minimum((reach[triple[:, 1]] / spacing) ** 4, STIFFEST)
+    before, after = spacing / np.maximum(gap.T, spacing / UNEVEN)
     rows, values = np.repeat(np.arange(len(triple)), 3), np.stack([before, -before - after, after], axis=1)
     matrix = sparse.csr_matrix((values.ravel(), (rows, triple.ravel())), shape=(len(triple), len(x)))
     return matrix, stiffness, np.concatenate(rest)
@@ -187,12 +193,12 @@ def sizes(
             along = arc_length(x[nodes])
             usual = np.average(size[nodes], weights=own)
             farthest = usual * np.sqrt(-2 * np.log(ROUNDING * np.finfo(float).eps))  # beyond, rounding hides the bell
-            first, last = np.searchsorted(along, [along - farthest, along + farthest])
-            row, near = repeated(last - first)
-            near += first[row]
-            bell = own[near] * np.exp(-0.5 * ((along[row] - along[near]) / usual) ** 2)
-            weights, sums = (np.bincount(row, each, len(nodes)) for each in (bell, bell * size[nodes][near]))
-            mean = (sums + ROUNDING * (own @ size[nodes])) / (weights + ROUNDING * own.sum())
+            both, sums = np.stack([own * size[nodes], own]), np.empty((2, len(nodes)))
+            for part in np.array_split(np.arange(len(nodes)), len(nodes) // CHUNK + 1):
+                first, last = np.searchsorted(along, along[part[[0, -1]]] + (-farthest, farthest))
+                bell = np.exp(-0.5 * ((along[part, None] - along[first:last]) / usual) ** 2)
+                sums[:, part] = np.einsum("nm,bm->bn", bell, both[:, first:last])
+            mean = (sums[0] + ROUNDING * both[0].sum()) / (sums[1] + ROUNDING * own.sum())
             is_own = (degree[nodes] <= 1) | is_loop
             found[nodes[is_own]] = mean[is_own]
     return found
@@ -236,18 +242,23 @@ def crossed_again(
     ``centroid`` (N, 3), in the plane across ``tangent`` (N, 3). So it does if the section goes through both sides."""
     found = np.zeros(len(x), dtype=bool)
     for nodes in (path.nodes for path in paths if path.is_loop):
-        begin, end, num = x[nodes[:-1]], x[nodes[1:]], len(nodes) - 1
-        own = nodes[:-1]
-        reach = radius[own] + np.linalg.norm(end - begin, axis=1).max()
-        near = spatial.KDTree(begin).query_ball_point(centroid[own], reach)
-        here, there = np.repeat(np.arange(num), list(map(len, near))), np.concatenate(near).astype(np.int64)
-        is_other = (there != here) & ((there + 1) % num != here)
-        here, there = here[is_other], there[is_other]
-        node = own[here]
-        low, high = (np.einsum("ki,ki->k", tangent[node], each[there] - x[node]) for each in (begin, end))
-        t = (low / np.where(low == high, 1.0, low - high))[:, None]
-        away = np.linalg.norm((1 - t) * begin[there] + t * end[there] - centroid[node], axis=1)
-        found[node[((low > 0) != (high > 0)) & (away < radius[node])]] = True
+        place, num = x[nodes], len(nodes) - 1
+        axes = np.ascontiguousarray(place.T)
+        for part in np.array_split(np.arange(num), len(nodes) // CHUNK + 1):
+            own = nodes[part]
+            # A product of matrices would wake a thread on every core, for less than one has to do.
+            height = np.einsum("ni,im->nm", tangent[own], axes)
+            height -= np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
+            height[np.arange(len(own)), part] = 0.0
+            is_over = height > 0
+            # Flat indices are found many times faster than pairs.
+            here, there = np.divmod(np.flatnonzero(is_over[:, :-1] != is_over[:, 1:]), num)
+            is_other = (there != part[here]) & ((there + 1) % num != part[here])
+            here, there = here[is_other], there[is_other]
+            low, high = height[here, there], height[here, there + 1]
+            t = (low / (low - high))[:, None]
+            away = np.linalg.norm((1 - t) * place[there] + t * place[there + 1] - centroid[own[here]], axis=1)
+            found[own[here[away < radius[own[here]]]]] = True
     return found
 
 

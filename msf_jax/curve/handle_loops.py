@@ -24,6 +24,7 @@ FACTORS = (2, 3)  # moduli with a smaller rank if loops go around handles severa
 # Linking numbers, of edges of a curve with loops of the surface, that are computed for one curve (1 GB), and those of
 # all paths that are tried for one curve. One of 13,000 edges in a solid of genus 1,409 has 4e7, its search takes 8e7.
 MOST_LINKING = 2**27
+AT_ONCE = 8  # loops added in a round: at least so many, or a quarter of the missing ones
 
 
 class Proof(NamedTuple):
@@ -121,7 +122,7 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
     if are_too_many(roadmap.shape, edges):
         roadmap.num_unsought = missing
         return vertices, edges
-    while missing and (paths := _new_loops(roadmap, vertices, edges, missing)):
+    while missing and (paths := _new_loops(roadmap, vertices, edges, min(max(AT_ONCE, missing // 4), missing))):
         missing -= len(paths)
         for start, end, path in paths:
             number = np.array([start, *range(len(vertices), len(vertices) + len(path)), end])

@@ -2,8 +2,9 @@
 
 Near a junction several limbs are one, and the nodes there follow what is wide: the flow's junction of a narrow fork is
 in front of the crotch, where its branches bend around it. Farther on, where a limb is on its own and has its usual
-radius, its branch is on its axis, the line p + t d. The junction is the point m nearest to these lines, and, in the
-directions in which they do not tell, to the middle c of the largest ball there:
+radius, its branch is on its axis. A parabola continues that, as a function of the arc length; its tangent at the
+junction is the line p + t d. The junction is the point m nearest to these lines, and, in the directions in which they
+do not tell, to the middle c of the largest ball there:
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2 + HOLD |m - c|^2.
 
@@ -17,6 +18,7 @@ import itertools
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 
 from msf_jax.curve import branches
 from msf_jax.solid.enclosure import Enclosure
@@ -26,8 +28,9 @@ from msf_jax.topology import graphs
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis; triangles as long as it is thick make 0.85
 AXIS = 2.1  # the length of the part that gives the axis, which begins a radius behind the start of a stretch
+SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
-APART = 0.35  # lines meet if one point is that near to all
+APART = 0.35  # the lines of two junctions meet if one point is that near to all
 THIN = 0.3  # of the radius of their ball: branches that leave a junction to it
 
 WAYS = unit(np.array(list(itertools.product((-1.0, 0.0, 1.0), repeat=3))))  # (27, 3) all around, and none
@@ -35,14 +38,14 @@ WAYS = unit(np.array(list(itertools.product((-1.0, 0.0, 1.0), repeat=3))))  # (2
 
 class Axis(NamedTuple):
     """The axis of a branch. path: (k,) its nodes from its junction. along: (k,) their arc lengths. size: its usual
-    radius. first: the position in ``path`` of the first node on the axis. line: (2, 3) the place of the axis at the arc
-    length 0, and its direction."""
+    radius. first: the position in ``path`` of the first node on the axis. parabola: (3, 3) the coefficients of the
+    axis, as a function of the arc length, the constant first."""
 
     path: np.ndarray
     along: np.ndarray
     size: float
     first: int
-    line: np.ndarray
+    parabola: np.ndarray
 
 
 class Branches:
@@ -65,15 +68,20 @@ class Branches:
         change = np.flatnonzero(np.diff(is_own, prepend=False, append=False)).reshape(-1, 2)
         begin, end = along[change[:, 0]], along[change[:, 1] - 1]
         length = end - begin
-        if size <= 0 or not len(length):
+        if size <= 0 or length.max(initial=0.0) < SHORTEST * size:
             return None
         chosen = int((length >= min(AXIS * size, length.max())).argmax())
         start = min(begin[chosen] + size, max(begin[chosen], end[chosen] - size))
         row = np.flatnonzero((along >= start) & (along <= min(start + AXIS * size, end[chosen])))
-        if not len(row) or along[row[-1]] <= along[row[0]]:
+        if not len(row) or along[row[-1]] - along[row[0]] < SHORTEST * size / 2:
             return None
-        line = np.linalg.lstsq(np.vander(along[row], 2, increasing=True), self._x[path[row]])[0]
-        return Axis(path, along, size, int(row[0]), line)
+        # With u = s / size from the first node on, and back to powers of s. A short stretch does not tell its bend.
+        degree = 2 if end[chosen] - start >= AXIS * size and len(row) > 3 else 1
+        power = np.vander((along[row] - along[row[0]]) / size, degree + 1, increasing=True)
+        fit = np.linalg.lstsq(power, self._x[path[row]])[0]
+        p, d, q = np.pad(fit, ((0, 2 - degree), (0, 0))) / size ** np.arange(3)[:, None]
+        s = along[row[0]]
+        return Axis(path, along, size, int(row[0]), np.stack([p - s * d + s**2 * q, d - 2 * s * q, q]))
 
 
 def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
@@ -83,19 +91,34 @@ def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """The nodes (N, 3) with junctions where the lines of their branches meet, and the nodes from there to each branch's
-    axis on the way. A junction stays where a branch has no line, or a node on the way is held, and where the lines do
-    not meet, unless it is at a wall."""
+    axis on the way. Where rods cross, the flow has two junctions: if the lines of all branches of both meet, these are
+    at one place, with the stretch between. A junction stays where a branch has no line, or a node on the way is held,
+    and where the lines do not meet, unless it is at a wall."""
     x, curve = x.copy(), Branches(x, edges, radii)
     at_node: dict[int, list[tuple[np.ndarray, Axis | None]]] = {}
+    between: dict[tuple[int, int], list[np.ndarray]] = {}
     for path in curve.paths:
+        one, other = int(path[0]), int(path[-1])
         for each in (path, path[::-1]):
             if curve.degree[each[0]] > 2:
                 at_node.setdefault(int(each[0]), []).append((each, curve.axis(each)))
-    found = {node: [axis or _beyond(x, radii, path, at_node) for path, axis in own] for node, own in at_node.items()}
-    for node, own in found.items():
-        axes = [axis for axis in own if axis is not None]
-        if len(axes) == len(own):
-            _put(shape, x, node, axes, is_held, radii)
+        if one != other and min(curve.degree[one], curve.degree[other]) > 2:
+            between.setdefault((min(one, other), max(one, other)), []).append(path)
+    groups = [(ends, links[0]) for ends, links in between.items() if len(links) == 1]
+    groups.sort(key=lambda group: arc_length(x[group[1]])[-1])  # the nearest first: the order of nodes does not decide
+    groups += [((node, node), np.array([node])) for node in at_node]
+    at_node = {
+        node: [(path, axis or _beyond(x, radii, path, at_node)) for path, axis in own] for node, own in at_node.items()
+    }
+    is_done = np.zeros(len(x), dtype=bool)
+    for ends, middle in groups:
+        if not is_done[list(ends)].any():
+            own = [each for node in dict.fromkeys(ends) for each in at_node[node]]
+            if ends[0] != ends[1]:  # without the stretch between
+                own = [each for each in own if {int(each[0][0]), int(each[0][-1])} != {*ends}]
+            axes = [axis for _, axis in own if axis is not None]
+            if len(axes) == len(own):
+                is_done[middle] = _put(shape, x, middle, axes, is_held, radii)
     return x
 
 
@@ -113,38 +136,46 @@ def _beyond(
             return None
         here, axis = max(ahead, key=lambda each: usual_radius(each[0], radii))
         if axis is not None:
-            place, direction = axis.line
-            line = np.stack([place - length * direction, direction])  # in the arc length from this junction
+            place, direction = axis.parabola[:2]
+            line = np.stack([place - length * direction, direction, 0 * place])  # in the arc length from this junction
             return Axis(path, along, axis.size, len(path) - 1, line)
         length += arc_length(x[here])[-1]
     return None  # short stretches all around
 
 
-def _put(shape: Enclosure, x: np.ndarray, node: int, axes: list[Axis], is_held: np.ndarray, radii: np.ndarray) -> None:
-    """Put the junction ``node`` where the lines of its branches meet, and the nodes of ``x`` (N, 3) from there to each
-    branch's axis on the way."""
-    near = np.concatenate([[node], *(each.path[: each.first] for each in axes)])
+def _put(
+    shape: Enclosure, x: np.ndarray, middle: np.ndarray, axes: list[Axis], is_held: np.ndarray, radii: np.ndarray
+) -> bool:
+    """Put the nodes ``middle`` (m,), a junction, or two and the stretch between, where the lines of their branches
+    meet, and those from there to each branch's axis on the way. ``x`` (N, 3) changes only if True is returned."""
+    near = np.concatenate([middle, *(each.path[: each.first] for each in axes)])
     sizes, widest = np.array([each.size for each in axes]), near[radii[near].argmax()]
-    meet, off = nearest_to_lines(np.array([each.line for each in axes]), x[widest])
+    meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[widest])
     if sizes.max() < THIN * radii[widest]:
         meet, off = middle_of_ball(shape, x[widest]), 0 * off
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
     # ball is smaller than those of its branches.
-    if (off > APART * sizes).any() and radii[node] >= KEPT * sizes.min():
-        return
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * sizes.min()
+    if (off > APART * sizes).any() and not is_at_wall:
+        return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []
-    for path, along, size, first, line in axes:
+    for path, along, size, first, parabola in axes:
         # The lines may meet beyond the first node on an axis, as in the trunk of a fork: it is laid until behind that.
-        ahead = float(unit(line[1]) @ (meet - line[0]))
+        ahead = float(unit(parabola[1]) @ (meet - parabola[0]))
         last = min(int(np.searchsorted(along, max(along[first], ahead + size))), len(path) - 1)
         if along[last] <= ahead:
-            return
-        laid.append((path[: last + 1], along[: last + 1, None] / along[last]))
+            return False
+        nodes, share = path[: last + 1], (along[: last + 1] / along[last])[:, None]
+        place = polyval(ahead + share * (along[last] - ahead), parabola, tensor=False)
+        laid.append((nodes, place + (1 - share) * (meet - place[0]) + share * (x[path[last]] - place[-1])))
     stops = np.array([nodes[-1] for nodes, _ in laid])
     is_open = shape.holds(np.repeat(meet[None], len(laid), axis=0), x[stops])
-    if is_open.all() and not is_held[np.concatenate([nodes for nodes, _ in laid])].any():
-        for nodes, share in laid:
-            x[nodes] = meet + share * (x[nodes[-1]] - meet)
+    if is_held[np.concatenate([middle, *(nodes for nodes, _ in laid)])].any() or not is_open.all():
+        return False
+    for nodes, places in laid:
+        x[nodes] = places
+    x[middle] = meet
+    return True
 
 
 def middle_of_ball(shape: Enclosure, middle: np.ndarray) -> np.ndarray:

@@ -3,9 +3,9 @@
 A node outside is moved into the solid behind its nearest triangle, to the middle of the limb there. For an edge that
 leaves the solid a short path with a large clearance is sought, in a window around it. The nodes of that graph are the
 ends of the edge, and centres of balls that touch the surface from inside, one for each place and size. If two balls
-overlap, the segment between their centres is inside. Segments between near balls of different parts are tested, the
-shortest for their balls first. Only an edge without a path in its window is searched for in the whole solid, whose
-balls are then kept. All searches for a curve together have a bound.
+overlap, the segment between their centres is inside. Where that joins no path, segments between near balls of different
+parts are tested, the shortest for their balls first. Only an edge without a path in its windows is searched for in the
+whole solid, whose balls are then kept. All searches for a curve together have a bound.
 
 Loops around handles that have none are shortest paths over all balls, with all segments tested.
 """
@@ -27,7 +27,9 @@ from msf_jax.topology import graphs
 from msf_jax.topology.graphs import down_forest
 
 NEIGHBOURS = 4  # nearest balls of its own and of each larger size, by powers of two, to which a ball may have links
-WINDOW = 2.0  # lengths of an edge: diameter of the window in which a path is sought; beyond it is all else
+REACHES = 2.0, 6.0  # lengths of an edge: diameters of the windows in which a path is sought; beyond them is all else
+AT_ONCE = 2_000  # segments that are tested before it is asked again which parts of a graph are joined
+MOST_TESTS = 200_000  # segments that are tested in one graph: some 2 seconds
 MOST_VISITS = 2_000_000  # balls in the graphs of all searches for one curve together: some 20 seconds
 
 
@@ -110,20 +112,28 @@ class Roadmap:
 
     def _path(self, ends: np.ndarray, clearance: np.ndarray) -> np.ndarray:
         """The path of `paths` between two ``ends`` (2, 3)."""
-        away = np.linalg.norm(self.surface[0] - ends.mean(axis=0), axis=1)
-        near = away < WINDOW / 2 * np.linalg.norm(ends[1] - ends[0]) + clearance.sum()
-        for is_whole in (False, True):
-            if self.num_visits > MOST_VISITS:
-                self.num_refused += 1
-                return np.empty((0, 3))
-            known = self.joined if is_whole else self._linked_balls(near)
-            network = _linked(known, ends, clearance, np.full(2, -np.inf))
+        networks = self._networks(ends, clearance)
+        while self.num_visits <= MOST_VISITS and (network := next(networks, None)) is not None:
             self.num_visits += len(network.centre)
-            stops = _shortest(_tested(self.shape, network, is_joining=True), ends)
+            stops = _shortest(network, ends)
             if len(stops):
                 return self._shortened(stops)
-        self.num_closed += 1
+        is_known = self.num_visits <= MOST_VISITS and not len(self.joined.others)
+        self.num_closed += is_known
+        self.num_refused += not is_known
         return np.empty((0, 3))
+
+    def _networks(self, ends: np.ndarray, clearance: np.ndarray) -> Iterator[Network]:
+        """Graphs of balls in which a path between ``ends`` (2, 3) is sought, one after the other; ends come last."""
+        both = ends, clearance, np.full(2, -np.inf)
+        away = np.linalg.norm(self.surface[0] - ends.mean(axis=0), axis=1)
+        for reach in REACHES:
+            near = away < reach / 2 * np.linalg.norm(ends[1] - ends[0]) + clearance.sum()
+            network = _linked(self._linked_balls(near), *both)
+            yield network
+            yield _tested(self.shape, network, is_joining=True)
+        network = _linked(self.joined._replace(others=NO_BALLS.others), *both)
+        yield _tested(self.shape, network, is_joining=True)
 
     def _shortened(self, stops: np.ndarray) -> np.ndarray:
         """Inner points (k, 3) of a path over some of ``stops`` (s, 3), from each to the last one in its sight."""
@@ -149,6 +159,7 @@ class Roadmap:
             return
         first, nodes = len(self.complete.centre), (x[node_of_end], clearance[node_of_end])
         network = _linked(self.complete, *nodes, np.full(len(node_of_end), -np.inf))
+        self.is_cut_short |= len(self.complete.others) > 0
         centre, (tail, head), cost = network.centre, network.links.T, network.costs()
         value = self.shape.handles.classes(centre[tail], centre[head])
         tail, head, cost, value = np.r_[tail, head], np.r_[head, tail], np.tile(cost, 2), np.r_[value, -value]
@@ -192,14 +203,15 @@ def _linked(network: Network, centre: np.ndarray, radius: np.ndarray, size: np.n
 
 
 def _tested(shape: Enclosure, network: Network, is_joining: bool) -> Network:
-    """The network with its other segments tested; if ``is_joining``, only those between its parts: which these are is
-    asked again after each round of as many tests as there are balls."""
+    """The network with its other segments tested, up to a bound; if ``is_joining``, only those between its parts."""
     links, others = network.links, network.others
-    while len(others):
+    for _ in range(MOST_TESTS // AT_ONCE):
         if is_joining:
             part = graphs.labels(len(network.centre), *links.T)
             others = others[part[others[:, 0]] != part[others[:, 1]]]
-        some, others = np.split(others, [len(network.centre)])
+        if not len(others):
+            break
+        some, others = others[:AT_ONCE], others[AT_ONCE:]
         is_open = shape.holds(*network.centre[some.T], are_inside=True)
         links = np.concatenate([links, some[is_open]])
     return network._replace(links=links, others=others)

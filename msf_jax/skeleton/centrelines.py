@@ -24,7 +24,7 @@ from scipy import spatial
 from trimesh import remesh
 
 from msf_jax.curve import branches, centring
-from msf_jax.curve.junctions import Branches
+from msf_jax.curve.junctions import AXIS, Branches
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, axes_across, cross, unit
 from msf_jax.solid.solid import Solid, moved_inside
@@ -303,10 +303,13 @@ def measures_along(skeleton: "Skeleton", paths: list[np.ndarray], degree: np.nda
 
 
 def _heading(curve: Branches, vertices: np.ndarray, path: np.ndarray) -> np.ndarray:
-    """The direction (3,) of a path that leaves a junction at its first node: of its axis (see `curve.junctions`), or
-    of its chord if it is too short for one."""
+    """The direction (3,) of a path that leaves a junction at its first node, in the middle of the stretch that gives
+    its axis (see `curve.junctions`); its chord if it is too short for one."""
     axis = curve.axis(path)
-    return unit(vertices[path[-1]] - vertices[path[0]] if axis is None else axis.line[1])
+    if axis is None:
+        return unit(vertices[path[-1]] - vertices[path[0]])
+    middle = float(axis.along[axis.first]) + AXIS / 2 * axis.size
+    return unit(axis.parabola[1] + 2 * middle * axis.parabola[2])
 
 
 def _turn(curve: Branches, vertices: np.ndarray, path: np.ndarray, before: np.ndarray) -> float:
