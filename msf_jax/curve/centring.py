@@ -44,7 +44,8 @@ STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
 STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
 DAMPING = 0.05  # weight of the square of a step
-LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round: in a sheet, longer ones find no rest
+DAMPING_ALONG = 0.3  # more of its component along the branch: else nodes at a junction of limbs that touch fold
+LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
 LEAST_CLEARANCE = 0.25  # share of its first clearance that a move leaves to a node: the coarse surface is not exact
 
 
@@ -149,11 +150,10 @@ def centre(
             step[ring] -= (step[ring[0]] @ limbs.tangent[ring[0]]) * limbs.tangent[ring]
         step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
-        unit_of = np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
-        step *= np.minimum(1.0, LONGEST_STEP / np.maximum(np.linalg.norm(step, axis=1) / unit_of, 1e-300))[:, None]
+        part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
+        step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         at = take_steps(shape, handles or shape.handles, at, step, edges)
-        part = np.linalg.norm(at.x - x, axis=1) / unit_of
-        if float(np.sqrt(np.mean(part**2))) < TOLERANCE:
+        if float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))) < TOLERANCE:
             break
     return at.x
 
@@ -232,6 +232,9 @@ class _System:
         self.stiff, self.is_free = np.repeat(stiffness, 3), np.repeat(~is_held, 3)
         self.rows = sparse.csr_matrix(sparse.vstack([sectioned, sparse.kron(bend, np.eye(3))]))[:, self.is_free]
         self.value = np.concatenate([self.off.ravel(), (bend @ x - rest).ravel()])
+        ahead, each = limbs.tangent[~is_held], np.arange(np.count_nonzero(~is_held) + 1)
+        damping = DAMPING * np.eye(3) + DAMPING_ALONG * ahead[:, :, None] * ahead[:, None, :]
+        self.damping = sparse.bsr_matrix((damping, each[:-1], each), shape=(3 * len(ahead), 3 * len(ahead)))
 
     def step(self, weight: np.ndarray) -> np.ndarray:
         """The step (N, 3) that minimises the energy, with ``weight`` (L,) of the sections."""
@@ -240,7 +243,7 @@ class _System:
             return step.reshape(-1, 3)
         back = self.rows.T.tocsr()
         back.data *= np.concatenate([np.repeat(weight, 3), self.stiff])[back.indices]
-        matrix = (back @ self.rows + DAMPING * sparse.identity(self.rows.shape[1])).tocsc()
+        matrix = (back @ self.rows + self.damping).tocsc()
         # The matrix is symmetric and positive definite: no pivots are sought.
         factors = linalg.splu(matrix, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
         step[self.is_free] = factors.solve(-(back @ self.value))
