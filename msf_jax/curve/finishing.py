@@ -179,7 +179,7 @@ def contain(draft: Draft, job: Job) -> Draft:
 def complete_cycles(draft: Draft, job: Job) -> Draft:
     """There is one loop around every handle of the solid, and no other loop."""
     x, edges, genus = draft.vertices, draft.edges, job.shape.handles.genus
-    if genus:
+    if graphs.cycle_count(len(x), edges)[1]:
         edges = edges[handle_loops.independent(job.shape, x, edges)]
     missing = genus - graphs.cycle_count(len(x), edges)[1]
     job.roadmap.num_unsought = 0
