@@ -15,11 +15,11 @@ from msf_jax.base.clock import Clock, Stopped
 from msf_jax.curve import branches, centring, handle_loops, junctions
 from msf_jax.inside import containment
 from msf_jax.limbs import one_branch, reeb_curve
+from msf_jax.limbs.ends import SPACING
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.topology import graphs
 
-SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 ASTRAY = 0.05  # share of its length outside: with more, the flow's curve is astray; 0.03 is usual
 

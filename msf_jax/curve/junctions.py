@@ -21,14 +21,14 @@ import numpy as np
 from numpy.polynomial.polynomial import polyval
 
 from msf_jax.curve import branches
+from msf_jax.limbs.ends import SPACING
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis; triangles as long as it is thick make 0.85
-AXIS = 2.1  # the length of the part that gives the axis, which begins a radius behind the start of a stretch
-SHORTEST = 0.5  # the least length of such a stretch; one that is shorter than that part has a line for its axis
+AXIS = 2.1  # the length of the part that gives the axis, a radius behind the start of a stretch of at least `SPACING`
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # the lines of two junctions meet if one point is that near to all
 THIN = 0.3  # of the radius of their ball: branches that leave a junction to it
@@ -68,12 +68,12 @@ class Branches:
         change = np.flatnonzero(np.diff(is_own, prepend=False, append=False)).reshape(-1, 2)
         begin, end = along[change[:, 0]], along[change[:, 1] - 1]
         length = end - begin
-        if size <= 0 or length.max(initial=0.0) < SHORTEST * size:
+        if size <= 0 or length.max(initial=0.0) < SPACING * size:
             return None
         chosen = int((length >= min(AXIS * size, length.max())).argmax())
         start = min(begin[chosen] + size, max(begin[chosen], end[chosen] - size))
         row = np.flatnonzero((along >= start) & (along <= min(start + AXIS * size, end[chosen])))
-        if not len(row) or along[row[-1]] - along[row[0]] < SHORTEST * size / 2:
+        if not len(row) or along[row[-1]] - along[row[0]] < SPACING * size / 2:
             return None
         # With u = s / size from the first node on, and back to powers of s. A short stretch does not tell its bend.
         degree = 2 if end[chosen] - start >= AXIS * size and len(row) > 3 else 1

@@ -27,7 +27,7 @@ from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, ROUNDING, cross, triangle_areas, unit
 
-RING_SPACING = 0.5  # widths of a limb between its rings
+SPACING = 0.5  # widths of a limb between its rings, and radii between the nodes of a curve
 LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings; a shorter limb has as many
 WHOLE = 0.8  # of the usual ball in a ring of its size: the least in one around the limb, and of an even limb's rings
 GAP = 0.3  # of the largest ball near the limb's end: the ball around the end of the curve
@@ -112,7 +112,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     away = np.sqrt(2 * np.maximum(u.max() - u, 0.0))
     longest = max(float(away.max()), 1e-300)
     width = float(triangle_areas(x[local]).sum()) / (2 * np.pi * longest)
-    found = levels(x, local, away, RING_SPACING * min(width, longest / LAST))
+    found = levels(x, local, away, SPACING * min(width, longest / LAST))
     # From the piece with the end on, over the longest ring of each piece. The last one, at the base, leans aside.
     rings, piece = list[int](), int(found.piece[away.argmin()])
     while len(above := np.flatnonzero(found.below == piece)):
@@ -173,7 +173,7 @@ def _cut_off(
     Such a limb is even. Of its surface ``(points (v, 3), faces (f, 3))``, all that is nearer to the end than a far
     ring, by ``away`` (v,), lies in the tube around the line there, and what faces ahead is a plane. A foot leaves the
     tube, as do a hook and an arm of an elbow, and a finger's end is round."""
-    deep = min(int(LAST / RING_SPACING), len(rings) - 2)
+    deep = min(int(LAST / SPACING), len(rings) - 2)
     if deep < 2 or (perimeter[deep - 1 : deep + 1] < WHOLE * perimeter[deep + 1]).any():
         return 0
     line, here = unit(rings[deep] - rings[deep + 1]), (deep + 0.5) * step

@@ -18,7 +18,7 @@ import numpy as np
 from scipy import optimize, spatial
 from scipy.sparse import csgraph
 
-from msf_jax.limbs.ends import RING_SPACING, LimbAxis
+from msf_jax.limbs.ends import SPACING, LimbAxis
 from msf_jax.limbs.tree import Limbs, LimbTree
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
@@ -215,7 +215,7 @@ def grown(
         axis, leaf[number] = axes[number], len(x)
         first = beginning(shape, vertices, radius, axis.places[-1])
         places = np.concatenate([axis.places, vertices[[first]]])
-        x, edges = relaid(x, edges, [], first, places, RING_SPACING * axis.width)
+        x, edges = relaid(x, edges, [], first, places, SPACING * axis.width)
     return x, edges, leaf
 
 
@@ -244,7 +244,7 @@ def laid(
             stop = int(path[number])
             near = max(1, int(np.linalg.norm(axis.places - x[stop], axis=1).argmin()))
             places = np.concatenate([axis.places[:near], x[[stop]]])
-            x, edges = relaid(x, edges, path[:number].tolist(), stop, places, RING_SPACING * axis.width)
+            x, edges = relaid(x, edges, path[:number].tolist(), stop, places, SPACING * axis.width)
             is_held = np.pad(is_held, (0, len(x) - len(is_held)))
     return x, edges
 
