@@ -232,7 +232,8 @@ def held_in(shape: Enclosure, normals: np.ndarray, found: Sections) -> Sections:
     found = Sections._make([*(field.copy() for field in found[:-1]), found.corners])
     for row in rows[~shape.contains(found.centroid[rows])].tolist():
         (frame,) = axes_across(normals[[row]])
-        places = found.only(np.arange(len(normals)) == row).corners.places(shape)
+        own = slice(*np.searchsorted(found.corners.loop, [row, row + 1]))
+        places = Corners(*(field[own] for field in found.corners)).places(shape)
         x = np.einsum("cj,ij->ci", places - found.centroid[row], frame)
         x = np.concatenate([x, x[:1]])
         found.middle[row] = _narrowest(shape, x, found.centroid[row], frame)
