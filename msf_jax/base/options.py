@@ -16,7 +16,7 @@ SMOOTH = 1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape an
 TIGHT = 1e-6  # the same in `Config.tight`
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.system``
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``FlowOptions.laplacian``
-POLES = ("auto", "voronoi", "balls")  # values of ``PreprocessingOptions.poles``
+POLES = ("balls", "voronoi")  # values of ``PreprocessingOptions.poles``
 FACTORED = "factored"  # the preconditioner that the host factorises
 SOLVED_BY = ("jacobi", FACTORED)  # values of ``SolverOptions.preconditioner``
 
@@ -115,16 +115,14 @@ class PreprocessingOptions(Options):
 
     Attributes:
         reconstruct_mesh, reconstruct_poles: number of eigenvectors kept in the mesh that is contracted, and in the one
-            that poles are computed on; 0 uses the mesh itself.
+            that poles are computed on, unless that would remove most of a thin solid; 0 uses the mesh itself.
         exact_reconstruction: whether eigenvectors are computed, as in the article; else a polynomial of the Laplacian
             replaces them, whose cut-off is less sharp, in a twentieth of the time or less.
         resample: edge length that the mesh is resampled to before poles are computed; 0 keeps its sampling.
         refine: edges longer than this, and than two radii of their limb, are split before the flow, so that limbs and
             holes of a coarse mesh are resolved; 0 splits none.
         use_poles: whether poles pull at all.
-        poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": balls if the solid is
-            thin, else Voronoi poles, which take minutes on a thin solid. There ``reconstruct_poles`` is left out, too,
-            because it would remove most of the solid.
+        poles: "balls" (shrinking balls, Ma et al. 2012), or "voronoi" (article 3.1.2; minutes on a thin solid).
     """
 
     reconstruct_mesh: int = number(0, 0, math.inf)
@@ -133,7 +131,7 @@ class PreprocessingOptions(Options):
     resample: float = number(0.0, 0, 0.5)
     refine: float = number(0.02, 0, 1)
     use_poles: bool = True
-    poles: str = choice("auto", POLES)
+    poles: str = choice("balls", POLES)
 
     def __post_init__(self) -> None:
         super().__post_init__()

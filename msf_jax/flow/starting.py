@@ -197,16 +197,15 @@ def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: C
     On a thin solid the reconstruction, which would leave little more than the axis, is left out.
     """
     sites, faces, kept = meso.positions, meso.faces(), None
-    is_thin = meso.scale is not None and bool(np.median(meso.scale) < 1)
-    if options.reconstruct_poles and not is_thin:
+    if options.reconstruct_poles and (meso.scale is None or np.median(meso.scale) == 1):
         with clock.stage("reconstruction"):
-            sites, kept = _rebuilt(sites, faces, options.reconstruct_poles, options.exact_reconstruction)
-        is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
-    if is_thin:
-        sites, kept = meso.positions, None
+            rebuilt, kept = _rebuilt(sites, faces, options.reconstruct_poles, options.exact_reconstruction)
+        if signed_volume(rebuilt, faces) < (1 - MOST_FILTERED) * meso.volume():
+            kept = None
+        sites = sites if kept is None else rebuilt
     with clock.stage("poles"):
-        is_by_balls = options.poles == "balls" or (options.poles == "auto" and is_thin)
-        found = (balls.ball_poles if is_by_balls else balls.voronoi_poles)(sites, faces, box=shape.vertices)
+        find = balls.ball_poles if options.poles == "balls" else balls.voronoi_poles
+        found = find(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
         return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole)
