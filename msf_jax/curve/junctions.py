@@ -135,6 +135,8 @@ def _beyond(
         if not ahead:
             return None
         here, axis = max(ahead, key=lambda each: usual_radius(each[0], radii))
+        if usual_radius(here, radii) < KEPT * usual_radius(path, radii):
+            return None
         if axis is not None:
             place, direction = axis.parabola[:2]
             line = np.stack([place - length * direction, direction, 0 * place])  # in the arc length from this junction
