@@ -30,9 +30,9 @@ from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
 KEPT = 0.75  # least radius on the axis, where triangles as long as it is thick make 0.85, and of a limb over its ball's
-AXIS = 4.0  # the length of the part that gives the axis, a radius behind the start of a stretch of at least `SPACING`
+AXIS = 2.1  # the length of the part that gives the axis, a radius behind the start of a stretch of at least `SPACING`
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
-APART = 0.35  # the lines of two junctions meet if one point is that near to all
+APART = 0.35  # lines meet if one point is that near to all
 THIN = 0.3  # of the radius of their ball: branches that leave a junction to it
 
 WAYS = unit(np.array(list(itertools.product((-1.0, 0.0, 1.0), repeat=3))))  # (27, 3) all around, and none
