@@ -36,9 +36,9 @@ SPLIT = 1_000  # squares of the longest edge that a component's area may have at
 LEVELS = 800  # of a function on a component
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
-# Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Ears, noses and snouts have
-# 0.46 and more, corners of a block 0.28, those of a thin plate up to 0.4.
-PERSISTENCE = 0.8
+# Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Heads, feet, noses and snouts
+# have 0.36 and more, corners of a block 0.28, those of a thin plate up to 0.4.
+PERSISTENCE = 0.7
 FINEST = 0.95  # detail: any limb that could stand out
 
 

@@ -159,5 +159,5 @@ def test_joined_wires_are_one_tree():
     assert curve.report.wavefronts == 1 and curve.num_leaves == 4
     slender = sorted(branch.slenderness for branch in curve.branches)
     assert all(value > 30 for value in slender) and curve.prune().num_leaves == 4
-    assert curve.prune(slender[0] + 1).num_leaves == 3
+    assert curve.prune(1.2 * slender[0]).num_leaves == 3  # one that stands out by 0.7 of it stays
     assert np.linalg.norm(curve.vertices[curve.mesh_map] - mesh[0], axis=1).max() < 0.03
