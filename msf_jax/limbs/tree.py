@@ -173,10 +173,14 @@ def _patches(shape: Enclosure) -> list[Patch]:
         if (np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2) > finest).any():
             mesh = Manifold(Mesh64(x, faces.astype(np.uint64))).refine_to_length(finest).to_mesh64()
             x, faces = np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64)
-        is_ball = 2 * len(x) - len(faces) == 4  # Euler's formula
-        own_shape = shape if np.array_equal(x, shape.vertices) else Enclosure(x, faces)
-        found.append(Patch(np.arange(num, num + len(x)), own_shape, is_ball))
-        num += len(x)
+        for piece in graphs.by_label(graphs.pieces(faces, len(x))):  # what touched itself at a vertex falls apart
+            used, own_faces = np.unique(faces[piece], return_inverse=True)
+            own_shape = Enclosure(x[used], own_faces.reshape(-1, 3))
+            if np.array_equal(own_shape.vertices, shape.vertices):
+                own_shape = shape  # what is known of it is kept
+            is_ball = 2 * len(used) - len(piece) == 4  # Euler's formula
+            found.append(Patch(np.arange(num, num + len(used)), own_shape, is_ball))
+            num += len(used)
     return found
 
 

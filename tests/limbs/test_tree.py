@@ -204,3 +204,13 @@ def test_each_prong_of_a_sawn_bar_has_its_own_middle():
     away = np.linalg.norm(ends[:, None] - ends.mean(axis=0) - right, axis=2)
     assert sorted(away.argmin(axis=1)) == [0, 1, 2, 3]
     assert away.min(axis=1).max() < 0.3 * width
+
+
+def test_solids_that_touch_at_a_vertex_have_trees_of_their_own():
+    one = trimesh.creation.box((1.0, 1.0, 4.0))
+    vertices, faces = np.concatenate([one.vertices, -one.vertices]), np.concatenate([one.faces, one.faces[:, ::-1] + 8])
+    vertices[8:] += 2 * one.vertices[7]
+    faces[faces == 15] = 7  # the vertex that is the same
+    tree = LimbTree(Enclosure(vertices, faces))
+    assert len(tree.parts) == 2 and all(part.is_ball for part in tree.parts)
+    assert all(np.isfinite(arcs.value).all() for arcs in tree.trees)
