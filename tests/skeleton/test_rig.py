@@ -4,6 +4,8 @@ import json
 import struct
 from itertools import pairwise
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
@@ -197,6 +199,26 @@ def skinned(path, turns: dict[str, np.ndarray]) -> np.ndarray:
         whole = np.c_[at, np.ones(len(at))]
         found.append(np.einsum("vk,vkab,vb->va", weight, joints[bound], whole)[:, :3])
     return np.concatenate(found)
+
+
+def test_a_pose_has_slopes_in_its_rotations_and_vertices():
+    skeleton, mesh = known("y")
+    made, axis = skeleton.rig(mesh=mesh), np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 0]])
+    at_rest, above = np.array(mesh.vertices), turned(0.3, 1)
+
+    def spread(angle, vertices):
+        turn = jnp.eye(3) + jnp.sin(angle) * axis + (1 - jnp.cos(angle)) * axis @ axis
+        return (made.posed(vertices, {made.names[-1]: turn, made.names[0]: above}) ** 3).sum()
+
+    with jax.enable_x64(True):
+        assert spread(0.4, at_rest) == pytest.approx(
+            (made.posed(at_rest, {made.names[-1]: turned(0.4, 2), made.names[0]: above}) ** 3).sum(), rel=1e-12
+        )
+        by_angle, by_vertex = jax.jit(jax.grad(spread, (0, 1)))(0.4, jnp.asarray(at_rest))
+        way = np.random.default_rng(0).normal(size=at_rest.shape)
+        for step in (1e-3, 1e-4, 1e-5):
+            ahead, behind = (spread(0.4 + sign * step, at_rest + sign * step * way) for sign in (1, -1))
+            assert (ahead - behind) / (2 * step) == pytest.approx(float(by_angle + (by_vertex * way).sum()), rel=1e-4)
 
 
 def test_a_glb_bends_as_the_rig_does(tmp_path):

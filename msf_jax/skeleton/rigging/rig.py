@@ -19,6 +19,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import trimesh
 from scipy import sparse
@@ -87,8 +89,10 @@ class Rig:
             raise ConfigError(f"no format for a rig in {os.fspath(path)!r}: expected the suffix .glb")
         write_whole(path, glb_of(self, mesh))
 
-    def posed(self, vertices: Any, turns: Mapping[str, Any]) -> np.ndarray:
+    def posed(self, vertices: Any, turns: Mapping[str, Any]) -> Any:
         """The positions of ``vertices`` (V, 3) when bones turn, by linear blend skinning, as in other programs.
+
+        Differentiable in: the vertices and the rotations, if one of them is an array of JAX; then so is the result.
 
         Args:
             vertices: of the mesh at rest.
@@ -97,21 +101,23 @@ class Rig:
         Raises:
             ConfigError: there is no bone of that name, or a rotation or the vertices have another shape.
         """
-        points = np.asarray(vertices, dtype=np.float64)
+        library = jnp if any(isinstance(each, jax.Array) for each in (vertices, *turns.values())) else np
+        points = library.asarray(vertices, dtype=float)
         if points.shape != (self.num_vertices, 3):
             raise ConfigError(f"vertices has shape {points.shape}: expected ({self.num_vertices}, 3)")
         for name, turn in turns.items():
             if name not in self.names or np.shape(turn) != (3, 3):
                 found = f"turns has {name!r} with shape {np.shape(turn)}"
                 raise ConfigError(f"{found}: expected a bone's name, and a matrix (3, 3)")
-        moved = np.tile(np.eye(4), (len(self.joints), 1, 1))  # of each bone, in homogeneous coordinates
-        for bone, (name, above) in enumerate(zip(self.names, self.parents, strict=True)):
-            moved[bone, :3, :3] = turns.get(name, np.eye(3))
-            moved[bone, :3, 3] = self.joints[bone] - moved[bone, :3, :3] @ self.joints[bone]
-            if above >= 0:
-                moved[bone] = moved[above] @ moved[bone]
-        blended = (self.weights @ moved.reshape(-1, 16)).reshape(-1, 4, 4)
-        return np.einsum("vab,vb->va", blended[:, :3, :3], points) + blended[:, :3, 3]
+        turned, shift = list[Any](), list[Any]()  # of each bone: x -> turned x + shift
+        for name, joint, above in zip(self.names, self.joints, self.parents, strict=True):
+            turn = library.asarray(turns.get(name, np.eye(3)))
+            turned.append(turn if above < 0 else turned[above] @ turn)
+            rest = joint - turn @ joint
+            shift.append(rest if above < 0 else turned[above] @ rest + shift[above])
+        bones, weights = _influences(self.weights)
+        turned, shift = library.stack(turned)[bones], library.stack(shift)[bones]
+        return library.einsum("vi,viab,vb->va", weights, turned, points) + library.einsum("vi,via->va", weights, shift)
 
 
 def rigged(skeleton: "Skeleton", mesh: "reading.MeshLike | None", names: str | None) -> Rig:
@@ -205,6 +211,14 @@ def subtract_rest(weights: np.ndarray) -> np.ndarray:
     return few / few.sum(axis=1, keepdims=True)
 
 
+def _influences(own: Any) -> tuple[np.ndarray, np.ndarray]:
+    """The bones (V, `INFLUENCES`) of each vertex, and their weights, 0 for none; of a rig's weights (V, B)."""
+    bones, weights = np.zeros((own.shape[0], INFLUENCES), dtype=np.int64), np.zeros((own.shape[0], INFLUENCES))
+    place = repeated(np.diff(own.indptr))
+    bones[place], weights[place] = own.indices, own.data
+    return bones, weights
+
+
 def glb_of(rig: Rig, mesh: "reading.MeshLike") -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``; see `Rig.save`."""
     if len(rig.joints) > (most := np.iinfo(np.uint16).max):
@@ -262,12 +276,10 @@ def _add_skin(document: dict[str, Any], data: Any, rig: Rig, rows: list[np.ndarr
         if name not in meshes:  # a part without faces
             continue
         attributes = document["meshes"][meshes[name]]["primitives"][0]["attributes"]
-        bound, weights = np.zeros((len(row), 4), dtype=np.uint16), np.zeros((len(row), 4), dtype=np.float32)
-        own: Any = rig.weights[row]  # at most four values in each row
-        place = repeated(np.diff(own.indptr))
-        bound[place], weights[place] = own.indices, own.data
+        bound, weights = _influences(rig.weights[row])
+        weights = weights.astype(np.float32)
         weights /= weights.sum(axis=1, keepdims=True)
-        attributes |= {"JOINTS_0": add(bound, "VEC4"), "WEIGHTS_0": add(weights, "VEC4")}
+        attributes |= {"JOINTS_0": add(bound.astype(np.uint16), "VEC4"), "WEIGHTS_0": add(weights, "VEC4")}
         nodes.append({"name": name if len(rows) > 1 else "mesh", "mesh": meshes[name], "skin": 0})
     top = len(nodes)
     nodes.append({"name": "rig", "children": np.flatnonzero(rig.parents < 0).tolist()})
