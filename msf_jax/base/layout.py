@@ -11,7 +11,7 @@ from typing import NamedTuple
 SMALLEST_CAPACITY = 2048  # vertices: the smallest capacity; smaller ones would not be faster
 LARGER = (3.5, 10.5)  # times the smallest capacity: the next ones, 7168 and 21504 vertices; then each is twice the last
 RAGGED_TAIL = 28  # slots of the last level, unless a vertex needs more
-FEW = 32  # the smallest capacity of what a tape has some of: iterations, rounds, terms, neighbours
+FEW = 32  # least capacity for iterations, rounds, terms, neighbours of a tape, so that most of a size share a program
 
 
 class Level(NamedTuple):

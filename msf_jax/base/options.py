@@ -115,7 +115,7 @@ class PreprocessingOptions(Options):
 
     Attributes:
         reconstruct_mesh, reconstruct_poles: number of eigenvectors kept in the mesh that is contracted, and in the one
-            that poles are computed on, unless that would remove most of a thin solid; 0 uses the mesh itself.
+            that poles are computed on, unless most of the solid is thin or it would lose a quarter; 0: the mesh itself.
         exact_reconstruction: whether eigenvectors are computed, as in the article; else a polynomial of the Laplacian
             replaces them, whose cut-off is less sharp, in a twentieth of the time or less.
         resample: edge length that the mesh is resampled to before poles are computed; 0 keeps its sampling.

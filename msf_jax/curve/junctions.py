@@ -29,7 +29,9 @@ from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
-KEPT = 0.75  # least radius on the axis, where triangles as long as it is thick make 0.85, and of a limb over its ball's
+# Least radius on the axis: triangles as long as it is thick make 0.85. Limbs of this share of the ball at a junction
+# meet in each other; a junction with a smaller ball than that is at a wall.
+KEPT = 0.75
 AXIS = 2.1  # the length of the part that gives the axis, a radius behind the start of a stretch of at least `SPACING`
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
 APART = 0.35  # lines meet if one point is that near to all
@@ -93,14 +95,15 @@ def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """The nodes (N, 3) with junctions where the lines of their branches meet, and the nodes from there to each branch's
-    axis on the way. A junction stays where a branch has no line, or a node on the way is held, and where limbs do not
-    meet in each other, or their lines do not, unless it is at a wall."""
+    axis on the way. A junction stays where a branch has no line or ends before the lines meet, or the way leaves the
+    solid or has a held node; and, unless it is at a wall, where limbs or lines do not meet."""
     x, curve = x.copy(), Branches(x, edges, radii)
     at_node: dict[int, list[tuple[np.ndarray, Axis | None]]] = {}
     for path in curve.paths:
         for each in (path, path[::-1]):
             if curve.degree[each[0]] > 2:
                 at_node.setdefault(int(each[0]), []).append((each, curve.axis(each)))
+    # Before any junction moves.
     lines = {node: [axis or _beyond(x, radii, path, at_node) for path, axis in own] for node, own in at_node.items()}
     for node, found in lines.items():
         axes = [axis for axis in found if axis is not None]
@@ -131,17 +134,17 @@ def _beyond(
 
 
 def _put(shape: Enclosure, x: np.ndarray, node: int, axes: list[Axis], is_held: np.ndarray, radii: np.ndarray) -> None:
-    """Put a junction ``node`` of the nodes ``x`` (N, 3) where the lines of its branches meet, and the nodes from there
-    to each branch's axis on the way."""
+    """Move, in place, a junction ``node`` of the nodes ``x`` (N, 3) to where the lines of its branches meet, and the
+    nodes from there to each branch's axis; or nothing, see `met`."""
     near = np.concatenate([[node], *(each.path[: each.first] for each in axes)])
     sizes, widest = np.array([each.size for each in axes]), near[radii[near].argmax()]
-    second = np.sort(sizes)[-2]
+    is_body = np.sort(sizes)[-2] < KEPT * radii[widest]
     meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[widest])
     if sizes.max() < THIN * radii[widest]:
         meet = middle_of_ball(shape, x[widest])
     # Lines that pass each other, or are of limbs of a body, tell less than sections beyond, but more than a junction in
     # front of a crotch, whose ball is smaller than those of its branches.
-    elif radii[node] >= KEPT * sizes.min() and (off > APART * sizes).any() | (second < KEPT * radii[widest]):
+    elif radii[node] >= KEPT * sizes.min() and (is_body or (off > APART * sizes).any()):
         return
     laid: list[tuple[np.ndarray, np.ndarray]] = []
     for path, along, size, first, parabola in axes:
@@ -153,8 +156,7 @@ def _put(shape: Enclosure, x: np.ndarray, node: int, axes: list[Axis], is_held: 
         nodes, share = path[: last + 1], (along[: last + 1] / along[last])[:, None]
         place = polyval(ahead + share * (along[last] - ahead), parabola, tensor=False)
         laid.append((nodes, place + (1 - share) * (meet - place[0]) + share * (x[path[last]] - place[-1])))
-    stops = np.array([nodes[-1] for nodes, _ in laid])
-    is_open = shape.holds(np.repeat(meet[None], len(laid), axis=0), x[stops])
+    is_open = shape.holds(np.repeat(meet[None], len(laid), axis=0), x[[nodes[-1] for nodes, _ in laid]])
     if is_held[np.concatenate([nodes for nodes, _ in laid])].any() or not is_open.all():
         return
     for nodes, places in laid:

@@ -89,7 +89,9 @@ def _poles(part: Part, sites: jax.Array) -> jax.Array:
     is_firm = part.is_firm[:, None]
     determinant = jnp.where(is_firm, (a * bc).sum(1, keepdims=True), 1.0)
     centre = corner[:, 0] + (square_a * bc + square_b * ca + square_c * ab) / (2 * determinant)
-    return jnp.where(is_firm, centre, corner.mean(axis=1)) + part.offset
+    offset = jnp.asarray(part.offset, corner.dtype)
+    turned = offset[:, :1] * a + offset[:, 1:2] * b + offset[:, 2:] * c
+    return jnp.where(is_firm, centre + turned, corner.mean(axis=1) + offset)
 
 
 def _replay_stretch(

@@ -117,8 +117,8 @@ def skeletonize(
         MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
             make it one.
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
-        FlowError: the mesh has no Voronoi diagram, or ``config.max_seconds`` had passed before the first iteration had
-            ended.
+        FlowError: the mesh has no Voronoi diagram for its poles, or ``config.max_seconds`` had passed before the first
+            iteration had ended.
         Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``. Before the
             first iteration has ended there is none, and a plain KeyboardInterrupt is raised.
     """

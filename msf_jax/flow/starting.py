@@ -199,10 +199,9 @@ def _poles(meso: Meso, shape: Enclosure, options: PreprocessingOptions, clock: C
     sites, faces, kept = meso.positions, meso.faces(), None
     if options.reconstruct_poles and (meso.scale is None or np.median(meso.scale) == 1):
         with clock.stage("reconstruction"):
-            rebuilt, kept = _rebuilt(sites, faces, options.reconstruct_poles, options.exact_reconstruction)
-        if signed_volume(rebuilt, faces) < (1 - MOST_FILTERED) * meso.volume():
-            kept = None
-        sites = sites if kept is None else rebuilt
+            rebuilt, low_pass = _rebuilt(sites, faces, options.reconstruct_poles, options.exact_reconstruction)
+        if signed_volume(rebuilt, faces) >= (1 - MOST_FILTERED) * meso.volume():
+            sites, kept = rebuilt, low_pass
     with clock.stage("poles"):
         find = balls.ball_poles if options.poles == "balls" else balls.voronoi_poles
         found = find(sites, faces, box=shape.vertices)

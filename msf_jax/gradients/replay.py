@@ -90,9 +90,10 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
         (w_H and w_M almost 0); so is a derivative whose solve does not converge.
 
     Differentiable in: weights, vertices; in float64 only. The derivative includes a pole's dependence on its four
-    sites, and the filter of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the
-    trust in a pole, and the direction of the residual that each loose solve of the run left; its length scales with the
-    right-hand side. Of several welded vertices the first has the whole derivative.
+    sites, and the filter of the sites; the centre of a ball moves with the circumcentre of four sites near it. Held
+    constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and the direction of
+    the residual that each loose solve of the run left; its length scales with the right-hand side. Of several welded
+    vertices the first has the whole derivative.
 
     Raises:
         ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape; the

@@ -27,7 +27,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.base.errors import FlowError
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import RESOLUTION, ROUNDING, unit, vertex_normals
+from msf_jax.solid.geometry import RESOLUTION, ROUNDING, cross, largest_of_each, unit, vertex_normals
 from msf_jax.topology import graphs
 
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
@@ -145,15 +145,19 @@ def shrinking_balls(
 
 
 def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
-    """The centre of the ball at every vertex, in the form of `voronoi_poles`: instead of a tetrahedron with the two
-    vertices that the ball touches, each twice. A pole outside the bounding box of ``box`` counts as not found."""
+    """The centre of the ball at every vertex, in the form of `voronoi_poles`. The circumcentre of its tetrahedron is
+    near to it, and moves as it does: of the face at the vertex that is most across the ball's radius, and the vertex
+    that the ball touches. A pole outside the bounding box of ``box`` counts as not found."""
     normals, every = unit(vertex_normals(sites, faces)), np.arange(len(sites))
     extent, box = float(np.ptp(sites, axis=0).max()), sites if box is None else box
     radius, touching = shrinking_balls(sites, normals, spatial.KDTree(sites), 2 * THIN * extent, extent, every)
     centre = sites - radius[:, None] * normals
     is_found = (touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
-    pair = np.where(is_found, [every, touching, every, touching], -1).T
-    return Poles(np.where(is_found[:, None], centre, sites), pair, np.where(is_found, radius, 0.0))
+    corners = sites[faces]
+    across = unit(cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    face = largest_of_each(faces.ravel(), np.einsum("fi,fki->fk", across, normals[faces]).ravel()) // 3
+    tetrahedron = np.where(is_found[:, None], np.column_stack([faces[face], touching]), -1)
+    return Poles(np.where(is_found[:, None], centre, sites), tetrahedron, np.where(is_found, radius, 0.0))
 
 
 def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:

@@ -37,7 +37,7 @@ LEVELS = 800  # of a function on a component
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
 # Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Heads, feet, noses and snouts
-# have 0.36 and more, corners of a block 0.28, those of a thin plate up to 0.4.
+# have 0.36 and more, corners of a block 0.28; those of a thin plate, up to 0.4, may be limbs.
 PERSISTENCE = 0.7
 FINEST = 0.95  # detail: any limb that could stand out
 
@@ -161,7 +161,7 @@ class LimbTree:
 
 
 def _patches(shape: Enclosure) -> list[Patch]:
-    """The components of a surface, each with its long triangles split as if it were alone."""
+    """The components of a surface, each with its long triangles split as if it were alone; some fall apart then."""
     from manifold3d import Manifold, Mesh64
 
     found, num = list[Patch](), 0
@@ -174,10 +174,9 @@ def _patches(shape: Enclosure) -> list[Patch]:
             mesh = Manifold(Mesh64(x, faces.astype(np.uint64))).refine_to_length(finest).to_mesh64()
             x, faces = np.array(mesh.vert_properties[:, :3]), np.array(mesh.tri_verts, dtype=np.int64)
         for piece in graphs.by_label(graphs.pieces(faces, len(x))):  # what touched itself at a vertex falls apart
-            used, own_faces = np.unique(faces[piece], return_inverse=True)
-            own_shape = Enclosure(x[used], own_faces.reshape(-1, 3))
-            if np.array_equal(own_shape.vertices, shape.vertices):
-                own_shape = shape  # what is known of it is kept
+            used, corner = np.unique(faces[piece], return_inverse=True)
+            is_whole = np.array_equal(x[used], shape.vertices)  # then what is known of it is kept
+            own_shape = shape if is_whole else Enclosure(x[used], corner.reshape(-1, 3))
             is_ball = 2 * len(used) - len(piece) == 4  # Euler's formula
             found.append(Patch(np.arange(num, num + len(used)), own_shape, is_ball))
             num += len(used)

@@ -24,7 +24,7 @@ SPLIT_TOGETHER = 64  # splits in a round of a tape: a run's own rounds have some
 
 class FoundPoles(NamedTuple):
     """Poles (n, 3) of a surface: kept filters its vertices to the sites (n, 3), tetrahedron (n, 4) has the sites whose
-    circumcentre the pole is, is_inside (n,) whether it pulls."""
+    circumcentre the pole is, or is near as the centre of a ball, is_inside (n,) whether it pulls."""
 
     kept: LowPass | None
     sites: np.ndarray
@@ -265,7 +265,7 @@ def record_filter(
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
     """Tetrahedra of the poles, by packed rows (n, ...). is_firm: whether the circumcentre of the four sites is
     well-conditioned, by the determinant of three edges over their product; if not, the pole moves with their mean.
-    offset: (n, 3) of the pole from either."""
+    offset: (n, 3) of the pole from either; from a circumcentre, as multiples of the edges, with which it turns."""
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
@@ -275,9 +275,8 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
     is_firm = found.is_inside & (np.abs(determinant) > RESOLUTION * np.sqrt(square.prod(axis=1)))
     centre = corner.mean(axis=1)
     centre[is_firm] = corner[is_firm, 0] + np.linalg.solve(edges[is_firm], square[is_firm, :, None] / 2)[:, :, 0]
-    fields = {
-        "tetrahedron": np.where(is_inside, np.argsort(order)[found.tetrahedron], 0).astype(np.int32),
-        "is_firm": is_firm,
-        "offset": np.where(is_inside, found.poles - centre, 0.0),
-    }
+    offset, along = np.where(is_inside, found.poles - centre, 0.0), edges[is_firm].transpose(0, 2, 1)
+    offset[is_firm] = np.linalg.solve(along, offset[is_firm, :, None])[:, :, 0]
+    tetrahedron = np.where(is_inside, np.argsort(order)[found.tetrahedron], 0).astype(np.int32)
+    fields = {"tetrahedron": tetrahedron, "is_firm": is_firm, "offset": offset}
     return {name: packing.pad(values[order], capacity, 0, values.dtype) for name, values in fields.items()}

@@ -39,11 +39,11 @@ def test_balls_of_a_sphere_and_of_a_tube_have_its_radius():
     assert np.abs(found.radius - 0.2).max() < 0.01
 
 
-@pytest.mark.slow  # Voronoi poles do in test_replay
+@pytest.mark.slow  # centres of balls do in test_replay
 @pytest.mark.usefixtures("few_rows_once")
-def test_balls_replay_to_the_run():
+def test_voronoi_poles_replay_to_the_run():
     run = msf_jax.contract(
-        blob(3, 2), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(poles="balls"))
+        blob(3, 2), config=Config(max_iterations=3, preprocessing=PreprocessingOptions(poles="voronoi"))
     )
     assert np.abs(np.asarray(msf_jax.replay(run.tape, run.weights)) - run.curve.vertices).max() < 1e-9
     with pytest.raises(ConfigError, match="poles is 'ball': expected"):

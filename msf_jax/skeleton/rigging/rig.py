@@ -93,6 +93,7 @@ class Rig:
         """The positions of ``vertices`` (V, 3) when bones turn, by linear blend skinning, as in other programs.
 
         Differentiable in: the vertices and the rotations, if one of them is an array of JAX; then so is the result.
+        It is float32 unless ``jax_enable_x64`` is set.
 
         Args:
             vertices: of the mesh at rest.
@@ -212,7 +213,8 @@ def subtract_rest(weights: np.ndarray) -> np.ndarray:
 
 
 def _influences(own: Any) -> tuple[np.ndarray, np.ndarray]:
-    """The bones (V, `INFLUENCES`) of each vertex, and their weights, 0 for none; of a rig's weights (V, B)."""
+    """The bones (V, `INFLUENCES`) of each vertex, and their weights, 0 for none; of a rig's weights (V, B), a sparse
+    matrix with at most as many values in each row."""
     bones, weights = np.zeros((own.shape[0], INFLUENCES), dtype=np.int64), np.zeros((own.shape[0], INFLUENCES))
     place = repeated(np.diff(own.indptr))
     bones[place], weights[place] = own.indices, own.data
