@@ -54,7 +54,7 @@ def flow() -> msf_jax.Flow:
 
 @pytest.mark.slow
 def test_the_curve_of_a_turned_mesh_is_nearly_the_turned_curve(flow):
-    """But for the loose solves, whose residuals do not turn. With poles that kept their direction it was off by 0.023."""
+    """But for loose solves, whose residuals do not turn. With poles that kept their direction it was off by 0.023."""
     turn = 1.1 * Rotation.from_rotvec([0.1, 0.05, -0.08]).as_matrix()
     curve, other = (np.asarray(msf_jax.replay(flow.tape, flow.weights, x)) for x in (None, flow.tape.vertices @ turn.T))
     assert np.linalg.norm(other - curve @ turn.T, axis=1).max() < 0.01
