@@ -8,12 +8,12 @@ do not tell, to the middle c of the largest ball there:
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2 + HOLD |m - c|^2.
 
-That holds where limbs meet in each other: two of them are about as thick as the largest ball there, as a trunk is on
-both sides of a branch. In a wider body, as a palm, lines meet by chance if they do, and its sections tell more. Where
-all are thin beside the ball, as the neurites of a soma, the junction is its middle.
+Of limbs that meet in each other, two are about as thick as the largest ball there, as a trunk is on both sides of a
+branch. In a wider body, as a palm, lines pass by chance, and its sections tell more: lines must meet the better, the
+thinner the limbs. Where all are thin beside the ball, as the neurites of a soma, the junction is its middle.
 
 The flow leaves the junction of a side branch anywhere in its trunk. Where the trunk is too short for an axis between
-two of them, its axis is that of the thickest branch beyond.
+two of them, its axis is that of the thickest branch beyond, if that is as thick.
 """
 
 import itertools
@@ -29,12 +29,12 @@ from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
 
 # Lengths are in the usual radius of the branch, if nothing else is said.
-# Least radius on the axis: triangles as long as it is thick make 0.85. Limbs of this share of the ball at a junction
-# meet in each other; a junction with a smaller ball than that is at a wall.
+# Least radius on the axis: triangles as long as it is thick make 0.85. A trunk keeps this share of its radius beyond a
+# junction; a junction with a smaller ball than that is at a wall.
 KEPT = 0.75
 AXIS = 2.1  # the length of the part that gives the axis, a radius behind the start of a stretch of at least `SPACING`
 HOLD = 0.003  # weight of the middle of the ball: squared sines of the angles of lines that do not tell
-APART = 0.35  # lines meet if one point is that near to all
+APART = 0.35  # lines meet if one point is that near to all, times the second largest radius over that of the ball
 THIN = 0.3  # of the radius of their ball: branches that leave a junction to it
 
 WAYS = unit(np.array(list(itertools.product((-1.0, 0.0, 1.0), repeat=3))))  # (27, 3) all around, and none
@@ -95,20 +95,34 @@ def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """The nodes (N, 3) with junctions where the lines of their branches meet, and the nodes from there to each branch's
-    axis on the way. A junction stays where a branch has no line or ends before the lines meet, or the way leaves the
-    solid or has a held node; and, unless it is at a wall, where limbs or lines do not meet."""
+    axis on the way. Where rods cross, the flow has two junctions: if the lines of all branches of both meet, these are
+    at one place, with the stretch between. A junction stays where a branch has no line, or a node on the way is held,
+    and where the lines do not meet, unless it is at a wall."""
     x, curve = x.copy(), Branches(x, edges, radii)
     at_node: dict[int, list[tuple[np.ndarray, Axis | None]]] = {}
+    between: dict[tuple[int, int], list[np.ndarray]] = {}
     for path in curve.paths:
+        one, other = int(path[0]), int(path[-1])
         for each in (path, path[::-1]):
             if curve.degree[each[0]] > 2:
                 at_node.setdefault(int(each[0]), []).append((each, curve.axis(each)))
-    # Before any junction moves.
-    lines = {node: [axis or _beyond(x, radii, path, at_node) for path, axis in own] for node, own in at_node.items()}
-    for node, found in lines.items():
-        axes = [axis for axis in found if axis is not None]
-        if len(axes) == len(found):
-            _put(shape, x, node, axes, is_held, radii)
+        if one != other and min(curve.degree[one], curve.degree[other]) > 2:
+            between.setdefault((min(one, other), max(one, other)), []).append(path)
+    groups = [(ends, links[0]) for ends, links in between.items() if len(links) == 1]
+    groups.sort(key=lambda group: arc_length(x[group[1]])[-1])  # the nearest first: the order of nodes does not decide
+    groups += [((node, node), np.array([node])) for node in at_node]
+    at_node = {
+        node: [(path, axis or _beyond(x, radii, path, at_node)) for path, axis in own] for node, own in at_node.items()
+    }
+    is_done = np.zeros(len(x), dtype=bool)
+    for ends, middle in groups:
+        if not is_done[list(ends)].any():
+            own = [each for node in dict.fromkeys(ends) for each in at_node[node]]
+            if ends[0] != ends[1]:  # without the stretch between
+                own = [each for each in own if {int(each[0][0]), int(each[0][-1])} != {*ends}]
+            axes = [axis for _, axis in own if axis is not None]
+            if len(axes) == len(own):
+                is_done[middle] = _put(shape, x, middle, axes, is_held, radii)
     return x
 
 
@@ -125,6 +139,8 @@ def _beyond(
         if not ahead:
             return None
         here, axis = max(ahead, key=lambda each: usual_radius(each[0], radii))
+        if usual_radius(here, radii) < KEPT * usual_radius(path, radii):
+            return None
         if axis is not None:
             place, direction = axis.parabola[:2]
             line = np.stack([place - length * direction, direction, 0 * place])  # in the arc length from this junction
@@ -133,34 +149,40 @@ def _beyond(
     return None  # short stretches all around
 
 
-def _put(shape: Enclosure, x: np.ndarray, node: int, axes: list[Axis], is_held: np.ndarray, radii: np.ndarray) -> None:
-    """Move, in place, a junction ``node`` of the nodes ``x`` (N, 3) to where the lines of its branches meet, and the
-    nodes from there to each branch's axis; or nothing, see `met`."""
-    near = np.concatenate([[node], *(each.path[: each.first] for each in axes)])
+def _put(
+    shape: Enclosure, x: np.ndarray, middle: np.ndarray, axes: list[Axis], is_held: np.ndarray, radii: np.ndarray
+) -> bool:
+    """Put the nodes ``middle`` (m,), a junction, or two and the stretch between, where the lines of their branches
+    meet, and those from there to each branch's axis on the way. ``x`` (N, 3) changes only if True is returned."""
+    near = np.concatenate([middle, *(each.path[: each.first] for each in axes)])
     sizes, widest = np.array([each.size for each in axes]), near[radii[near].argmax()]
-    is_body = np.sort(sizes)[-2] < KEPT * radii[widest]
     meet, off = nearest_to_lines(np.array([each.parabola[:2] for each in axes]), x[widest])
     if sizes.max() < THIN * radii[widest]:
-        meet = middle_of_ball(shape, x[widest])
-    # Lines that pass each other, or are of limbs of a body, tell less than sections beyond, but more than a junction in
-    # front of a crotch, whose ball is smaller than those of its branches.
-    elif radii[node] >= KEPT * sizes.min() and (is_body or (off > APART * sizes).any()):
-        return
+        meet, off = middle_of_ball(shape, x[widest]), 0 * off
+    # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
+    # ball is smaller than those of its branches.
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * sizes.min()
+    share = min(float(np.sort(sizes)[-2] / radii[widest]), 1.0)
+    if (off > APART * share * sizes).any() and not is_at_wall:
+        return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []
     for path, along, size, first, parabola in axes:
         # The lines may meet beyond the first node on an axis, as in the trunk of a fork: it is laid until behind that.
         ahead = float(unit(parabola[1]) @ (meet - parabola[0]))
         last = min(int(np.searchsorted(along, max(along[first], ahead + size))), len(path) - 1)
         if along[last] <= ahead:
-            return
+            return False
         nodes, share = path[: last + 1], (along[: last + 1] / along[last])[:, None]
         place = polyval(ahead + share * (along[last] - ahead), parabola, tensor=False)
         laid.append((nodes, place + (1 - share) * (meet - place[0]) + share * (x[path[last]] - place[-1])))
-    is_open = shape.holds(np.repeat(meet[None], len(laid), axis=0), x[[nodes[-1] for nodes, _ in laid]])
-    if is_held[np.concatenate([nodes for nodes, _ in laid])].any() or not is_open.all():
-        return
+    stops = np.array([nodes[-1] for nodes, _ in laid])
+    is_open = shape.holds(np.repeat(meet[None], len(laid), axis=0), x[stops])
+    if is_held[np.concatenate([middle, *(nodes for nodes, _ in laid)])].any() or not is_open.all():
+        return False
     for nodes, places in laid:
         x[nodes] = places
+    x[middle] = meet
+    return True
 
 
 def middle_of_ball(shape: Enclosure, middle: np.ndarray) -> np.ndarray:
