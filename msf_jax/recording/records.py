@@ -264,8 +264,9 @@ def record_filter(
 
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
     """Tetrahedra of the poles, by packed rows (n, ...). is_firm: whether the circumcentre of the four sites is
-    well-conditioned, by the determinant of three edges over their product; if not, the pole moves with their mean.
-    offset: (n, 3) of the pole from either; from a circumcentre, as multiples of the edges, with which it turns."""
+    well-conditioned, by the determinant of three edges over their product, and near the pole; if not, the pole moves
+    with their mean. offset: (n, 3) of the pole from either; of the first in multiples of the edges, to turn with them.
+    """
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
@@ -274,7 +275,11 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
     square, determinant = (edges * edges).sum(axis=2), np.linalg.det(edges)
     is_firm = found.is_inside & (np.abs(determinant) > RESOLUTION * np.sqrt(square.prod(axis=1)))
     centre = corner.mean(axis=1)
-    centre[is_firm] = corner[is_firm, 0] + np.linalg.solve(edges[is_firm], square[is_firm, :, None] / 2)[:, :, 0]
+    around = np.linalg.solve(edges[is_firm], square[is_firm, :, None] / 2)[:, :, 0]
+    pole = (found.poles - corner[:, 0])[is_firm]
+    is_near = np.linalg.norm(around - pole, axis=1) < np.linalg.norm(pole, axis=1)  # one far away moves much faster
+    is_firm[is_firm] = is_near
+    centre[is_firm] = corner[is_firm, 0] + around[is_near]
     offset, along = np.where(is_inside, found.poles - centre, 0.0), edges[is_firm].transpose(0, 2, 1)
     offset[is_firm] = np.linalg.solve(along, offset[is_firm, :, None])[:, :, 0]
     tetrahedron = np.where(is_inside, np.argsort(order)[found.tetrahedron], 0).astype(np.int32)
