@@ -9,7 +9,6 @@ and its slenderness is h / r - 1 / 2 at the node, outside of the ball at its jun
 depth of the node below the tip, which is a ball's radius beyond the leaf. Branches of least worth are pruned first.
 """
 
-import heapq
 import itertools
 from collections.abc import Callable
 from typing import NamedTuple
@@ -53,40 +52,24 @@ class Branch(NamedTuple):
 def prune(
     num_nodes: int, edges: np.ndarray, worth: Worth, least: float, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove branches of a ``worth`` below ``least``, the one of least worth first, until none is left.
+    """Remove branches of a ``worth`` below ``least`` in rounds, those of least worth of each junction.
 
     When two branches are left at a junction, they become one, and the ``worth`` of its leaf may rise or fall.
     Components and cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes
     stay (N,), and the target of each node (N,): itself, or the nearest one that stays, along the branches that went."""
-    beside: list[set[int]] = [set() for _ in range(num_nodes)]
-    for a, b in edges.tolist():
-        beside[a].add(b)
-        beside[b].add(a)
-
-    def walk(leaf: int) -> list[int]:
-        """The nodes from ``leaf`` to the end of its branch: a junction or another leaf."""
-        nodes = [leaf, *beside[leaf]]
-        while len(beside[nodes[-1]]) == 2:
-            nodes += beside[nodes[-1]] - {nodes[-2]}
-        return nodes
-
-    stays, target = np.ones(num_nodes, dtype=bool), np.arange(num_nodes)
-    is_done = False
-    while not is_done:  # until a round removes nothing, as worths may have fallen
+    stays, target, is_done = np.ones(num_nodes, dtype=bool), np.arange(num_nodes), False
+    while not is_done:
+        degree, weak = graphs.degrees(num_nodes, edges), dict[int, list[tuple[float, list[int]]]]()
+        for nodes in trace(num_nodes, edges):
+            nodes = nodes if degree[nodes[0]] == 1 else nodes[::-1]
+            if degree[nodes[0]] == 1 and degree[nodes[-1]] > 2 and not is_held[nodes[:-1]].any():
+                weak.setdefault(nodes[-1], []).append((worth(nodes), nodes))
         is_done = True
-        queue = [(worth(walk(leaf)), leaf) for leaf in range(num_nodes) if stays[leaf] and len(beside[leaf]) == 1]
-        heapq.heapify(queue)
-        while queue and queue[0][0] < least:
-            known, leaf = heapq.heappop(queue)
-            nodes = walk(leaf)
-            if (now := worth(nodes)) > known:
-                heapq.heappush(queue, (now, leaf))
-                continue
-            if len(beside[nodes[-1]]) < 3 or is_held[nodes[:-1]].any():
-                continue
-            is_done = False
-            stays[nodes[:-1]], target[nodes[:-1]] = False, nodes[-1]
-            beside[nodes[-1]].discard(nodes[-2])
+        for junction, own in weak.items():
+            for value, nodes in sorted(own)[: degree[junction] - 2]:
+                if value < least:
+                    stays[nodes[:-1]], target[nodes[:-1]], is_done = False, junction, False
+        edges = edges[stays[edges].all(axis=1)]
     while (target != target[target]).any():
         target = target[target]
     return stays, target

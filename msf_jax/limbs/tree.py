@@ -23,9 +23,9 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.limbs import ends, fronts
-from msf_jax.limbs.levels import Levels, first_of, levels
+from msf_jax.limbs.levels import Levels, levels
 from msf_jax.meshes.reconnecting import reconnected
-from msf_jax.numerics.compiled import Ints, Points, kernel
+from msf_jax.numerics.compiled import Ints, Points, kernel, part
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, triangle_areas
 from msf_jax.topology import graphs
@@ -33,7 +33,7 @@ from msf_jax.topology import graphs
 SOURCES = 32  # points, far from each other, whose distances are averaged; with 16, mirrored limbs differ by a sixth
 DIGITS = 6  # of distances that are compared: those of a symmetric solid differ by rounding
 SPLIT = 1_000  # squares of the longest edge that a component's area may have at least: rings follow its limbs then
-LEVELS = 800  # of a function on a component
+LEVELS = 400  # of a function on a component
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
 # Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Heads, feet, noses and snouts
@@ -288,6 +288,15 @@ class Parts(NamedTuple):
     loops: Ints
     highest: Ints
     contents: Points
+
+
+@part
+def first_of(root: Ints, member: int) -> int:
+    """The member that stands for the set of ``member``; ``root`` leads there."""
+    while root[member] != member:
+        root[member] = root[root[member]]
+        member = root[member]
+    return member
 
 
 @kernel
