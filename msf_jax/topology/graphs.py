@@ -86,7 +86,8 @@ def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
     edge from a node to itself is no loop."""
     graph = nx.Graph()
     graph.add_edges_from(edges[edges[:, 0] != edges[:, 1]].tolist())
-    return np.isin(np.arange(num_nodes), nx.k_core(graph, 2))
+    number = nx.core_number(graph)
+    return np.array([number.get(node, 0) > 1 for node in range(num_nodes)], dtype=bool)
 
 
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:

@@ -8,6 +8,7 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from limb_cases import as_shape, box, i_beam, round_bar
+from manifold3d import Manifold
 from scipy.spatial.transform import Rotation
 
 import msf_jax
@@ -38,6 +39,16 @@ def lathed(profile: list, step: float = 0.05, sections: int = 48) -> Enclosure:
 
 def exit_time(shape: Enclosure, owner: np.ndarray) -> np.ndarray:
     return ends.exit_times(shape.vertices, shape.faces, owner.astype(np.int64))
+
+
+@pytest.mark.parametrize(("degrees", "sides"), [(45, 64), (60, 4)])
+def test_a_limb_that_is_cut_off_obliquely_ends_on_its_axis(degrees, sides):
+    """Its rings lead to the acute edge."""
+    angle = np.radians(degrees)
+    rod = Manifold.cylinder(10, 1, 1, sides).trim_by_plane((-np.sin(angle), 0, -np.cos(angle)), -8 * np.cos(angle))
+    found = rod.refine_to_length(0.35).to_mesh()
+    shape = Enclosure(found.vert_properties[:, :3].astype(float), found.tri_verts.astype(np.int64))
+    assert np.abs(ends_of(shape)[:, :2]).max() < 0.06
 
 
 def test_a_laplacian_has_the_cotangents_of_a_triangle():
