@@ -54,17 +54,10 @@ def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | N
     return tuple(order[np.sort(np.unique(label[order], return_index=True)[1])].tolist())
 
 
-def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
-    """The median radius of the nodes within a branch ``path`` (k,); of a single edge, the smaller radius."""
-    return float(np.median(radii[path[1:-1]]) if len(path) > 2 else radii[path].min())
-
-
 def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Merge junctions whose path is within the ball of one of them, at the one with the largest radius. In a body
-    beside which the limbs are thin, as a palm, they are one up to where their balls part: with the second largest
-    radius s of their limbs, balls R and r merge at distances under R + (1 - s / R) r.
+    """Merge junctions whose path is within the ball of one of them, at the one with the largest radius.
 
     Returns which nodes stay (N,), the target of each node (N,), and the edges. Junctions whose merge would remove a
     loop, or lead it around other ``handles``, are not merged, and nodes of ``is_held`` (N,) stay."""
@@ -73,21 +66,10 @@ def merge_junctions(
     moved = np.zeros(len(vertices), dtype=np.int64)  # class of the path from each node to its target
     cycles = graphs.cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
-    traced = [np.array(path) for path in graphs.trace(len(vertices), edges)]
-    at_node: dict[int, set[int]] = {}
-    for number, path in enumerate(traced):
-        for node in path[[0, -1]].tolist():
-            at_node.setdefault(node, set()).add(number)
-    paths = [path for path in traced if degree[path[[0, -1]]].min() > 2]
+    paths = [path for path in graphs.trace(len(vertices), edges) if min(degree[path[0]], degree[path[-1]]) > 2]
 
-    def apart(path: np.ndarray) -> float:
-        return float(arc_length(vertices[path])[-1] / max(radii[path[[0, -1]]].max(), 1e-300))
-
-    def reach(path: np.ndarray) -> float:
-        limbs = at_node[path[0]] ^ at_node[path[-1]]  # without the stretch between
-        second = sorted((usual_radius(traced[each], radii) for each in limbs), reverse=True)[1:2]
-        smaller, ball = np.sort(radii[path[[0, -1]]])
-        return float(ball + max(1 - min(second, default=ball) / max(ball, 1e-300), 0.0) * smaller)
+    def apart(path: list[int]) -> float:
+        return float(arc_length(vertices[path])[-1] / max(radii[path[0]], radii[path[-1]], 1e-300))
 
     for path in sorted(paths, key=apart):  # the nearest first, so that the order of the nodes does not decide
         if is_held[path[1:-1]].any():
@@ -95,7 +77,7 @@ def merge_junctions(
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
         a, b = target[path[0]], target[path[-1]]
         length = float(arc_length(vertices[path])[-1])
-        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < reach(path)
+        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < radii[a]
         if a != b and is_near and not is_held[target == b].any():
             tried, added = target.copy(), moved.copy()
             steps = handles.classes(vertices[path[:-1]], vertices[path[1:]])

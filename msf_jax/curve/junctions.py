@@ -67,7 +67,7 @@ class Branches:
     def axis(self, path: np.ndarray) -> Axis | None:
         """The axis of a branch ``path`` (k,) from its junction: of the first stretch on its own that is long enough, or
         else of the longest. None if that is too short."""
-        along, size = arc_length(self._x[path]), branches.usual_radius(path, self._radii)
+        along, size = arc_length(self._x[path]), usual_radius(path, self._radii)
         is_own = self._is_alone[path] & (self._radii[path] >= KEPT * size)
         change = np.flatnonzero(np.diff(is_own, prepend=False, append=False)).reshape(-1, 2)
         begin, end = along[change[:, 0]], along[change[:, 1] - 1]
@@ -86,6 +86,11 @@ class Branches:
         p, d, q = np.pad(fit, ((0, 2 - degree), (0, 0))) / size ** np.arange(3)[:, None]
         s = along[row[0]]
         return Axis(path, along, size, int(row[0]), np.stack([p - s * d + s**2 * q, d - 2 * s * q, q]))
+
+
+def usual_radius(path: np.ndarray, radii: np.ndarray) -> float:
+    """The median radius of the nodes within a branch ``path`` (k,); of a single edge, the smaller radius."""
+    return float(np.median(radii[path[1:-1]]) if len(path) > 2 else radii[path].min())
 
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
@@ -133,8 +138,8 @@ def _beyond(
         ahead = [each for each in at_node.get(int(here[-1]), []) if not np.array_equal(each[0], here[::-1])]
         if not ahead:
             return None
-        here, axis = max(ahead, key=lambda each: branches.usual_radius(each[0], radii))
-        if branches.usual_radius(here, radii) < KEPT * branches.usual_radius(path, radii):
+        here, axis = max(ahead, key=lambda each: usual_radius(each[0], radii))
+        if usual_radius(here, radii) < KEPT * usual_radius(path, radii):
             return None
         if axis is not None:
             place, direction = axis.parabola[:2]

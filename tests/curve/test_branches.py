@@ -32,15 +32,6 @@ def test_junctions_in_one_ball_are_one():
     assert np.flatnonzero(~merge_junctions(vertices, edges, radii, held, NO_HANDLES)[0]).tolist() == [1]
 
 
-@pytest.mark.parametrize(("limbs", "num_left"), [([0.5, 0.5, 0.5, 0.5], 5), ([1, 0.5, 0.5, 0.5], 5), ([1, 0.5, 1, 0.5], 6)])
-def test_junctions_of_thin_limbs_in_a_body_are_one_where_its_balls_overlap(limbs, num_left):
-    """1.4 radii apart: one beside limbs half as thick, even if one goes on, as at a wrist; two on a trunk."""
-    vertices = np.array([[0, 0, 0], [1.4, 0, 0], [-9, 0, 0], [0, 9, 0], [9, 0, 0], [1.4, 9, 0]], float)
-    edges = as_edges([(0, 1), (0, 2), (0, 3), (1, 4), (1, 5)])
-    stays = merge_junctions(vertices, edges, np.r_[1, 1, limbs], np.zeros(6, dtype=bool), NO_HANDLES)[0]
-    assert stays.sum() == num_left
-
-
 @pytest.mark.parametrize("number", [[0, 1, 2], [2, 1, 0], [1, 0, 2], [1, 2, 0]])
 def test_the_nearest_junctions_merge_first_in_any_order_of_the_nodes(number):
     """Three in a row. Each of the outer ones can take the middle one, and not both can: the nearer one does."""
