@@ -15,7 +15,7 @@ import numpy as np
 from msf_jax.solid.geometry import ROUNDING, cross, repeated, unit
 from msf_jax.topology import graphs
 
-MOST_POINTS = 1_000_000  # intersections of levels and edges: if there are more, the step is doubled
+MOST_POINTS = 400_000  # intersections of levels and edges: if there are more, the step is doubled
 
 
 class Levels(NamedTuple):
