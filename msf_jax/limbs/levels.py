@@ -79,20 +79,26 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     below, above, own = np.zeros((3, int(ring.max(initial=-1)) + 1), dtype=np.int64)
     lower = stretch[edge] + level - 1  # the stretch below each point
     below[ring], above[ring], own[ring] = piece[lower], piece[lower + 1], level
-    rings = _measured(*(points[:, ends] for ends in segments), ring[segments[0]], len(own))
+    rings = _measured(points[:, segments[0]], points[:, segments[1]], ring[segments[0]], len(own))
     face, band = repeated((high - low)[longest] + 1)
     band += low[longest[face]]
     corners = np.sort(height[faces], axis=1).T[:, face]
     part = share_below(corners, (band + 1) * step) - share_below(corners, band * step)
-    triangle = vertices[faces]
-    vector = cross(triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0]) / 2
-    moment = np.einsum("fi,fi->f", triangle[:, 0], vector)
-    measures = np.stack([np.linalg.norm(vector, axis=1), *vector.T, moment])
-    contents = sums(piece[stretch[longest[face]] + band], part * measures[:, face], int(piece.max()) + 1).T
+    measures = _of_faces(vertices[faces])[:, face]
+    contents = sums(piece[stretch[longest[face]] + band], part * measures, int(piece.max()) + 1).T
     return Levels(*rings, below, above, own, (own - 0.5) * step, piece[:num], contents, step)
 
 
-def _measured(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, ...]:
+def _of_faces(corners: np.ndarray) -> np.ndarray:
+    """(5, F) what `Levels.contents` sums up, of faces with ``corners`` (F, 3, 3)."""
+    vector = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    moment = np.einsum("fi,fi->f", corners[:, 0], vector)
+    return np.stack([np.linalg.norm(vector, axis=1), *vector.T, moment])
+
+
+def _measured(
+    a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """The centres (num, 3), normals, perimeters and sizes of rings of segments from ``a`` to ``b`` (3, S), each of a
     ``ring`` (S,)."""
     length = np.sqrt(((b - a) ** 2).sum(axis=0))
@@ -105,7 +111,8 @@ def _measured(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple
     centre = sums(ring, double * (a + b + around) / 3, num)
     # A ring without a length is a point: all of its segments start and end there.
     centre = np.where(area > ROUNDING * perimeter**2, centre / np.maximum(area, 1e-300), middle)
-    centre[:, ring[length == 0]] = np.where(perimeter[ring] > 0, centre[:, ring], a)[:, length == 0]
+    is_point = perimeter[ring] == 0
+    centre[:, ring[is_point]] = a[:, is_point]
     return centre.T, unit(sums(ring, twice, num).T), perimeter, area / np.maximum(perimeter, 1e-300)
 
 

@@ -128,17 +128,17 @@ class LimbTree:
         if (least, detail) in self._found:
             return self._found[least, detail]
         limbs, finer = list[Limb](), list[Limb]()
-        for part, arcs in zip(self.parts, self.trees, strict=True):
+        for patch, arcs in zip(self.parts, self.trees, strict=True):
             chosen = limbs_among(arcs, least, 0.0)
-            if not part.is_ball:
-                limbs += _limbs_of(part, arcs, chosen, least)
+            if not patch.is_ball:
+                limbs += _limbs_of(patch, arcs, chosen, least)
             elif len(chosen) < 3:
-                limbs += _halves(part, least, detail)
+                limbs += _halves(patch, least, detail)
             else:
                 chosen = limbs_among(arcs, least, detail)
-                limbs += _limbs_of(part, arcs, chosen, least)
-                more = _limbs_of(part, arcs, limbs_among(arcs, least, FINEST), least)
-                finer += [each for each in more if each.tip not in part.member[arcs.top[chosen]]]
+                limbs += _limbs_of(patch, arcs, chosen, least)
+                more = _limbs_of(patch, arcs, limbs_among(arcs, least, FINEST), least)
+                finer += [each for each in more if each.tip not in patch.member[arcs.top[chosen]]]
         owner = np.zeros(len(self.shape.vertices), dtype=np.int64)
         for number, each in enumerate(limbs, 1):
             owner[each.region] = number
@@ -154,9 +154,9 @@ class LimbTree:
         """(l,) the slenderness of the largest part of the surface around each of the vertices ``feet`` (l,) without
         another one of them: at the most slender of its rings, 0 without one."""
         found = np.zeros(len(feet))
-        for part, arcs in zip(self.parts, self.trees, strict=True):
-            mine = np.flatnonzero(np.isin(feet, part.member))
-            found[mine] = _slenderness_around(arcs, np.searchsorted(part.member, feet[mine]))
+        for patch, arcs in zip(self.parts, self.trees, strict=True):
+            mine = np.flatnonzero(np.isin(feet, patch.member))
+            found[mine] = _slenderness_around(arcs, np.searchsorted(patch.member, feet[mine]))
         return found
 
 
