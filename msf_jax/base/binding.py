@@ -18,7 +18,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 
-FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near each other
+FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near each other, and so are groups of 64, ...
 SMALLEST = 64  # rows: the least capacity; each further one is larger by the square root of two
 ROWS = {  # of a `Binding`: the fields whose rows each capacity counts
     "vertices": ("vertices",),

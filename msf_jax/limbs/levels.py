@@ -61,8 +61,8 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     # Of an edge's points and stretches, that of level k is k after these. Stretches follow the vertices.
     point = np.cumsum(high - low) - high - 1
     stretch = num + point + 1 + np.arange(len(ends))
-    # The longest side of a face, by levels, has a point on all of its levels, of which another side has some.
-    order = np.argsort((height[ends[:, 1]] - height[ends[:, 0]])[of_face], axis=1)
+    # The side of a face that crosses most levels has a point on all of its levels, of which another side has some.
+    order = np.argsort((high - low)[of_face], axis=1)
     sides, is_rising = (np.take_along_axis(each, order, axis=1) for each in (of_face, ends[of_face, 1] == onward))
     longest, side, is_rising = sides[:, 2], sides[:, :2].ravel(), is_rising[:, :2].ravel()
     beside = np.repeat(longest, 2)
@@ -83,7 +83,9 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     face, band = repeated((high - low)[longest] + 1)
     band += low[longest[face]]
     corners = np.sort(height[faces], axis=1).T[:, face]
-    part = share_below(corners, (band + 1) * step) - share_below(corners, band * step)
+    # All of a face is in its bands, also of a flat one on a level.
+    part = np.where(band < high[longest[face]], share_below(corners, (band + 1) * step), 1.0)
+    part -= np.where(band > low[longest[face]], share_below(corners, band * step), 0.0)
     measures = _of_faces(vertices[faces])[:, face]
     contents = sums(piece[stretch[longest[face]] + band], part * measures, int(piece.max()) + 1).T
     return Levels(*rings, below, above, own, (own - 0.5) * step, piece[:num], contents, step)
@@ -122,7 +124,7 @@ def share_below(corners: np.ndarray, level: np.ndarray) -> np.ndarray:
     low, middle, high = corners
     under = np.clip(level - low, 0.0, middle - low) ** 2 / np.maximum((middle - low) * (high - low), 1e-300)
     over = np.clip(high - level, 0.0, high - middle) ** 2 / np.maximum((high - middle) * (high - low), 1e-300)
-    return np.where(level >= high, 1.0, np.where(level <= middle, under, 1.0 - over))
+    return np.where(level <= middle, under, 1.0 - over)
 
 
 def sums(group: np.ndarray, values: np.ndarray, num: int) -> np.ndarray:

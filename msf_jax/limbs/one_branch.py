@@ -52,20 +52,21 @@ class Branch(NamedTuple):
 def prune(
     num_nodes: int, edges: np.ndarray, worth: Worth, least: float, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove branches of a ``worth`` below ``least`` in rounds, those of least worth of each junction.
+    """Remove branches of a ``worth`` below ``least`` in rounds: at each junction, those of least worth first, until two
+    branches are left there. These become one, and the ``worth`` of its leaf may rise or fall.
 
-    When two branches are left at a junction, they become one, and the ``worth`` of its leaf may rise or fall.
     Components and cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes
     stay (N,), and the target of each node (N,): itself, or the nearest one that stays, along the branches that went."""
+    edges = np.unique(np.sort(edges, axis=1), axis=0)
     stays, target, is_done = np.ones(num_nodes, dtype=bool), np.arange(num_nodes), False
     while not is_done:
-        degree, weak = graphs.degrees(num_nodes, edges), dict[int, list[tuple[float, list[int]]]]()
+        degree, tips = graphs.degrees(num_nodes, edges), dict[int, list[tuple[float, list[int]]]]()
         for nodes in trace(num_nodes, edges):
             nodes = nodes if degree[nodes[0]] == 1 else nodes[::-1]
             if degree[nodes[0]] == 1 and degree[nodes[-1]] > 2 and not is_held[nodes[:-1]].any():
-                weak.setdefault(nodes[-1], []).append((worth(nodes), nodes))
+                tips.setdefault(nodes[-1], []).append((worth(nodes), nodes))
         is_done = True
-        for junction, own in weak.items():
+        for junction, own in tips.items():
             for value, nodes in sorted(own)[: degree[junction] - 2]:
                 if value < least:
                     stays[nodes[:-1]], target[nodes[:-1]], is_done = False, junction, False

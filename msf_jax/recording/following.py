@@ -18,14 +18,14 @@ Both a and b reproduce every affine map of the mesh exactly. A pinned node has t
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy import sparse, spatial
+from scipy import sparse
 from scipy.sparse import csgraph, linalg
 from trimesh.triangles import closest_point
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
 from msf_jax.curve import branches as measures
 from msf_jax.curve import centring
-from msf_jax.solid.geometry import RESOLUTION, unit
+from msf_jax.solid.geometry import RESOLUTION, together, unit
 from msf_jax.solid.solid import Solid, moved_inside
 from msf_jax.topology import graphs
 
@@ -88,7 +88,7 @@ def record(
     placed[surface.vertex] = shape.vertices
     first = np.searchsorted(corners.section, corners.section)
     onward = np.where(np.diff(corners.section, append=-1) != 0, first, np.arange(len(first)) + 1)
-    order = spatial.KDTree(shape.centroids, leafsize=FACES_TOGETHER).indices
+    order = together(shape.centroids, FACES_TOGETHER)
     twin = shape.mesh.twins.reshape(-1, 3)[order]
     # Behind the nearest wall of a node inside, the surface winds around less, unless the wall is another part's.
     foot = closest_point(shape.triangles[nearest], x)

@@ -101,6 +101,22 @@ def triangle_areas(corners: np.ndarray) -> np.ndarray:
     return np.linalg.norm(cross(b - a, c - a), axis=1) / 2
 
 
+def together(points: np.ndarray, shortest: int) -> np.ndarray:
+    """An order (P,) in which each run of ``shortest`` points, of twice as many, and so on, is compact in space.
+
+    It begins with one run of all points. Each run is sorted along its longest side and halved, until runs are short."""
+    order, length = np.arange(len(points)), shortest
+    while length < len(points):
+        length *= 2
+    while length > shortest:
+        place, run = points[order], np.arange(len(points)) // length
+        first = np.arange(0, len(points), length)
+        longest = (np.maximum.reduceat(place, first) - np.minimum.reduceat(place, first)).argmax(axis=1)
+        order = order[np.lexsort((place[np.arange(len(points)), longest[run]], run))]
+        length //= 2
+    return order
+
+
 class UnitFrame(NamedTuple):
     """x = centre + diagonal * (y @ axes), for x in the caller's units and y in the frame.
 

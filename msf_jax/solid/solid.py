@@ -179,8 +179,8 @@ class Solid:
         return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
 
     def prepare(self) -> None:
-        """Make now, beside the flow, what takes long after it: trees, areas, and where the surface crosses itself."""
-        _ = self.shape.mesh, self.shape.samples, self.vertex_areas, self.shape.crossed
+        """Make now, beside the flow, what takes long after it: the shape's trees, and the areas."""
+        _ = self.shape.mesh, self.shape.samples, self.vertex_areas
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
