@@ -12,7 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.numerics.compiled import Ints, Points, Rows, kernel
 from msf_jax.solid.geometry import ROUNDING, cross, repeated, unit
+from msf_jax.solid.kernels import norm
 from msf_jax.topology import graphs
 
 MOST_POINTS = 400_000  # intersections of levels and edges: if there are more, the step is doubled
@@ -40,6 +42,35 @@ class Levels(NamedTuple):
     step: float
 
 
+@kernel
+def measure_rings(points: Points, segments: Rows, ring: Ints, sums: Points) -> None:
+    """Sums over the ``segments`` of each ring, in columns of ``sums`` (R, 14), which are 0 before: the length; the
+    middle; the area of the triangles between the segments and the middle; their area times their middles; twice their
+    area vector; and one of its points."""
+    for row in range(len(segments)):
+        a, b, own = points[segments[row, 0]], points[segments[row, 1]], sums[ring[segments[row, 0]]]
+        length = norm((b[0] - a[0], b[1] - a[1], b[2] - a[2]))
+        own[0] += length
+        for i in range(3):
+            own[1 + i] += length * ((a[i] + b[i]) / 2)
+            own[11 + i] = a[i]
+    for row in range(len(sums)):
+        for i in range(3):
+            sums[row, 1 + i] /= max(sums[row, 0], 1e-300)
+    for row in range(len(segments)):
+        a, b, own = points[segments[row, 0]], points[segments[row, 1]], sums[ring[segments[row, 0]]]
+        ax, ay, az = a[0] - own[1], a[1] - own[2], a[2] - own[3]
+        bx, by, bz = b[0] - own[1], b[1] - own[2], b[2] - own[3]
+        x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        area = norm((x, y, z))
+        own[4] += area
+        for i in range(3):
+            own[5 + i] += area * ((a[i] + b[i] + own[1 + i]) / 3)
+        own[8] += x
+        own[9] += y
+        own[10] += z
+
+
 def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float) -> Levels:
     """The level sets of ``height`` (V,), at odd multiples of half a ``step``, linear on each of ``faces`` (F, 3).
 
@@ -56,8 +87,8 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     low, high = np.floor(height[ends.T] / step).astype(np.int64)  # the levels below an edge's lower and upper end
     edge, place = repeated(high - low)  # the edge of each point, from the lower end up
     level, start, stop = low[edge] + place + 1, *height[ends[edge].T]
-    share, axes = (level * step - start) / (stop - start), np.ascontiguousarray(vertices.T)
-    points = (1 - share) * axes[:, ends[edge, 0]] + share * axes[:, ends[edge, 1]]  # (3, P): sums are faster so
+    share = ((level * step - start) / (stop - start))[:, None]
+    points = (1 - share) * vertices[ends[edge, 0]] + share * vertices[ends[edge, 1]]
     # Of an edge's points and stretches, that of level k is k after these. Stretches follow the vertices.
     point = np.cumsum(high - low) - high - 1
     stretch = num + point + 1 + np.arange(len(ends))
@@ -73,13 +104,19 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     piece = graphs.labels(num + len(edge) + len(ends), tails, heads)
     row, at = repeated((high - low)[side])
     at += low[side[row]] + 1
-    segments = np.stack([point[side[row]] + at, point[beside[row]] + at])
-    segments = np.where(is_rising[row], segments[::-1], segments)  # the upper side on the left, seen from outside
-    ring = graphs.labels(len(edge), *segments)
+    segments = np.stack([point[side[row]] + at, point[beside[row]] + at], axis=1)
+    segments[is_rising[row]] = segments[is_rising[row], ::-1]  # the upper side on the left, seen from outside
+    ring = graphs.labels(len(edge), *segments.T)
     below, above, own = np.zeros((3, int(ring.max(initial=-1)) + 1), dtype=np.int64)
     lower = stretch[edge] + level - 1  # the stretch below each point
     below[ring], above[ring], own[ring] = piece[lower], piece[lower + 1], level
-    rings = _measured(points[:, segments[0]], points[:, segments[1]], ring[segments[0]], len(own))
+    found = np.zeros((len(own), 14))
+    measure_rings(points, segments, ring, found)
+    perimeter, middle, area, centre, normal, point = np.split(found, [1, 4, 5, 8, 11], axis=1)
+    # A ring without a length is a point: all of its segments start and end there.
+    centre = np.where(area <= ROUNDING * perimeter**2, middle, centre / np.maximum(area, 1e-300))
+    centre = np.where(perimeter > 0, centre, point)
+    size = (area / np.maximum(perimeter, 1e-300))[:, 0]
     face, band = repeated((high - low)[longest] + 1)
     band += low[longest[face]]
     corners = np.sort(height[faces], axis=1).T[:, face]
@@ -88,6 +125,7 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     part -= np.where(band > low[longest[face]], share_below(corners, band * step), 0.0)
     measures = _of_faces(vertices[faces])[:, face]
     contents = sums(piece[stretch[longest[face]] + band], part * measures, int(piece.max()) + 1).T
+    rings = centre, unit(normal), perimeter[:, 0], size
     return Levels(*rings, below, above, own, (own - 0.5) * step, piece[:num], contents, step)
 
 
@@ -96,26 +134,6 @@ def _of_faces(corners: np.ndarray) -> np.ndarray:
     vector = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
     moment = np.einsum("fi,fi->f", corners[:, 0], vector)
     return np.stack([np.linalg.norm(vector, axis=1), *vector.T, moment])
-
-
-def _measured(
-    a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """The centres (num, 3), normals, perimeters and sizes of rings of segments from ``a`` to ``b`` (3, S), each of a
-    ``ring`` (S,)."""
-    length = np.sqrt(((b - a) ** 2).sum(axis=0))
-    perimeter = np.bincount(ring, length, num)
-    middle = sums(ring, length * (a + b) / 2, num) / np.maximum(perimeter, 1e-300)
-    around = middle[:, ring]
-    twice = cross((a - around).T, (b - around).T).T
-    double = np.sqrt((twice**2).sum(axis=0))
-    area = np.bincount(ring, double, num)
-    centre = sums(ring, double * (a + b + around) / 3, num)
-    # A ring without a length is a point: all of its segments start and end there.
-    centre = np.where(area > ROUNDING * perimeter**2, centre / np.maximum(area, 1e-300), middle)
-    is_point = perimeter[ring] == 0
-    centre[:, ring[is_point]] = a[:, is_point]
-    return centre.T, unit(sums(ring, twice, num).T), perimeter, area / np.maximum(perimeter, 1e-300)
 
 
 def share_below(corners: np.ndarray, level: np.ndarray) -> np.ndarray:

@@ -33,7 +33,7 @@ from msf_jax.topology import graphs
 SOURCES = 32  # points, far from each other, whose distances are averaged; with 16, mirrored limbs differ by a sixth
 DIGITS = 6  # of distances that are compared: those of a symmetric solid differ by rounding
 SPLIT = 1_000  # squares of the longest edge that a component's area may have at least: rings follow its limbs then
-LEVELS = 600  # of a function on a component
+LEVELS = 800  # of a function on a component
 WHOLE, HALF = 0.97, 0.5  # of the component's area, without and with handles: what is larger is no limb of it
 FEWEST = 6  # vertices of a limb, and levels of an arc: fewer are noise of the triangles
 # Radii: least persistence of a limb at the detail 0.5, over the least slenderness, 0.5. Heads, feet, noses and snouts

@@ -2477,6 +2477,496 @@ define noundef i64 @msf_jax.solid.sections.measures(ptr readonly %0) local_unnam
 343:
   ret i64 0
 }
+define noundef i64 @msf_jax.limbs.levels.measure_rings(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = shl i64 %12, 3
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 72
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 80
+  %23 = load i64, ptr %22, align 8
+  %24 = shl i64 %23, 3
+  %25 = icmp sgt i64 %10, 0
+  br i1 %25, label %26, label %184
+26:
+  %27 = load i64, ptr %8, align 8
+  %28 = icmp slt i64 %27, 0
+  %29 = select i1 %28, i64 %4, i64 0
+  %30 = add i64 %29, %27
+  %31 = mul i64 %30, %6
+  %32 = getelementptr double, ptr %2, i64 %31
+  %33 = getelementptr i8, ptr %8, i64 8
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp slt i64 %34, 0
+  %36 = select i1 %35, i64 %4, i64 0
+  %37 = add i64 %36, %34
+  %38 = mul i64 %37, %6
+  %39 = getelementptr double, ptr %2, i64 %38
+  %40 = select i1 %28, i64 %17, i64 0
+  %41 = getelementptr i64, ptr %15, i64 %27
+  %42 = getelementptr i64, ptr %41, i64 %40
+  %43 = load i64, ptr %42, align 8
+  %44 = load double, ptr %39, align 8
+  %45 = load double, ptr %32, align 8
+  %46 = fsub double %44, %45
+  %47 = getelementptr i8, ptr %39, i64 8
+  %48 = load double, ptr %47, align 8
+  %49 = getelementptr i8, ptr %32, i64 8
+  %50 = load double, ptr %49, align 8
+  %51 = fsub double %48, %50
+  %52 = getelementptr i8, ptr %39, i64 16
+  %53 = load double, ptr %52, align 8
+  %54 = getelementptr i8, ptr %32, i64 16
+  %55 = load double, ptr %54, align 8
+  %56 = fsub double %53, %55
+  %57 = fmul double %46, %46
+  %58 = fmul double %51, %51
+  %59 = fadd double %57, %58
+  %60 = fmul double %56, %56
+  %61 = fadd double %59, %60
+  %62 = tail call double @llvm.sqrt.f64(double %61)
+  %63 = icmp slt i64 %43, 0
+  %64 = select i1 %63, i64 %21, i64 0
+  %65 = add i64 %64, %43
+  %66 = mul i64 %65, %23
+  %67 = getelementptr double, ptr %19, i64 %66
+  %68 = load double, ptr %67, align 8
+  %69 = fadd double %68, %62
+  store double %69, ptr %67, align 8
+  %70 = getelementptr i8, ptr %67, i64 8
+  %71 = load double, ptr %70, align 8
+  %72 = load double, ptr %32, align 8
+  %73 = load double, ptr %39, align 8
+  %74 = fadd double %72, %73
+  %75 = fmul double %74, 5.000000e-01
+  %76 = fmul double %62, %75
+  %77 = fadd double %71, %76
+  store double %77, ptr %70, align 8
+  %78 = load double, ptr %32, align 8
+  %79 = getelementptr i8, ptr %67, i64 88
+  store double %78, ptr %79, align 8
+  %80 = getelementptr i8, ptr %67, i64 16
+  %81 = load double, ptr %80, align 8
+  %82 = load double, ptr %49, align 8
+  %83 = load double, ptr %47, align 8
+  %84 = fadd double %82, %83
+  %85 = fmul double %84, 5.000000e-01
+  %86 = fmul double %62, %85
+  %87 = fadd double %81, %86
+  store double %87, ptr %80, align 8
+  %88 = load double, ptr %49, align 8
+  %89 = getelementptr i8, ptr %67, i64 96
+  store double %88, ptr %89, align 8
+  %90 = getelementptr i8, ptr %67, i64 24
+  %91 = load double, ptr %90, align 8
+  %92 = load double, ptr %54, align 8
+  %93 = load double, ptr %52, align 8
+  %94 = fadd double %92, %93
+  %95 = fmul double %94, 5.000000e-01
+  %96 = fmul double %62, %95
+  %97 = fadd double %91, %96
+  store double %97, ptr %90, align 8
+  %98 = load double, ptr %54, align 8
+  %99 = getelementptr i8, ptr %67, i64 104
+  store double %98, ptr %99, align 8
+  %100 = icmp eq i64 %10, 1
+  br i1 %100, label %184, label %101
+101:
+  %102 = getelementptr i8, ptr %8, i64 %13
+  %103 = getelementptr i8, ptr %102, i64 8
+  %104 = add nsw i64 %10, -1
+  br label %105
+105:
+  %106 = phi i64 [ %104, %101 ], [ %182, %105 ]
+  %107 = phi ptr [ %103, %101 ], [ %181, %105 ]
+  %108 = getelementptr i8, ptr %107, i64 -8
+  %109 = load i64, ptr %108, align 8
+  %110 = icmp slt i64 %109, 0
+  %111 = select i1 %110, i64 %4, i64 0
+  %112 = add i64 %111, %109
+  %113 = mul i64 %112, %6
+  %114 = getelementptr double, ptr %2, i64 %113
+  %115 = load i64, ptr %107, align 8
+  %116 = icmp slt i64 %115, 0
+  %117 = select i1 %116, i64 %4, i64 0
+  %118 = add i64 %117, %115
+  %119 = mul i64 %118, %6
+  %120 = getelementptr double, ptr %2, i64 %119
+  %121 = select i1 %110, i64 %17, i64 0
+  %122 = getelementptr i64, ptr %15, i64 %109
+  %123 = getelementptr i64, ptr %122, i64 %121
+  %124 = load i64, ptr %123, align 8
+  %125 = load double, ptr %120, align 8
+  %126 = load double, ptr %114, align 8
+  %127 = fsub double %125, %126
+  %128 = getelementptr i8, ptr %120, i64 8
+  %129 = load double, ptr %128, align 8
+  %130 = getelementptr i8, ptr %114, i64 8
+  %131 = load double, ptr %130, align 8
+  %132 = fsub double %129, %131
+  %133 = getelementptr i8, ptr %120, i64 16
+  %134 = load double, ptr %133, align 8
+  %135 = getelementptr i8, ptr %114, i64 16
+  %136 = load double, ptr %135, align 8
+  %137 = fsub double %134, %136
+  %138 = fmul double %127, %127
+  %139 = fmul double %132, %132
+  %140 = fadd double %138, %139
+  %141 = fmul double %137, %137
+  %142 = fadd double %140, %141
+  %143 = tail call double @llvm.sqrt.f64(double %142)
+  %144 = icmp slt i64 %124, 0
+  %145 = select i1 %144, i64 %21, i64 0
+  %146 = add i64 %145, %124
+  %147 = mul i64 %146, %23
+  %148 = getelementptr double, ptr %19, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = fadd double %149, %143
+  store double %150, ptr %148, align 8
+  %151 = getelementptr i8, ptr %148, i64 8
+  %152 = load double, ptr %151, align 8
+  %153 = load double, ptr %114, align 8
+  %154 = load double, ptr %120, align 8
+  %155 = fadd double %153, %154
+  %156 = fmul double %155, 5.000000e-01
+  %157 = fmul double %143, %156
+  %158 = fadd double %152, %157
+  store double %158, ptr %151, align 8
+  %159 = load double, ptr %114, align 8
+  %160 = getelementptr i8, ptr %148, i64 88
+  store double %159, ptr %160, align 8
+  %161 = getelementptr i8, ptr %148, i64 16
+  %162 = load double, ptr %161, align 8
+  %163 = load double, ptr %130, align 8
+  %164 = load double, ptr %128, align 8
+  %165 = fadd double %163, %164
+  %166 = fmul double %165, 5.000000e-01
+  %167 = fmul double %143, %166
+  %168 = fadd double %162, %167
+  store double %168, ptr %161, align 8
+  %169 = load double, ptr %130, align 8
+  %170 = getelementptr i8, ptr %148, i64 96
+  store double %169, ptr %170, align 8
+  %171 = getelementptr i8, ptr %148, i64 24
+  %172 = load double, ptr %171, align 8
+  %173 = load double, ptr %135, align 8
+  %174 = load double, ptr %133, align 8
+  %175 = fadd double %173, %174
+  %176 = fmul double %175, 5.000000e-01
+  %177 = fmul double %143, %176
+  %178 = fadd double %172, %177
+  store double %178, ptr %171, align 8
+  %179 = load double, ptr %135, align 8
+  %180 = getelementptr i8, ptr %148, i64 104
+  store double %179, ptr %180, align 8
+  %181 = getelementptr i8, ptr %107, i64 %13
+  %182 = add i64 %106, -1
+  %183 = icmp eq i64 %182, 0
+  br i1 %183, label %184, label %105
+184:
+  %185 = icmp slt i64 %21, 1
+  br i1 %185, label %230, label %186
+186:
+  %187 = icmp eq i64 %23, 1
+  br i1 %187, label %208, label %188
+188:
+  %189 = getelementptr i8, ptr %19, i64 24
+  br label %190
+190:
+  %191 = phi i64 [ %21, %188 ], [ %206, %190 ]
+  %192 = phi ptr [ %189, %188 ], [ %205, %190 ]
+  %193 = getelementptr i8, ptr %192, i64 -24
+  %194 = getelementptr i8, ptr %192, i64 -16
+  %195 = load double, ptr %194, align 8
+  %196 = load double, ptr %193, align 8
+  %197 = fcmp olt double %196, 1.000000e-300
+  %198 = select i1 %197, double 1.000000e-300, double %196
+  %199 = fdiv double %195, %198
+  store double %199, ptr %194, align 8
+  %200 = getelementptr i8, ptr %192, i64 -8
+  %201 = load double, ptr %200, align 8
+  %202 = fdiv double %201, %198
+  store double %202, ptr %200, align 8
+  %203 = load double, ptr %192, align 8
+  %204 = fdiv double %203, %198
+  store double %204, ptr %192, align 8
+  %205 = getelementptr i8, ptr %192, i64 %24
+  %206 = add i64 %191, -1
+  %207 = icmp eq i64 %206, 0
+  br i1 %207, label %230, label %190
+208:
+  %209 = getelementptr i8, ptr %19, i64 16
+  %210 = load double, ptr %209, align 8
+  %211 = getelementptr i8, ptr %19, i64 24
+  br label %212
+212:
+  %213 = phi i64 [ %21, %208 ], [ %228, %212 ]
+  %214 = phi ptr [ %211, %208 ], [ %227, %212 ]
+  %215 = phi double [ %210, %208 ], [ %226, %212 ]
+  %216 = getelementptr i8, ptr %214, i64 -24
+  %217 = getelementptr i8, ptr %214, i64 -16
+  %218 = load double, ptr %217, align 8
+  %219 = load double, ptr %216, align 8
+  %220 = fcmp olt double %219, 1.000000e-300
+  %221 = select i1 %220, double 1.000000e-300, double %219
+  %222 = fdiv double %218, %221
+  store double %222, ptr %217, align 8
+  %223 = getelementptr i8, ptr %214, i64 -8
+  %224 = fdiv double %215, %221
+  store double %224, ptr %223, align 8
+  %225 = load double, ptr %214, align 8
+  %226 = fdiv double %225, %221
+  store double %226, ptr %214, align 8
+  %227 = getelementptr i8, ptr %214, i64 8
+  %228 = add i64 %213, -1
+  %229 = icmp eq i64 %228, 0
+  br i1 %229, label %230, label %212
+230:
+  %231 = icmp slt i64 %10, 1
+  br i1 %231, label %440, label %232
+232:
+  %233 = load i64, ptr %8, align 8
+  %234 = icmp slt i64 %233, 0
+  %235 = select i1 %234, i64 %4, i64 0
+  %236 = add i64 %235, %233
+  %237 = mul i64 %236, %6
+  %238 = getelementptr double, ptr %2, i64 %237
+  %239 = getelementptr i8, ptr %8, i64 8
+  %240 = load i64, ptr %239, align 8
+  %241 = icmp slt i64 %240, 0
+  %242 = select i1 %241, i64 %4, i64 0
+  %243 = add i64 %242, %240
+  %244 = mul i64 %243, %6
+  %245 = getelementptr double, ptr %2, i64 %244
+  %246 = select i1 %234, i64 %17, i64 0
+  %247 = getelementptr i64, ptr %15, i64 %233
+  %248 = getelementptr i64, ptr %247, i64 %246
+  %249 = load i64, ptr %248, align 8
+  %250 = icmp slt i64 %249, 0
+  %251 = select i1 %250, i64 %21, i64 0
+  %252 = add i64 %251, %249
+  %253 = mul i64 %252, %23
+  %254 = getelementptr double, ptr %19, i64 %253
+  %255 = load double, ptr %238, align 8
+  %256 = getelementptr i8, ptr %254, i64 8
+  %257 = load double, ptr %256, align 8
+  %258 = fsub double %255, %257
+  %259 = getelementptr i8, ptr %238, i64 8
+  %260 = load double, ptr %259, align 8
+  %261 = getelementptr i8, ptr %254, i64 16
+  %262 = load double, ptr %261, align 8
+  %263 = fsub double %260, %262
+  %264 = getelementptr i8, ptr %238, i64 16
+  %265 = load double, ptr %264, align 8
+  %266 = getelementptr i8, ptr %254, i64 24
+  %267 = load double, ptr %266, align 8
+  %268 = fsub double %265, %267
+  %269 = load double, ptr %245, align 8
+  %270 = fsub double %269, %257
+  %271 = getelementptr i8, ptr %245, i64 8
+  %272 = load double, ptr %271, align 8
+  %273 = fsub double %272, %262
+  %274 = getelementptr i8, ptr %245, i64 16
+  %275 = load double, ptr %274, align 8
+  %276 = fsub double %275, %267
+  %277 = fmul double %263, %276
+  %278 = fmul double %268, %273
+  %279 = fsub double %277, %278
+  %280 = fmul double %268, %270
+  %281 = fmul double %258, %276
+  %282 = fsub double %280, %281
+  %283 = fmul double %258, %273
+  %284 = fmul double %263, %270
+  %285 = fsub double %283, %284
+  %286 = fmul double %279, %279
+  %287 = fmul double %282, %282
+  %288 = fadd double %286, %287
+  %289 = fmul double %285, %285
+  %290 = fadd double %289, %288
+  %291 = tail call double @llvm.sqrt.f64(double %290)
+  %292 = getelementptr i8, ptr %254, i64 32
+  %293 = load double, ptr %292, align 8
+  %294 = fadd double %293, %291
+  store double %294, ptr %292, align 8
+  %295 = getelementptr i8, ptr %254, i64 40
+  %296 = load double, ptr %295, align 8
+  %297 = load double, ptr %238, align 8
+  %298 = load double, ptr %245, align 8
+  %299 = fadd double %297, %298
+  %300 = fadd double %257, %299
+  %301 = fdiv double %300, 3.000000e+00
+  %302 = fmul double %291, %301
+  %303 = fadd double %296, %302
+  store double %303, ptr %295, align 8
+  %304 = getelementptr i8, ptr %254, i64 48
+  %305 = load double, ptr %304, align 8
+  %306 = load double, ptr %259, align 8
+  %307 = load double, ptr %271, align 8
+  %308 = fadd double %306, %307
+  %309 = fadd double %262, %308
+  %310 = fdiv double %309, 3.000000e+00
+  %311 = fmul double %291, %310
+  %312 = fadd double %305, %311
+  store double %312, ptr %304, align 8
+  %313 = getelementptr i8, ptr %254, i64 56
+  %314 = load double, ptr %313, align 8
+  %315 = load double, ptr %264, align 8
+  %316 = load double, ptr %274, align 8
+  %317 = fadd double %315, %316
+  %318 = fadd double %267, %317
+  %319 = fdiv double %318, 3.000000e+00
+  %320 = fmul double %291, %319
+  %321 = fadd double %314, %320
+  store double %321, ptr %313, align 8
+  %322 = getelementptr i8, ptr %254, i64 64
+  %323 = load double, ptr %322, align 8
+  %324 = fadd double %279, %323
+  store double %324, ptr %322, align 8
+  %325 = getelementptr i8, ptr %254, i64 72
+  %326 = load double, ptr %325, align 8
+  %327 = fadd double %282, %326
+  store double %327, ptr %325, align 8
+  %328 = getelementptr i8, ptr %254, i64 80
+  %329 = load double, ptr %328, align 8
+  %330 = fadd double %285, %329
+  store double %330, ptr %328, align 8
+  %331 = icmp eq i64 %10, 1
+  br i1 %331, label %440, label %332
+332:
+  %333 = getelementptr i8, ptr %8, i64 %13
+  %334 = getelementptr i8, ptr %333, i64 8
+  %335 = add nsw i64 %10, -1
+  br label %336
+336:
+  %337 = phi i64 [ %335, %332 ], [ %438, %336 ]
+  %338 = phi ptr [ %334, %332 ], [ %437, %336 ]
+  %339 = getelementptr i8, ptr %338, i64 -8
+  %340 = load i64, ptr %339, align 8
+  %341 = icmp slt i64 %340, 0
+  %342 = select i1 %341, i64 %4, i64 0
+  %343 = add i64 %342, %340
+  %344 = mul i64 %343, %6
+  %345 = getelementptr double, ptr %2, i64 %344
+  %346 = load i64, ptr %338, align 8
+  %347 = icmp slt i64 %346, 0
+  %348 = select i1 %347, i64 %4, i64 0
+  %349 = add i64 %348, %346
+  %350 = mul i64 %349, %6
+  %351 = getelementptr double, ptr %2, i64 %350
+  %352 = select i1 %341, i64 %17, i64 0
+  %353 = getelementptr i64, ptr %15, i64 %340
+  %354 = getelementptr i64, ptr %353, i64 %352
+  %355 = load i64, ptr %354, align 8
+  %356 = icmp slt i64 %355, 0
+  %357 = select i1 %356, i64 %21, i64 0
+  %358 = add i64 %357, %355
+  %359 = mul i64 %358, %23
+  %360 = getelementptr double, ptr %19, i64 %359
+  %361 = load double, ptr %345, align 8
+  %362 = getelementptr i8, ptr %360, i64 8
+  %363 = load double, ptr %362, align 8
+  %364 = fsub double %361, %363
+  %365 = getelementptr i8, ptr %345, i64 8
+  %366 = load double, ptr %365, align 8
+  %367 = getelementptr i8, ptr %360, i64 16
+  %368 = load double, ptr %367, align 8
+  %369 = fsub double %366, %368
+  %370 = getelementptr i8, ptr %345, i64 16
+  %371 = load double, ptr %370, align 8
+  %372 = getelementptr i8, ptr %360, i64 24
+  %373 = load double, ptr %372, align 8
+  %374 = fsub double %371, %373
+  %375 = load double, ptr %351, align 8
+  %376 = fsub double %375, %363
+  %377 = getelementptr i8, ptr %351, i64 8
+  %378 = load double, ptr %377, align 8
+  %379 = fsub double %378, %368
+  %380 = getelementptr i8, ptr %351, i64 16
+  %381 = load double, ptr %380, align 8
+  %382 = fsub double %381, %373
+  %383 = fmul double %369, %382
+  %384 = fmul double %374, %379
+  %385 = fsub double %383, %384
+  %386 = fmul double %374, %376
+  %387 = fmul double %364, %382
+  %388 = fsub double %386, %387
+  %389 = fmul double %364, %379
+  %390 = fmul double %369, %376
+  %391 = fsub double %389, %390
+  %392 = fmul double %385, %385
+  %393 = fmul double %388, %388
+  %394 = fadd double %392, %393
+  %395 = fmul double %391, %391
+  %396 = fadd double %395, %394
+  %397 = tail call double @llvm.sqrt.f64(double %396)
+  %398 = getelementptr i8, ptr %360, i64 32
+  %399 = load double, ptr %398, align 8
+  %400 = fadd double %399, %397
+  store double %400, ptr %398, align 8
+  %401 = getelementptr i8, ptr %360, i64 40
+  %402 = load double, ptr %401, align 8
+  %403 = load double, ptr %345, align 8
+  %404 = load double, ptr %351, align 8
+  %405 = fadd double %403, %404
+  %406 = fadd double %363, %405
+  %407 = fdiv double %406, 3.000000e+00
+  %408 = fmul double %397, %407
+  %409 = fadd double %402, %408
+  store double %409, ptr %401, align 8
+  %410 = getelementptr i8, ptr %360, i64 48
+  %411 = load double, ptr %410, align 8
+  %412 = load double, ptr %365, align 8
+  %413 = load double, ptr %377, align 8
+  %414 = fadd double %412, %413
+  %415 = fadd double %368, %414
+  %416 = fdiv double %415, 3.000000e+00
+  %417 = fmul double %397, %416
+  %418 = fadd double %411, %417
+  store double %418, ptr %410, align 8
+  %419 = getelementptr i8, ptr %360, i64 56
+  %420 = load double, ptr %419, align 8
+  %421 = load double, ptr %370, align 8
+  %422 = load double, ptr %380, align 8
+  %423 = fadd double %421, %422
+  %424 = fadd double %373, %423
+  %425 = fdiv double %424, 3.000000e+00
+  %426 = fmul double %397, %425
+  %427 = fadd double %420, %426
+  store double %427, ptr %419, align 8
+  %428 = getelementptr i8, ptr %360, i64 64
+  %429 = load double, ptr %428, align 8
+  %430 = fadd double %385, %429
+  store double %430, ptr %428, align 8
+  %431 = getelementptr i8, ptr %360, i64 72
+  %432 = load double, ptr %431, align 8
+  %433 = fadd double %388, %432
+  store double %433, ptr %431, align 8
+  %434 = getelementptr i8, ptr %360, i64 80
+  %435 = load double, ptr %434, align 8
+  %436 = fadd double %391, %435
+  store double %436, ptr %434, align 8
+  %437 = getelementptr i8, ptr %338, i64 %13
+  %438 = add i64 %337, -1
+  %439 = icmp eq i64 %438, 0
+  br i1 %439, label %440, label %336
+440:
+  ret i64 0
+}
 define noundef i64 @msf_jax.limbs.tree.sweep(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8
   %3 = getelementptr i8, ptr %0, i64 8
