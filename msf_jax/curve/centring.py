@@ -18,7 +18,7 @@ held fixed does not converge. So each round is a Gauss-Newton step with the deri
 
 Each move of a curve's nodes keeps edges inside, and around the same handles. A node takes its step if afterwards
 
-    the node is inside, no nearer to the surface than it may be, and so is the way to its new place;
+    the node is inside, no nearer to the surface than it may be;
     an edge that was inside is inside;
     an edge is of the class of its old place, changed by the classes of the steps of its two ends (see `Handles`).
 """
@@ -64,25 +64,23 @@ def places_of(shape: Enclosure, x: np.ndarray) -> Places:
 
 
 def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, edges: np.ndarray) -> Places:
-    """The places after each ``step`` (N, 3) that the rule allows. A node outside does not move. ``shape`` may be about
-    the same surface as that of ``handles`` with fewer triangles."""
+    """The places after each ``step`` (N, 3) that the rule allows. ``shape`` may be about the same surface as that of
+    ``handles`` with fewer triangles."""
     x, goal = places.x, Places(*(field.copy() for field in places))
-    is_free = step.any(axis=1) & (places.clearance > 0)
+    is_free = step.any(axis=1)
     goal.x[is_free] += step[is_free]
     goal.clearance[is_free] = shape.distances(goal.x[is_free])
     edges = edges[is_free[edges].any(axis=1)]
-    edges = edges[_is_open(shape, places, places, edges)]
+    was_open = _is_open(shape, places, places, edges)
     class_of = handles.classes(x[edges[:, 0]], x[edges[:, 1]]) if handles.genus else np.zeros(len(edges), np.int64)
     moved = np.flatnonzero(is_free)
     is_bad, is_back = np.zeros((2, len(x)), dtype=bool)
     is_bad[moved] = (goal.clearance < np.minimum(places.least, places.clearance))[moved]
     is_bad[moved] |= ~shape.contains(goal.x[moved])
-    moved = moved[~is_bad[moved]]
-    is_bad[moved] = ~_is_open(shape, places, goal, np.stack([moved, moved], axis=1))
     rows = np.flatnonzero(~is_bad[edges].any(axis=1))
     while True:
         at_stake = edges[rows]
-        is_kept = _is_open(shape, goal, goal, at_stake)
+        is_kept = ~was_open[rows] | _is_open(shape, goal, goal, at_stake)
         is_kept[is_kept] = _keeps_class(handles, places, goal.x, at_stake[is_kept], class_of[rows[is_kept]])
         is_bad[at_stake[~is_kept]] = True
         is_bad &= is_free & ~is_back

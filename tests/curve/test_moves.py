@@ -43,3 +43,10 @@ def test_a_loop_is_not_moved_over_a_hole():
     kept = moved_to(shape, draft.edges, x, over)
     assert rank(shape, draft.changed(kept)) == 1
     np.testing.assert_array_equal(kept[3], over[3])
+
+
+def test_a_node_outside_comes_in_where_the_others_go():
+    shape, scale = unit_shape(manifold3d.Manifold.cube([4, 1, 1], True))
+    x = scale * np.array([[-1, 0, 0], [0, 0.6, 0], [1, 0, 0]])
+    goal = scale * np.array([[-1, 0, 0], [0, 0.1, 0], [1, 0.1, 0]])
+    np.testing.assert_array_equal(moved_to(shape, np.array([[0, 1], [1, 2]]), x, goal), goal)
