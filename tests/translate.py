@@ -36,6 +36,7 @@ OPTIONS: dict[str, Any] = {
 }
 MODULES = (
     "msf_jax.curve.branches",
+    "msf_jax.inside.balls",
     "msf_jax.solid.handles",
     "msf_jax.solid.kernels",
     "msf_jax.solid.sections",

@@ -161,8 +161,9 @@ def _put(
         meet, off = middle_of_ball(shape, x[widest]), 0 * off
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
     # ball is smaller than those of its branches.
-    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * sizes.min()
-    share = min(float(np.sort(sizes)[-2] / radii[widest]), 1.0)
+    second = float(np.sort(sizes)[-2])
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * second
+    share = min(second / radii[widest], 1.0)
     if (off > APART * share * sizes).any() and not is_at_wall:
         return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []

@@ -7,9 +7,9 @@ another point q of the surface is inside, the ball through v and q that touches 
 
     r = |q - v|^2 / (2 n . (v - q)).
 
-With q the point nearest to c, the ball shrinks until it is empty. Queries are fast for small balls, so balls start
-small, and double while they are empty. A point q that is close to v as seen from the centre is noise, and does not
-count (Peters 2018).
+The empty ball has the least of these radii. A search is fast for a small ball, so balls start small, and double while
+they are empty. A point q that is close to v as seen from the centre of its ball is noise, and does not count (Peters
+2018).
 
 A Voronoi pole is a point of the medial axis for a vertex (article 3.1.2; Amenta et al. 2001): of a vertex v with
 outward normal n the vertex w of its Voronoi cell, inside the bounding box, with the most negative <n, w - v>.
@@ -26,8 +26,10 @@ from scipy import spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import FlowError
+from msf_jax.numerics.compiled import Ints, Points, Reals, kernel
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import RESOLUTION, ROUNDING, cross, largest_of_each, unit, vertex_normals
+from msf_jax.solid.geometry import RESOLUTION, cross, largest_of_each, unit, vertex_normals
+from msf_jax.solid.kernels import Sites, dot, is_within, minus, onward, point_of, sites_of
 from msf_jax.topology import graphs
 
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
@@ -106,41 +108,50 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None =
     return Poles(position, corners, np.linalg.norm(position - sites, axis=1))
 
 
+@kernel
+def shrink(
+    points: Points, normals: Points, largest: Reals, own: Ints, sites: Sites, radius: Reals, touching: Ints
+) -> None:
+    """See `shrinking_balls`; ``radius`` (P,) holds the first radii, ``touching`` (P,) -1.
+
+    A ball that shrinks stays in the one before, so one search of the tree is enough."""
+    num = len(sites.order)
+    for row in range(len(points)):
+        v, n, r, hit = point_of(points, row), point_of(normals, row), radius[row], -1
+        is_growing = dot(n, n) > 0.5  # points without a normal keep the first radius
+        while is_growing:
+            node = 1
+            while node:
+                is_met = is_within((v[0] - r * n[0], v[1] - r * n[1], v[2] - r * n[2]), sites.boxes, node, r * r)
+                q = sites.order[node - num] if is_met and node >= num else own[row]
+                node = onward(node, num, is_met)
+                if q == own[row]:
+                    continue
+                away = minus(v, point_of(sites.points, q))
+                length2, depth = dot(away, away), dot(away, n)
+                # n . (q - c) / r is the cosine of the angle between v and q at the new centre c.
+                if 2 * depth * r > length2 > 0 and length2 - 2 * depth * depth < NOISE * length2:
+                    r, hit = length2 / (2 * depth), q
+            is_growing = hit < 0 and r < largest[row]
+            if is_growing:
+                r = min(2 * r, largest[row])
+        radius[row], touching[row] = r, hit
+
+
 def shrinking_balls(
-    points: np.ndarray, normals: np.ndarray, tree: spatial.KDTree, first: Radius, largest: Radius, own: np.ndarray | int
+    points: np.ndarray, normals: np.ndarray, sites: Sites, first: Radius, largest: Radius, own: np.ndarray | int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
+    """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the ``sites``.
 
     Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
-    the tree, because a point is not its own hit, or -1 if the points are not in the tree.
+    the sites, because a point is not its own hit, or -1 if the points are none of them.
 
-    Returns the radii (P,), and the other point (P,) that each ball touches; -1 if it touches none, because it has the
+    Returns the radii (P,), and the other site (P,) that each ball touches; -1 if it touches none, because it has the
     largest radius, or the point has no normal and its ball the first radius."""
     num, touching = len(points), np.full(len(points), -1)
-    largest, own = np.broadcast_to(largest, num), np.broadcast_to(own, num)
-    radius = np.broadcast_to(np.minimum(first, largest), num).astype(np.float64)
-    # Points without a normal keep the first radius.
-    active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
-    grows = np.ones(num, dtype=bool)
-    while len(active):  # a ball that shrinks has one more point outside, and one that grows doubles
-        v, n, r = points[active], normals[active], radius[active]
-        away, found = tree.query(v - r[:, None] * n, k=2, distance_upper_bound=float(r.max()))
-        away, found = np.asarray(away), np.asarray(found)
-        is_own = found[:, 0] == own[active]
-        away, found = np.where(is_own, away[:, 1], away[:, 0]), np.where(is_own, found[:, 1], found[:, 0])
-        is_hit = away < (1 - ROUNDING) * r
-        to_q = tree.data[np.where(is_hit, found, 0)] - v
-        length2 = np.einsum("ij,ij->i", to_q, to_q)
-        depth = -np.einsum("ij,ij->i", n, to_q)
-        is_hit &= (depth > 0) & (length2 > 0)
-        smaller = length2 / np.where(is_hit, 2 * depth, 1.0)
-        # n . (q - c) / r is the cosine of the angle between v and q at the new centre.
-        is_hit &= (1 - depth / np.where(is_hit, smaller, 1.0) < NOISE) & (smaller < (1 - ROUNDING) * r)
-        radius[active[is_hit]], touching[active[is_hit]] = smaller[is_hit], found[is_hit]
-        grows[active[is_hit]] = False
-        is_open = ~is_hit & grows[active] & (r < largest[active])
-        radius[active[is_open]] = np.minimum(2 * r, largest[active])[is_open]
-        active = active[is_hit | is_open]
+    largest, own = np.array(np.broadcast_to(largest, num), dtype=float), np.array(np.broadcast_to(own, num))
+    radius = np.array(np.broadcast_to(np.minimum(first, largest), num), dtype=float)
+    shrink(points, normals, largest, own, sites, radius, touching)
     return radius, touching
 
 
@@ -150,7 +161,7 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
     that the ball touches. A pole outside the bounding box of ``box`` counts as not found."""
     normals, every = unit(vertex_normals(sites, faces)), np.arange(len(sites))
     extent, box = float(np.ptp(sites, axis=0).max()), sites if box is None else box
-    radius, touching = shrinking_balls(sites, normals, spatial.KDTree(sites), 2 * THIN * extent, extent, every)
+    radius, touching = shrinking_balls(sites, normals, sites_of(sites), 2 * THIN * extent, extent, every)
     centre = sites - radius[:, None] * normals
     is_found = (touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
     corners = sites[faces]
@@ -166,9 +177,9 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
 
     The limb's radius is the maximum of r_u - SLOPE |u - v| over all u, with |u - v| along edges: the largest r, 2 THIN,
     minus a shortest path to v, from an extra node with an edge of length 2 THIN - r_u to each u."""
-    normals, tree, num, most = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices), len(vertices), 2 * THIN
+    normals, num, most = unit(vertex_normals(vertices, faces)), len(vertices), 2 * THIN
     every = np.arange(num)
-    radius = shrinking_balls(vertices, normals, tree, most, most, every)[0]
+    radius = shrinking_balls(vertices, normals, sites_of(vertices), most, most, every)[0]
     if (radius < THIN).mean() > FEW:
         tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
         length = SLOPE * np.linalg.norm(vertices[tail] - vertices[head], axis=1)
@@ -186,13 +197,13 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
     them would cost most of the time. The balls touch samples of the surface, which are also between its vertices."""
     samples, normals = shape.surface_points(MOST_SAMPLES)
-    tree, limit = spatial.KDTree(samples), np.zeros(len(points))
+    tree, sites, limit = spatial.KDTree(samples), sites_of(samples), np.zeros(len(points))
     for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
         left = np.flatnonzero(limit < longest)
         away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))
         enough, radius = np.zeros((2, len(samples)))
         np.maximum.at(enough, near, longest[left, None] + SLOPE * away)
         asked = np.flatnonzero(enough)
-        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked)[0]
+        radius[asked] = shrinking_balls(samples[asked], normals[asked], sites, 2 * THIN, enough[asked], asked)[0]
         limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
     return limit

@@ -242,7 +242,7 @@ def balls_behind(shape: Enclosure, points: np.ndarray, normals: np.ndarray) -> t
     samples of the surface a far nearer wall, such as the other side of a plate of two triangles, can be missed: none
     reaches beyond half of the chord behind its point."""
     points = points - TOUCHING / 2 * normals
-    radius = balls.shrinking_balls(points, normals, shape.samples.tree, 2 * balls.THIN, 1.0, own=-1)[0]
+    radius = balls.shrinking_balls(points, normals, shape.sites, 2 * balls.THIN, 1.0, own=-1)[0]
     centre = points - shape.ray_lengths(points, -normals, 2 * radius)[:, None] / 2 * normals
     return centre, shape.clearance(centre)
 

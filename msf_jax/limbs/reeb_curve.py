@@ -16,6 +16,7 @@ from msf_jax.limbs.fronts import distances
 from msf_jax.limbs.levels import levels
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit, vertex_normals
+from msf_jax.solid.kernels import sites_of
 
 
 class ReebCurve(NamedTuple):
@@ -34,7 +35,7 @@ def reeb_curve(shape: Enclosure) -> ReebCurve | None:
     length = np.linalg.norm(x[tail] - x[head], axis=1)
     longest = np.zeros(len(x))
     np.maximum.at(longest, np.concatenate([tail, head]), np.tile(length, 2))
-    asked, every = (x, unit(vertex_normals(x, faces)), spatial.KDTree(x)), np.arange(len(x))
+    asked, every = (x, unit(vertex_normals(x, faces)), sites_of(x)), np.arange(len(x))
     # Balls as large as their vertex's longest edge: on a fine surface nearly all are empty, and found at once.
     reach = balls.shrinking_balls(*asked, longest, longest, every)[0]
     if 2 * length[length > np.minimum(reach[tail], reach[head])].sum() <= length.sum():
@@ -42,7 +43,7 @@ def reeb_curve(shape: Enclosure) -> ReebCurve | None:
     radius = balls.shrinking_balls(*asked, 2 * balls.THIN, 1.0, every)[0]
     # A ball between few vertices can be too large, so the nearest vertices of all middles are asked for.
     middles = x - radius[:, None] * asked[1]
-    seed = int(np.where(shape.contains(middles), asked[2].query(middles)[0], 0.0).argmax())
+    seed = int(np.where(shape.contains(middles), spatial.KDTree(x).query(middles)[0], 0.0).argmax())
     start = middles[seed]
     # Wavefronts begin all around the largest ball: from one vertex of a rim, they would run obliquely along the limb.
     near = np.flatnonzero(np.linalg.norm(x - start, axis=1) <= 2 * radius[seed])

@@ -133,6 +133,243 @@ define noundef i64 @msf_jax.curve.branches.hold_apart(ptr readonly %0) local_unn
 123:
   ret i64 0
 }
+define noundef i64 @msf_jax.inside.balls.shrink(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 80
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 88
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 96
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 104
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 112
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 120
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 128
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 136
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 144
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 160
+  %34 = load ptr, ptr %33, align 8
+  %35 = icmp slt i64 %4, 1
+  br i1 %35, label %212, label %146
+36:
+  %37 = icmp eq i64 %179, 0
+  br i1 %37, label %124, label %38
+38:
+  %39 = phi i64 [ %179, %36 ], [ %115, %112 ]
+  %40 = icmp slt i64 %39, 0
+  %41 = select i1 %40, i64 %24, i64 0
+  %42 = add i64 %41, %39
+  %43 = mul i64 %42, %26
+  %44 = getelementptr double, ptr %22, i64 %43
+  %45 = load double, ptr %44, align 8
+  %46 = fsub double %45, %117
+  %47 = getelementptr i8, ptr %44, i64 24
+  %48 = load double, ptr %47, align 8
+  %49 = fsub double %117, %48
+  %50 = fcmp ogt double %49, %46
+  %51 = select i1 %50, double %49, double %46
+  %52 = fcmp olt double %51, 0.000000e+00
+  %53 = select i1 %52, double 0.000000e+00, double %51
+  %54 = getelementptr i8, ptr %44, i64 8
+  %55 = load double, ptr %54, align 8
+  %56 = fsub double %55, %119
+  %57 = getelementptr i8, ptr %44, i64 32
+  %58 = load double, ptr %57, align 8
+  %59 = fsub double %119, %58
+  %60 = fcmp ogt double %59, %56
+  %61 = select i1 %60, double %59, double %56
+  %62 = fcmp olt double %61, 0.000000e+00
+  %63 = select i1 %62, double 0.000000e+00, double %61
+  %64 = getelementptr i8, ptr %44, i64 16
+  %65 = load double, ptr %64, align 8
+  %66 = fsub double %65, %121
+  %67 = getelementptr i8, ptr %44, i64 40
+  %68 = load double, ptr %67, align 8
+  %69 = fsub double %121, %68
+  %70 = fcmp ogt double %69, %66
+  %71 = select i1 %70, double %69, double %66
+  %72 = fcmp olt double %71, 0.000000e+00
+  %73 = select i1 %72, double 0.000000e+00, double %71
+  %74 = fmul double %53, %53
+  %75 = fmul double %63, %63
+  %76 = fadd double %74, %75
+  %77 = fmul double %73, %73
+  %78 = fadd double %76, %77
+  %79 = fcmp ole double %78, %123
+  %80 = icmp sge i64 %39, %30
+  %81 = select i1 %79, i1 %80, i1 false
+  %82 = sub nsw i64 %39, %30
+  %83 = getelementptr i64, ptr %28, i64 %82
+  %84 = select i1 %81, ptr %83, ptr %174
+  %85 = load i64, ptr %84, align 8
+  %86 = icmp slt i64 %39, %30
+  %87 = select i1 %79, i1 %86, i1 false
+  br i1 %87, label %88, label %90
+88:
+  %89 = shl nsw i64 %39, 1
+  br label %178
+90:
+  %91 = add nsw i64 %39, 1
+  %92 = and i64 %39, 1
+  %93 = icmp eq i64 %92, 0
+  br i1 %93, label %99, label %94
+94:
+  %95 = phi i64 [ %96, %94 ], [ %91, %90 ]
+  %96 = ashr i64 %95, 1
+  %97 = and i64 %95, 2
+  %98 = icmp eq i64 %97, 0
+  br i1 %98, label %94, label %99
+99:
+  %100 = phi i64 [ %91, %90 ], [ %96, %94 ]
+  %101 = icmp sgt i64 %100, 1
+  %102 = select i1 %101, i64 %100, i64 0
+  br label %178
+103:
+  %104 = fmul double %204, %205
+  %105 = fsub double %199, %104
+  %106 = fmul double %199, 0x3FED0079302DD767
+  %107 = fcmp olt double %105, %106
+  br i1 %107, label %210, label %108
+108:
+  %109 = phi double [ %211, %210 ], [ %113, %103 ], [ %113, %181 ]
+  %110 = phi i64 [ %85, %210 ], [ %114, %103 ], [ %114, %181 ]
+  %111 = icmp eq i64 %179, 0
+  br i1 %111, label %124, label %135
+112:
+  %113 = phi double [ %164, %173 ], [ %136, %135 ]
+  %114 = phi i64 [ -1, %173 ], [ %137, %135 ]
+  %115 = phi i64 [ 1, %173 ], [ %138, %135 ]
+  %116 = fmul double %158, %113
+  %117 = fsub double %151, %116
+  %118 = fmul double %160, %113
+  %119 = fsub double %153, %118
+  %120 = fmul double %162, %113
+  %121 = fsub double %155, %120
+  %122 = fmul double %113, %113
+  %123 = fmul double %122, 0x3FF000000044B830
+  br label %38
+124:
+  %125 = phi double [ %109, %108 ], [ %113, %36 ]
+  %126 = phi i64 [ %110, %108 ], [ %114, %36 ]
+  %127 = icmp slt i64 %126, 0
+  br i1 %127, label %128, label %139
+128:
+  %129 = load double, ptr %177, align 8
+  %130 = fcmp olt double %125, %129
+  br i1 %130, label %131, label %139
+131:
+  %132 = fmul double %125, 2.000000e+00
+  %133 = fcmp olt double %129, %132
+  %134 = select i1 %133, double %129, double %132
+  br label %135
+135:
+  %136 = phi double [ %134, %131 ], [ %109, %108 ]
+  %137 = phi i64 [ %126, %131 ], [ %110, %108 ]
+  %138 = phi i64 [ 1, %131 ], [ %179, %108 ]
+  br label %112
+139:
+  %140 = phi i64 [ %172, %171 ], [ %176, %124 ], [ %176, %128 ]
+  %141 = phi double [ %164, %171 ], [ %125, %124 ], [ %125, %128 ]
+  %142 = phi i64 [ -1, %171 ], [ %126, %124 ], [ %126, %128 ]
+  %143 = getelementptr i8, ptr %32, i64 %140
+  store double %141, ptr %143, align 8
+  %144 = getelementptr i64, ptr %34, i64 %147
+  store i64 %142, ptr %144, align 8
+  %145 = icmp eq i64 %4, %148
+  br i1 %145, label %212, label %146
+146:
+  %147 = phi i64 [ %148, %139 ], [ 0, %1 ]
+  %148 = add nuw nsw i64 %147, 1
+  %149 = mul i64 %147, %6
+  %150 = getelementptr double, ptr %2, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = getelementptr i8, ptr %150, i64 8
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr i8, ptr %150, i64 16
+  %155 = load double, ptr %154, align 8
+  %156 = mul i64 %147, %10
+  %157 = getelementptr double, ptr %8, i64 %156
+  %158 = load double, ptr %157, align 8
+  %159 = getelementptr i8, ptr %157, i64 8
+  %160 = load double, ptr %159, align 8
+  %161 = getelementptr i8, ptr %157, i64 16
+  %162 = load double, ptr %161, align 8
+  %163 = getelementptr double, ptr %32, i64 %147
+  %164 = load double, ptr %163, align 8
+  %165 = fmul double %158, %158
+  %166 = fmul double %162, %162
+  %167 = fadd double %165, %166
+  %168 = fmul double %160, %160
+  %169 = fadd double %168, %167
+  %170 = fcmp ogt double %169, 5.000000e-01
+  br i1 %170, label %173, label %171
+171:
+  %172 = shl i64 %147, 3
+  br label %139
+173:
+  %174 = getelementptr i64, ptr %14, i64 %147
+  %175 = load i64, ptr %174, align 8
+  %176 = shl i64 %147, 3
+  %177 = getelementptr i8, ptr %12, i64 %176
+  br label %112
+178:
+  %179 = phi i64 [ %102, %99 ], [ %89, %88 ]
+  %180 = icmp eq i64 %85, %175
+  br i1 %180, label %36, label %181
+181:
+  %182 = icmp slt i64 %85, 0
+  %183 = select i1 %182, i64 %18, i64 0
+  %184 = add i64 %183, %85
+  %185 = mul i64 %184, %20
+  %186 = getelementptr double, ptr %16, i64 %185
+  %187 = load double, ptr %186, align 8
+  %188 = getelementptr i8, ptr %186, i64 8
+  %189 = load double, ptr %188, align 8
+  %190 = getelementptr i8, ptr %186, i64 16
+  %191 = load double, ptr %190, align 8
+  %192 = fsub double %151, %187
+  %193 = fsub double %153, %189
+  %194 = fsub double %155, %191
+  %195 = fmul double %192, %192
+  %196 = fmul double %194, %194
+  %197 = fadd double %195, %196
+  %198 = fmul double %193, %193
+  %199 = fadd double %198, %197
+  %200 = fmul double %158, %192
+  %201 = fmul double %162, %194
+  %202 = fadd double %200, %201
+  %203 = fmul double %160, %193
+  %204 = fadd double %203, %202
+  %205 = fmul double %204, 2.000000e+00
+  %206 = fmul double %113, %205
+  %207 = fcmp ogt double %206, %199
+  %208 = fcmp ogt double %199, 0.000000e+00
+  %209 = and i1 %208, %207
+  br i1 %209, label %103, label %108
+210:
+  %211 = fdiv double %199, %205
+  br label %108
+212:
+  ret i64 0
+}
 declare i64 @llvm.smin.i64(i64, i64)
 define noundef i64 @msf_jax.solid.handles.add_crossings(ptr readonly %0) local_unnamed_addr {
   %2 = load ptr, ptr %0, align 8

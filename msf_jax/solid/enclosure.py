@@ -14,7 +14,7 @@ from scipy import spatial
 from msf_jax.solid import kernels
 from msf_jax.solid.geometry import ROUNDING, axes_across, cross, unit
 from msf_jax.solid.handles import Handles
-from msf_jax.solid.kernels import Mesh, tree_of
+from msf_jax.solid.kernels import Mesh, Sites, sites_of, tree_of
 from msf_jax.topology.graphs import HalfEdges, half_edges
 
 MOST_TESTED = 200  # tests of a side against a triangle, for each triangle, to find those that cross; fans need more
@@ -97,6 +97,11 @@ class Enclosure:
         # on the axis of a cone, as far from many samples.
         tree = spatial.KDTree(np.concatenate(points), leafsize=32, balanced_tree=False, compact_nodes=False)
         return Samples(tree, np.concatenate(owners))
+
+    @cached_property
+    def sites(self) -> Sites:
+        """The samples as the kernels take them."""
+        return sites_of(np.asarray(self.samples.tree.data))
 
     @cached_property
     def crossed(self) -> Crossed:

@@ -49,6 +49,19 @@ def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return boxes, order
 
 
+class Sites(NamedTuple):
+    """points: (S, 3). boxes: (2S, 6) and order: (S,), the tree of boxes of no size."""
+
+    points: Points
+    boxes: Points
+    order: Ints
+
+
+def sites_of(points: np.ndarray) -> Sites:
+    """The tree of ``points`` (S, 3)."""
+    return Sites(points, *tree_of(points, points))
+
+
 @part
 def dot(a: Vector, b: Vector) -> float:
     """a . b, summed in the order of NumPy's `einsum`."""

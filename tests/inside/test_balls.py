@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
-from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, PreprocessingOptions
 from msf_jax.base.errors import ConfigError
 from msf_jax.inside import balls
 from msf_jax.solid.geometry import unit, vertex_normals
+from msf_jax.solid.kernels import sites_of
 
 
 def test_balls_are_empty_and_touch_two_points():
@@ -18,13 +18,16 @@ def test_balls_are_empty_and_touch_two_points():
     points, faces = np.array(mesh.vertices), np.array(mesh.faces)
     normals = unit(vertex_normals(points, faces))
     every = np.arange(len(points))
-    radius, touching = balls.shrinking_balls(points, normals, spatial.KDTree(points), 0.02, 5.0, every)
+    radius, touching = balls.shrinking_balls(points, normals, sites_of(points), 0.02, 5.0, every)
     assert (touching >= 0).all() and (touching != every).all()
     centre = points - radius[:, None] * normals
     np.testing.assert_allclose(np.linalg.norm(points[touching] - centre, axis=1), radius, rtol=1e-9)
-    nearest = np.linalg.norm(points[None] - centre[:, None], axis=2).min(axis=1)  # by brute force
-    is_empty = nearest > (1 - 1e-6) * radius
-    assert is_empty.mean() > 0.9  # but for points beside the vertex, which count as noise
+    # By brute force: the least radius of all, but for points beside the vertex, which count as noise.
+    away = points[:, None] - points[None]
+    length2, depth = np.einsum("ijk,ijk->ij", away, away), np.einsum("ijk,ik->ij", away, normals)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = np.where((depth > 0) & (length2 - 2 * depth**2 < balls.NOISE * length2), length2 / (2 * depth), np.inf)
+    np.testing.assert_allclose(radius, found.min(axis=1), rtol=1e-9)
     cosine = np.einsum("ij,ij->i", unit(points - centre), unit(points[touching] - centre))
     assert cosine.max() < balls.NOISE + 1e-9
 
@@ -56,5 +59,5 @@ def test_a_ball_ends_where_rounding_finds_the_same_one_again():
         points = rng.uniform(-0.5, 0.5, (2, 3))
         normal = unit(rng.normal(size=3))
         points[1] = points[0] + apart * unit(rng.normal(size=3) - 2 * normal)
-        radius, _ = balls.shrinking_balls(points[:1], normal[None], spatial.KDTree(points), 0.01, 1.0, np.arange(1))
+        radius, _ = balls.shrinking_balls(points[:1], normal[None], sites_of(points), 0.01, 1.0, np.arange(1))
         assert 0 < radius[0] <= 1.0
