@@ -66,6 +66,8 @@ def bodies(shape: Enclosure) -> list[Body]:
     """The solids of a closed surface."""
     faces = shape.faces
     rows, parts = by_label(graphs.pieces(faces, len(shape.vertices))), []
+    if len(rows) == 1:
+        return [Body(np.unique(faces), rows[0], rows[0], False)]
     for mine in rows:
         member, corners = np.unique(faces[mine], return_inverse=True)
         parts.append(Enclosure(shape.vertices[member], corners.reshape(-1, 3)))
