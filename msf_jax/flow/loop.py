@@ -43,7 +43,7 @@ def contract(
         solid = Solid(checked.vertices, checked.faces)
         pins_given, pins = checked_pins(pins, checked)
         of_vertices = weights_of_vertices(weights, checked)
-        prepared = [begin(solid.prepare)]
+        prepared = begin(solid.prepare)
         states, reasons, parts = [], [], []
         for number, component in enumerate(checked.components):
             pins_here = np.flatnonzero(np.isin(checked.members[number], pins))
@@ -51,8 +51,6 @@ def contract(
             state = None
             try:
                 state = init(component, number, config, clock, pins_here, of_members)
-                if number == len(checked.components) - 1:  # after the searches for limbs, which are awaited first
-                    prepared.append(begin(getattr, solid.shape, "crossed"))
                 while (end := ending(state, config)) is None:
                     clock.check()
                     step(state, weights, config, clock)
@@ -80,8 +78,7 @@ def contract(
             solid = Solid(checked.vertices, checked.faces)
         elif not clock.reason:
             with clock.stage("report"):
-                for each in prepared:
-                    each.result()
+                prepared.result()
         run = assembly.assemble(checked, solid, pins_given, states, reasons, parts, weights, config, clock)
     if clock.was_pressed:
         count = len(run.history)
