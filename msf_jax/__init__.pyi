@@ -31,14 +31,14 @@ from msf_jax.gradients.replay import replay as replay
 from msf_jax.gradients.replay import replay_meso as replay_meso
 from msf_jax.gradients.track import Track as Track
 from msf_jax.gradients.track import track as track
-from msf_jax.inside.preprocessing import reconstruct as reconstruct
-from msf_jax.inside.preprocessing import voronoi_poles as voronoi_poles
-from msf_jax.limbs.one_branch import Branch as Branch
 from msf_jax.meshes.reading import MeshLike as MeshLike
 from msf_jax.meshes.reading import read_mesh as read_mesh
 from msf_jax.meshes.repair import Repair as Repair
+from msf_jax.preprocessing import reconstruct as reconstruct
+from msf_jax.preprocessing import voronoi_poles as voronoi_poles
 from msf_jax.skeleton.formats.importing import read_curve as read_curve
 from msf_jax.skeleton.framing import Frame as Frame
+from msf_jax.skeleton.pruning import Branch as Branch
 from msf_jax.skeleton.report import Report as Report
 from msf_jax.skeleton.rigging.rig import Rig as Rig
 from msf_jax.skeleton.skeleton import Skeleton as Skeleton

@@ -39,21 +39,6 @@ def nearest_on_branch(x: np.ndarray, edges: np.ndarray, points: np.ndarray, node
     return found
 
 
-def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """(E,) which edges stay if every loop is cut at its thinnest edge: the spanning forest of the thickest edges. The
-    thickness of an edge is the smaller radius at its ends; the larger radius breaks ties."""
-    order = np.lexsort((-radii[edges].max(axis=1), -radii[edges].min(axis=1)))
-    return graphs.shortest_forest(num_nodes, edges, np.argsort(order))
-
-
-def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | None) -> tuple[int, ...]:
-    """The node with the largest ball in each component, largest first; ``root``, if given, is first instead."""
-    label, size = graphs.labels(num_nodes, *edges.T), radii.copy()
-    size[[] if root is None else root] = np.inf
-    order = np.argsort(-size, kind="stable")
-    return tuple(order[np.sort(np.unique(label[order], return_index=True)[1])].tolist())
-
-
 def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -67,7 +67,7 @@ def take_steps(shape: Enclosure, handles: Handles, places: Places, step: np.ndar
     """The places after each ``step`` (N, 3) that the rule allows. ``shape`` may be about the same surface as that of
     ``handles`` with fewer triangles."""
     x, goal = places.x, Places(*(field.copy() for field in places))
-    is_free = step.any(axis=1)
+    is_free = (step != 0).any(axis=1)
     goal.x[is_free] += step[is_free]
     goal.clearance[is_free] = shape.distances(goal.x[is_free])
     edges = edges[is_free[edges].any(axis=1)]

@@ -12,12 +12,13 @@ from msf_jax.inside import balls
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.checking import Component
 from msf_jax.meso import edits, packing, ring_tables
+from msf_jax.meso.frame import UnitFrame, frame_of, sort_mesh
 from msf_jax.meso.meso import Meso
 from msf_jax.numerics import reconstruction
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import RESOLUTION, UnitFrame, frame_of, signed_volume, sort_mesh, triangle_areas
+from msf_jax.solid.geometry import RESOLUTION, signed_volume, triangle_areas
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rounded to the frame's grid

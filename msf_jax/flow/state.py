@@ -12,11 +12,11 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.gradients.replay import Tape, record
 from msf_jax.meso import ring_tables
+from msf_jax.meso.frame import UnitFrame
 from msf_jax.meso.meso import Meso
 from msf_jax.recording.records import ComponentRecord, Recording, Start, Step
 from msf_jax.skeleton.skeleton import Skeleton, Source, Stage
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.geometry import UnitFrame
 
 
 class Iteration(NamedTuple):

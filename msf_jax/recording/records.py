@@ -15,9 +15,10 @@ from msf_jax.base.decisions import Mixing, Part, Polynomial, Stretch
 from msf_jax.base.layout import FEW, Layout, capacity_for, layout_for
 from msf_jax.meso import packing
 from msf_jax.meso.edits import CollapseRound, SplitRound
+from msf_jax.meso.frame import UnitFrame
 from msf_jax.meso.meso import Compaction, Meso
 from msf_jax.numerics.reconstruction import LowPass
-from msf_jax.solid.geometry import RESOLUTION, UnitFrame
+from msf_jax.solid.geometry import RESOLUTION
 
 SPLIT_TOGETHER = 64  # splits in a round of a tape: a run's own rounds have some 300, then 50, then few
 

@@ -25,6 +25,7 @@ from trimesh import remesh
 
 from msf_jax.curve import branches, centring
 from msf_jax.curve.junctions import AXIS, Branches
+from msf_jax.skeleton import trees
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, axes_across, cross, unit
 from msf_jax.solid.solid import Solid, moved_inside
@@ -219,7 +220,7 @@ def direct_branches(skeleton: "Skeleton") -> Directed:
             for end in nodes[[0, -1]]:  # tips go first: sizes of junctions are below 1
                 shrunk = skeleton.radii[end] / (1 + skeleton.radii.max())
                 size[end] = 1 + np.median(skeleton.radii[nodes]) if degree[end] == 1 else shrunk
-        roots = branches.roots_of(num, skeleton.edges, size, None)
+        roots = trees.roots_of(num, skeleton.edges, size, None)
     pieces, above, whole = direct_paths(paths, roots)
     parent = [above.get(number, -1) for number in range(len(pieces))]
     return Directed(pieces, _whole(parent), list(above), _whole(whole), degree)

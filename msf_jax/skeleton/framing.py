@@ -20,9 +20,9 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.curve.junctions import nearest_to_lines
-from msf_jax.curve.resampling import add_corners
 from msf_jax.skeleton.centrelines import SectionLoop, limb_sections, section_of
 from msf_jax.skeleton.formats.writers import number
+from msf_jax.skeleton.resampling import add_corners
 from msf_jax.solid.geometry import arc_length, axes_across, cross, unit
 from msf_jax.topology import graphs
 

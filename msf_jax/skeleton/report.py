@@ -19,9 +19,10 @@ from scipy import spatial
 
 from msf_jax.base.writing import counted
 from msf_jax.curve import branches, handle_loops
-from msf_jax.limbs.one_branch import Branch, leaves_of
+from msf_jax.limbs.one_branch import leaves_of
 from msf_jax.meshes.repair import specks
 from msf_jax.skeleton.centrelines import volumes_of
+from msf_jax.skeleton.pruning import Branch
 from msf_jax.solid import crossings, sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, ROUNDING, arc_length, at, triangle_areas, unit

@@ -19,14 +19,14 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import counted, write_whole
-from msf_jax.curve import branches, finishing, resampling
+from msf_jax.curve import finishing
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.limbs import one_branch
 from msf_jax.limbs.tree import LimbTree
 from msf_jax.meshes.reading import MeshLike
 from msf_jax.recording.following import BoundSurface, record
-from msf_jax.skeleton import centrelines
+from msf_jax.skeleton import centrelines, pruning, resampling, trees
 from msf_jax.skeleton.report import Report, assessed
 from msf_jax.solid.geometry import arc_length
 from msf_jax.solid.solid import Solid
@@ -127,11 +127,11 @@ class Skeleton:
         return int((np.bincount(self.edges.ravel()) == 1).sum())
 
     @property
-    def branches(self) -> list[one_branch.Branch]:
+    def branches(self) -> list[pruning.Branch]:
         """The paths between nodes whose degree is not 2, with their length, slenderness and surface."""
         source = self.source
         share = None if source is None else np.bincount(self.mesh_map, source.areas, len(self.vertices))
-        return one_branch.measure(self.vertices, self.edges, self._slenderness, share)
+        return pruning.measure(self.vertices, self.edges, self._slenderness, share)
 
     @property
     def known_source(self) -> Source:
@@ -155,10 +155,10 @@ class Skeleton:
         return BoundSurface(source.solid, source.input_of_vertex, self.mesh_map[source.input_of_vertex])
 
     @cached_property
-    def _slenderness(self) -> np.ndarray | one_branch.Worth:
+    def _slenderness(self) -> np.ndarray | pruning.Worth:
         """(N,) the slenderness of each leaf on the solid's surface, which a run knows; else a function of the balls."""
         if self.source is None:
-            return one_branch.by_balls(self.vertices, self.radii)
+            return pruning.by_balls(self.vertices, self.radii)
         return one_branch.slenderness(self.source.limbs, self.source.solid.enter(self.vertices), self.edges)
 
     def prune(self, slenderness: float = 0.5) -> "Skeleton":
@@ -179,7 +179,7 @@ class Skeleton:
             leaf, _ = one_branch.choose(tree, tree.limbs(least, 0.5), solid.shape, solid.enter(x), edges, is_held)
             stays, target = one_branch.kept(x, edges, np.isin(np.arange(len(x)), leaf), is_held)
         else:
-            stays, target = one_branch.prune(len(x), edges, one_branch.by_balls(x, self.radii), least, is_held)
+            stays, target = pruning.prune(len(x), edges, pruning.by_balls(x, self.radii), least, is_held)
         rank = np.cumsum(stays) - 1
         result = changed(self, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target])
         pruned = self.report.pruned + self.num_leaves - result.num_leaves
@@ -236,10 +236,10 @@ class Skeleton:
         if root is not None and not is_node:
             expected = f'a node from 0 to {num - 1}, "soma", or None for the thickest node, or a point (x, y, z)'
             raise ConfigError(f"root is {root!r}: expected {expected}")
-        stays = branches.cut_loops(num, self.edges, self.radii)
+        stays = trees.cut_loops(num, self.edges, self.radii)
         edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
         first = None if root is None else int(root) if why else self._tip_near(int(root))
-        roots = branches.roots_of(num, edges, self.radii, first)
+        roots = trees.roots_of(num, edges, self.radii, first)
         where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
         place = f"root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}{why}"
         note = f"a tree: {counted(len(gone), 'loop')} cut where thinnest{where}; {place}"

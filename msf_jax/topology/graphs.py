@@ -99,23 +99,6 @@ def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray
     )[2]
 
 
-def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict[int, int]:
-    """The parent of every node, -1 for a root. Parents come before their children, and loops are cut.
-
-    Components of the ``roots`` come first, in that order. The root of any other component is a leaf if it has one."""
-    graph = nx.Graph()
-    graph.add_nodes_from(range(num_nodes))
-    graph.add_edges_from(edges.tolist())
-    others = [component for component in nx.connected_components(graph) if component.isdisjoint(roots)]
-    starts = [min([node for node in each if graph.degree[node] == 1] or each) for each in others]
-    parent: dict[int, int] = {}
-    for root in [*roots, *starts]:
-        if root not in parent:
-            parent[root] = -1
-            parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
-    return parent
-
-
 def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np.ndarray:
     """(E,) which edges are in the minimum spanning forest by ``length`` (E,), ties by number."""
     order = np.argsort(length, kind="stable")

@@ -10,7 +10,7 @@ import msf_jax
 ROOT = Path(msf_jax.__file__).parent
 ORDER = ["base", "topology", "numerics", "solid", "meshes", "inside", "meso", "limbs", "curve", "recording"]
 FOREIGN = {name: {"jax", "jaxlib", "jaxopt"} for name in ORDER[1:]} | {"device": {"numpy", "scipy", "trimesh"}}
-ORDER += ["device", "metrics", "view", "skeleton", "gradients", "flow", "shapes", "tuning", "guide"]
+ORDER += ["device", "metrics", "preprocessing", "view", "skeleton", "gradients", "flow", "shapes", "tuning", "guide"]
 ORDER += ["app", "__main__"]
 
 

@@ -41,7 +41,7 @@ def _point(position: np.ndarray) -> str:
 def swc(skeleton: "Skeleton", label: int | None = None) -> str:
     """SWC (id, label, x, y, z, radius, parent): ids from 1, parents before children, -1 for the parent of a root; a
     tree's root first. If that is surely a soma, it is one node, see `gather_soma`. All others have the ``label``."""
-    from msf_jax.topology import graphs
+    from msf_jax.skeleton import trees
 
     vertices, edges, radii, roots = skeleton.vertices, skeleton.edges, skeleton.radii, skeleton.roots
     header = [f"# {WRITTEN}"]
@@ -55,7 +55,7 @@ def swc(skeleton: "Skeleton", label: int | None = None) -> str:
     header.append(f"# radius: {RADII[skeleton.radius_of]}")
     if units := " ".join(skeleton.units.split()):
         header += [UNITS + units, f"# Meta: {json.dumps({'units': units})}"]  # navis reads the second
-    parent = graphs.tree(len(vertices), edges, roots)
+    parent = trees.tree(len(vertices), edges, roots)
     row_of = {node: row for row, node in enumerate(parent, 1)} | {-1: -1}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in edges.tolist() if parent[a] != b and parent[b] != a]
     header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")

@@ -21,7 +21,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.curve import branches
+from msf_jax.skeleton import trees
 from msf_jax.skeleton.centrelines import direct_paths
 from msf_jax.solid.geometry import arc_length, at, to_segment, unit
 from msf_jax.topology import graphs
@@ -351,7 +351,7 @@ def bones_of(
     """
     num = len(vertices)
     tips = np.flatnonzero(graphs.degrees(num, edges) == 1)  # without those that cuts make
-    edges = edges[branches.cut_loops(num, edges, size)]
+    edges = edges[trees.cut_loops(num, edges, size)]
     plane = find_mirror(vertices, edges, tips)
     girdles = find_girdles(vertices, edges, radii, tips, plane)
     vertices, edges, size, target = _contract_short(vertices, edges, radii, size, {girdles.pelvis, girdles.shoulders})
@@ -361,7 +361,7 @@ def bones_of(
     rank = np.where(graphs.degrees(num, edges) > 2, 1, 0)  # of a root: the pelvis, then girdles, then junctions
     rank[target[girdles.nodes]] = 2
     rank[[pelvis] if pelvis >= 0 else []] = 3
-    roots = branches.roots_of(num, edges, rank + size / (1 + size.max()), None)
+    roots = trees.roots_of(num, edges, rank + size / (1 + size.max()), None)
     roots = [root for root in roots if target[root] == root]
     paths = _direct_paths(vertices, edges, size, roots, girdles.shoulders)
     if plane is not None:

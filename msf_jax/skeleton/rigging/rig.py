@@ -33,6 +33,7 @@ from msf_jax.curve import branches
 from msf_jax.limbs.ends import laplacian
 from msf_jax.meshes import reading, scenes
 from msf_jax.numerics.factors import surface_factor
+from msf_jax.skeleton import trees
 from msf_jax.skeleton.rigging.bones import STANDARDS, bones_of
 from msf_jax.solid.geometry import repeated
 from msf_jax.topology import graphs
@@ -141,7 +142,7 @@ def rigged(skeleton: "Skeleton", mesh: "reading.MeshLike | None", names: str | N
     least = LEAST_DISTANCE * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     away = np.maximum.reduce([np.linalg.norm(vertices - nodes[node], axis=1), size[node], np.full(len(node), least)])
     weights = heat_weights(vertices, faces, HEAT_REACH * away, bones.of_node[node], len(bones.joints))
-    cuts = edges[np.logical_not(branches.cut_loops(len(nodes), edges, size))]
+    cuts = edges[np.logical_not(trees.cut_loops(len(nodes), edges, size))]
     weights = subtract_rest(weights) if len(cuts) else reduce_along_tree(weights, bones.parents)
     notes = list(bones.notes)
     if len(cuts):

@@ -9,8 +9,8 @@ from graph_cases import GRAPHS, as_edges, chain, degrees, graphs
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.limbs import one_branch
-from msf_jax.limbs.one_branch import by_balls, measure
+from msf_jax.skeleton import pruning
+from msf_jax.skeleton.pruning import by_balls, measure
 
 Balls = tuple[np.ndarray, np.ndarray, np.ndarray]
 
@@ -27,7 +27,7 @@ def star_of(lengths: list[float], radius: float, step: float = 0.25) -> Balls:
 
 def prune(vertices, edges, radii, least: float, is_held: np.ndarray | None = None):
     is_held = np.zeros(len(vertices), dtype=bool) if is_held is None else is_held
-    return one_branch.prune(len(vertices), edges, by_balls(vertices, radii), least, is_held)
+    return pruning.prune(len(vertices), edges, by_balls(vertices, radii), least, is_held)
 
 
 def branches_of(vertices, edges, radii, share=None):

@@ -5,8 +5,9 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
+from msf_jax import preprocessing
 from msf_jax.base.errors import ConfigError
-from msf_jax.inside import balls, preprocessing
+from msf_jax.inside import balls
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
