@@ -112,10 +112,10 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     below[ring], above[ring], own[ring] = piece[lower], piece[lower + 1], level
     found = np.zeros((len(own), 14))
     measure_rings(points, segments, ring, found)
-    perimeter, middle, area, centre, normal, point = np.split(found, [1, 4, 5, 8, 11], axis=1)
+    perimeter, middle, area, centre, normal, last = np.split(found, [1, 4, 5, 8, 11], axis=1)
     # A ring without a length is a point: all of its segments start and end there.
     centre = np.where(area <= ROUNDING * perimeter**2, middle, centre / np.maximum(area, 1e-300))
-    centre = np.where(perimeter > 0, centre, point)
+    centre = np.where(perimeter > 0, centre, last)
     size = (area / np.maximum(perimeter, 1e-300))[:, 0]
     face, band = repeated((high - low)[longest] + 1)
     band += low[longest[face]]
