@@ -160,9 +160,10 @@ def _put(
     if sizes.max() < THIN * radii[widest]:
         meet, off = middle_of_ball(shape, x[widest]), 0 * off
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
-    # ball is smaller than those of its branches.
-    second = float(np.sort(sizes)[-2])
-    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * second
+    # ball is smaller than those of its branches, or at the wall of a trunk, which goes on as thick.
+    *_, second, first = np.sort(sizes).tolist()
+    least = second if second >= KEPT * first else sizes.min()
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * least
     share = min(second / radii[widest], 1.0)
     if (off > APART * share * sizes).any() and not is_at_wall:
         return False
