@@ -155,3 +155,14 @@ def test_a_junction_in_a_ball_with_thin_branches_is_its_middle():
     edges = np.concatenate([np.stack([np.r_[0, k + 1 : k + 35], k + 1 + np.arange(35)], axis=1) for k in (0, 35, 70)])
     found = moved(Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), np.concatenate([first, *legs]), edges)
     assert np.linalg.norm(found[0]) < 0.1 * 5
+
+
+@pytest.mark.parametrize(("aside", "moves"), [(0.6, False), (1.8, True)])
+def test_a_junction_at_the_wall_of_a_trunk_meets_lines_that_pass_each_other(aside, moves):
+    """The trunk's two sides run 0.45 of its radius beside its axis. Its ball tells, and not that of the thin branch."""
+    shape, x, edges, (first,) = side_branches(0.0)
+    height = np.clip(x[:60, 2] - x[first, 2], -1.0, 1.0)
+    x[:60, 0] += 1.35 * height
+    x[first, 1] += aside
+    assert 1.0 < shape.clearance(x[[first]])[0] < 2.6
+    assert (np.abs(moved(shape, x, edges)[first] - x[first]).max() > 0.5) == moves
