@@ -160,12 +160,14 @@ def _put(
     if sizes.max() < THIN * radii[widest]:
         meet, off = middle_of_ball(shape, x[widest]), 0 * off
     # Lines that pass each other tell less than sections beyond, but more than a junction in front of a crotch, whose
-    # ball is smaller than those of its branches, or at the wall of a trunk, which goes on as thick.
+    # ball is smaller than those of its branches, or at the wall of a trunk, whose two sides are about as thick.
     *_, second, first = np.sort(sizes).tolist()
-    least = second if second >= KEPT * first else sizes.min()
-    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * least
+    usual = second if second >= KEPT * first else sizes.min()
+    is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * usual
     share = min(second / radii[widest], 1.0)
-    if (off > APART * share * sizes).any() and not is_at_wall:
+    # A line tells less by as much as its branch bends on the way there.
+    bend = [np.linalg.norm(each.parabola[2]) * each.along[each.first] ** 2 for each in axes]
+    if (off > APART * share * sizes + bend).any() and not is_at_wall:
         return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []
     for path, along, size, first, parabola in axes:

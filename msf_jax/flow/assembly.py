@@ -165,7 +165,9 @@ def _finished_skeleton(stitched: Stitched, checked: Surface, report: Report, sou
     found = one_branch.opened(*curve, lids_of_repair(checked)) if checked.rims else None
     if found is None or not len(found.ends):
         return _skeleton(stitched, checked, report, source, clock)
-    source = replace(source, solid=Solid(checked.vertices, checked.faces, found.lids))
+    solid = Solid(checked.vertices, checked.faces, found.lids)
+    solid.shape = source.solid.shape  # the same, with its trees and crossings
+    source = replace(source, solid=solid)
     node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
     num = counted(len(found.ends), "opening")

@@ -29,7 +29,7 @@ from msf_jax.base.errors import FlowError
 from msf_jax.numerics.compiled import Ints, Points, Reals, kernel
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, cross, largest_of_each, unit, vertex_normals
-from msf_jax.solid.kernels import Sites, dot, is_within, minus, onward, point_of, sites_of
+from msf_jax.solid.kernels import dot, is_within, minus, onward, point_of, tree_of
 from msf_jax.topology import graphs
 
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
@@ -42,6 +42,7 @@ FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as n
 
 
 Radius = float | np.ndarray
+Tree = tuple[np.ndarray, np.ndarray]
 
 
 class Poles(NamedTuple):
@@ -110,27 +111,33 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None =
 
 @kernel
 def shrink(
-    points: Points, normals: Points, largest: Reals, own: Ints, sites: Sites, radius: Reals, touching: Ints
+    points: Points,
+    normals: Points,
+    largest: Reals,
+    own: Ints,
+    boxes: Points,
+    order: Ints,
+    radius: Reals,
+    touching: Ints,
 ) -> None:
     """See `shrinking_balls`; ``radius`` (P,) holds the first radii, ``touching`` (P,) -1.
 
     A ball that shrinks stays in the one before, so one search of the tree is enough."""
-    num = len(sites.order)
+    num = len(order)
     for row in range(len(points)):
         v, n, r, hit = point_of(points, row), point_of(normals, row), radius[row], -1
         is_growing = dot(n, n) > 0.5  # points without a normal keep the first radius
         while is_growing:
             node = 1
             while node:
-                is_met = is_within((v[0] - r * n[0], v[1] - r * n[1], v[2] - r * n[2]), sites.boxes, node, r * r)
-                q = sites.order[node - num] if is_met and node >= num else own[row]
-                node = onward(node, num, is_met)
-                if q == own[row]:
-                    continue
-                away = minus(v, point_of(sites.points, q))
+                is_met = is_within((v[0] - r * n[0], v[1] - r * n[1], v[2] - r * n[2]), boxes, node, r * r)
+                q = order[node - num] if is_met and node >= num else own[row]
+                away = minus(v, point_of(boxes, node))
                 length2, depth = dot(away, away), dot(away, n)
+                node = onward(node, num, is_met)
                 # n . (q - c) / r is the cosine of the angle between v and q at the new centre c.
-                if 2 * depth * r > length2 > 0 and length2 - 2 * depth * depth < NOISE * length2:
+                is_hit = q != own[row] and 2 * depth * r > length2 > 0
+                if is_hit and length2 - 2 * depth * depth < NOISE * length2:
                     r, hit = length2 / (2 * depth), q
             is_growing = hit < 0 and r < largest[row]
             if is_growing:
@@ -139,19 +146,20 @@ def shrink(
 
 
 def shrinking_balls(
-    points: np.ndarray, normals: np.ndarray, sites: Sites, first: Radius, largest: Radius, own: np.ndarray | int
+    points: np.ndarray, normals: np.ndarray, sites: Tree, first: Radius, largest: Radius, own: np.ndarray | int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the ``sites``.
+    """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the ``sites``, of which
+    `kernels.tree_of` makes the tree.
 
-    Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
-    the sites, because a point is not its own hit, or -1 if the points are none of them.
+    Radii start at ``first``, above 0, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each
+    point in the sites, because a point is not its own hit, or -1 if the points are none of them.
 
     Returns the radii (P,), and the other site (P,) that each ball touches; -1 if it touches none, because it has the
     largest radius, or the point has no normal and its ball the first radius."""
     num, touching = len(points), np.full(len(points), -1)
     largest, own = np.array(np.broadcast_to(largest, num), dtype=float), np.array(np.broadcast_to(own, num))
     radius = np.array(np.broadcast_to(np.minimum(first, largest), num), dtype=float)
-    shrink(points, normals, largest, own, sites, radius, touching)
+    shrink(points, normals, largest, own, *sites, radius, touching)
     return radius, touching
 
 
@@ -161,7 +169,7 @@ def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = No
     that the ball touches. A pole outside the bounding box of ``box`` counts as not found."""
     normals, every = unit(vertex_normals(sites, faces)), np.arange(len(sites))
     extent, box = float(np.ptp(sites, axis=0).max()), sites if box is None else box
-    radius, touching = shrinking_balls(sites, normals, sites_of(sites), 2 * THIN * extent, extent, every)
+    radius, touching = shrinking_balls(sites, normals, tree_of(sites, sites), 2 * THIN * extent, extent, every)
     centre = sites - radius[:, None] * normals
     is_found = (touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
     corners = sites[faces]
@@ -179,7 +187,7 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
     minus a shortest path to v, from an extra node with an edge of length 2 THIN - r_u to each u."""
     normals, num, most = unit(vertex_normals(vertices, faces)), len(vertices), 2 * THIN
     every = np.arange(num)
-    radius = shrinking_balls(vertices, normals, sites_of(vertices), most, most, every)[0]
+    radius = shrinking_balls(vertices, normals, tree_of(vertices, vertices), most, most, every)[0]
     if (radius < THIN).mean() > FEW:
         tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
         length = SLOPE * np.linalg.norm(vertices[tail] - vertices[head], axis=1)
@@ -197,7 +205,7 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
     them would cost most of the time. The balls touch samples of the surface, which are also between its vertices."""
     samples, normals = shape.surface_points(MOST_SAMPLES)
-    tree, sites, limit = spatial.KDTree(samples), sites_of(samples), np.zeros(len(points))
+    tree, sites, limit = spatial.KDTree(samples), tree_of(samples, samples), np.zeros(len(points))
     for count in (1, min(NEAREST_SAMPLES, len(samples))):  # the nearest ball is enough at most points
         left = np.flatnonzero(limit < longest)
         away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))

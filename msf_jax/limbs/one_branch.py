@@ -166,7 +166,7 @@ def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place:
     of the nearest ball from which the way there is inside, or else the nearest node."""
     away = np.linalg.norm(vertices - place, axis=1)
     near = np.argsort(away - radius, kind="stable")
-    for some in np.split(near, 2 ** np.arange(len(near).bit_length())):  # mostly one of the first few
+    for some in np.split(near, 2 ** np.arange((len(near) - 1).bit_length())):  # mostly one of the first few
         is_open = shape.holds(vertices[some], np.repeat(place[None], len(some), axis=0))
         if is_open.any():
             return int(some[is_open.argmax()])

@@ -16,7 +16,7 @@ from msf_jax.limbs.fronts import distances
 from msf_jax.limbs.levels import levels
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import unit, vertex_normals
-from msf_jax.solid.kernels import sites_of
+from msf_jax.solid.kernels import tree_of
 
 
 class ReebCurve(NamedTuple):
@@ -35,7 +35,7 @@ def reeb_curve(shape: Enclosure) -> ReebCurve | None:
     length = np.linalg.norm(x[tail] - x[head], axis=1)
     longest = np.zeros(len(x))
     np.maximum.at(longest, np.concatenate([tail, head]), np.tile(length, 2))
-    asked, every = (x, unit(vertex_normals(x, faces)), sites_of(x)), np.arange(len(x))
+    asked, every = (x, unit(vertex_normals(x, faces)), tree_of(x, x)), np.arange(len(x))
     # Balls as large as their vertex's longest edge: on a fine surface nearly all are empty, and found at once.
     reach = balls.shrinking_balls(*asked, longest, longest, every)[0]
     if 2 * length[length > np.minimum(reach[tail], reach[head])].sum() <= length.sum():

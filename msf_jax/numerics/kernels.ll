@@ -158,216 +158,191 @@ define noundef i64 @msf_jax.inside.balls.shrink(ptr readonly %0) local_unnamed_a
   %23 = getelementptr i8, ptr %0, i64 112
   %24 = load i64, ptr %23, align 8
   %25 = getelementptr i8, ptr %0, i64 120
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %0, i64 128
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 136
   %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr i8, ptr %0, i64 136
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr i8, ptr %0, i64 144
-  %32 = load ptr, ptr %31, align 8
-  %33 = getelementptr i8, ptr %0, i64 160
-  %34 = load ptr, ptr %33, align 8
-  %35 = icmp slt i64 %4, 1
-  br i1 %35, label %212, label %146
-36:
-  %37 = icmp eq i64 %179, 0
-  br i1 %37, label %124, label %38
-38:
-  %39 = phi i64 [ %179, %36 ], [ %115, %112 ]
-  %40 = icmp slt i64 %39, 0
-  %41 = select i1 %40, i64 %24, i64 0
-  %42 = add i64 %41, %39
-  %43 = mul i64 %42, %26
-  %44 = getelementptr double, ptr %22, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = fsub double %45, %117
-  %47 = getelementptr i8, ptr %44, i64 24
-  %48 = load double, ptr %47, align 8
-  %49 = fsub double %117, %48
-  %50 = fcmp ogt double %49, %46
-  %51 = select i1 %50, double %49, double %46
-  %52 = fcmp olt double %51, 0.000000e+00
-  %53 = select i1 %52, double 0.000000e+00, double %51
-  %54 = getelementptr i8, ptr %44, i64 8
-  %55 = load double, ptr %54, align 8
-  %56 = fsub double %55, %119
-  %57 = getelementptr i8, ptr %44, i64 32
-  %58 = load double, ptr %57, align 8
-  %59 = fsub double %119, %58
-  %60 = fcmp ogt double %59, %56
-  %61 = select i1 %60, double %59, double %56
-  %62 = fcmp olt double %61, 0.000000e+00
-  %63 = select i1 %62, double 0.000000e+00, double %61
-  %64 = getelementptr i8, ptr %44, i64 16
-  %65 = load double, ptr %64, align 8
-  %66 = fsub double %65, %121
-  %67 = getelementptr i8, ptr %44, i64 40
-  %68 = load double, ptr %67, align 8
-  %69 = fsub double %121, %68
-  %70 = fcmp ogt double %69, %66
-  %71 = select i1 %70, double %69, double %66
-  %72 = fcmp olt double %71, 0.000000e+00
-  %73 = select i1 %72, double 0.000000e+00, double %71
-  %74 = fmul double %53, %53
-  %75 = fmul double %63, %63
-  %76 = fadd double %74, %75
-  %77 = fmul double %73, %73
-  %78 = fadd double %76, %77
-  %79 = fcmp ole double %78, %123
-  %80 = icmp sge i64 %39, %30
-  %81 = select i1 %79, i1 %80, i1 false
-  %82 = sub nsw i64 %39, %30
-  %83 = getelementptr i64, ptr %28, i64 %82
-  %84 = select i1 %81, ptr %83, ptr %174
-  %85 = load i64, ptr %84, align 8
-  %86 = icmp slt i64 %39, %30
-  %87 = select i1 %79, i1 %86, i1 false
-  br i1 %87, label %88, label %90
-88:
-  %89 = shl nsw i64 %39, 1
-  br label %178
-90:
-  %91 = add nsw i64 %39, 1
-  %92 = and i64 %39, 1
-  %93 = icmp eq i64 %92, 0
-  br i1 %93, label %99, label %94
-94:
-  %95 = phi i64 [ %96, %94 ], [ %91, %90 ]
-  %96 = ashr i64 %95, 1
-  %97 = and i64 %95, 2
-  %98 = icmp eq i64 %97, 0
-  br i1 %98, label %94, label %99
-99:
-  %100 = phi i64 [ %91, %90 ], [ %96, %94 ]
-  %101 = icmp sgt i64 %100, 1
-  %102 = select i1 %101, i64 %100, i64 0
-  br label %178
+  %29 = icmp slt i64 %4, 1
+  br i1 %29, label %189, label %137
+30:
+  %31 = phi double [ %155, %164 ], [ %128, %127 ]
+  %32 = phi i64 [ -1, %164 ], [ %116, %127 ]
+  %33 = phi i64 [ 1, %164 ], [ %129, %127 ]
+  %34 = fmul double %149, %31
+  %35 = fsub double %142, %34
+  %36 = fmul double %151, %31
+  %37 = fsub double %144, %36
+  %38 = fmul double %153, %31
+  %39 = fsub double %146, %38
+  %40 = fmul double %31, %31
+  %41 = icmp slt i64 %33, 0
+  %42 = select i1 %41, i64 %18, i64 0
+  %43 = add i64 %42, %33
+  %44 = mul i64 %43, %20
+  %45 = getelementptr double, ptr %16, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = fsub double %46, %35
+  %48 = getelementptr i8, ptr %45, i64 24
+  %49 = load double, ptr %48, align 8
+  %50 = fsub double %35, %49
+  %51 = fcmp ogt double %50, %47
+  %52 = select i1 %51, double %50, double %47
+  %53 = fcmp olt double %52, 0.000000e+00
+  %54 = select i1 %53, double 0.000000e+00, double %52
+  %55 = getelementptr i8, ptr %45, i64 8
+  %56 = load double, ptr %55, align 8
+  %57 = fsub double %56, %37
+  %58 = getelementptr i8, ptr %45, i64 32
+  %59 = load double, ptr %58, align 8
+  %60 = fsub double %37, %59
+  %61 = fcmp ogt double %60, %57
+  %62 = select i1 %61, double %60, double %57
+  %63 = fcmp olt double %62, 0.000000e+00
+  %64 = select i1 %63, double 0.000000e+00, double %62
+  %65 = getelementptr i8, ptr %45, i64 16
+  %66 = load double, ptr %65, align 8
+  %67 = fsub double %66, %39
+  %68 = getelementptr i8, ptr %45, i64 40
+  %69 = load double, ptr %68, align 8
+  %70 = fsub double %39, %69
+  %71 = fcmp ogt double %70, %67
+  %72 = select i1 %71, double %70, double %67
+  %73 = fcmp olt double %72, 0.000000e+00
+  %74 = select i1 %73, double 0.000000e+00, double %72
+  %75 = fmul double %54, %54
+  %76 = fmul double %64, %64
+  %77 = fadd double %75, %76
+  %78 = fmul double %74, %74
+  %79 = fadd double %77, %78
+  %80 = fmul double %40, 0x3FF000000044B830
+  %81 = fcmp ole double %79, %80
+  %82 = icmp sge i64 %33, %24
+  %83 = select i1 %81, i1 %82, i1 false
+  %84 = sub nsw i64 %33, %24
+  %85 = getelementptr i64, ptr %22, i64 %84
+  %86 = select i1 %83, ptr %85, ptr %165
+  %87 = load i64, ptr %86, align 8
+  %88 = fsub double %142, %46
+  %89 = fsub double %144, %56
+  %90 = fsub double %146, %66
+  %91 = fmul double %88, %88
+  %92 = fmul double %90, %90
+  %93 = fadd double %91, %92
+  %94 = fmul double %89, %89
+  %95 = fadd double %94, %93
+  %96 = fmul double %149, %88
+  %97 = fmul double %153, %90
+  %98 = fadd double %96, %97
+  %99 = fmul double %151, %89
+  %100 = fadd double %99, %98
+  %101 = icmp slt i64 %33, %24
+  %102 = select i1 %81, i1 %101, i1 false
+  br i1 %102, label %169, label %171
 103:
-  %104 = fmul double %204, %205
-  %105 = fsub double %199, %104
-  %106 = fmul double %199, 0x3FED0079302DD767
-  %107 = fcmp olt double %105, %106
-  br i1 %107, label %210, label %108
-108:
-  %109 = phi double [ %211, %210 ], [ %113, %103 ], [ %113, %181 ]
-  %110 = phi i64 [ %85, %210 ], [ %114, %103 ], [ %114, %181 ]
-  %111 = icmp eq i64 %179, 0
-  br i1 %111, label %124, label %135
-112:
-  %113 = phi double [ %164, %173 ], [ %136, %135 ]
-  %114 = phi i64 [ -1, %173 ], [ %137, %135 ]
-  %115 = phi i64 [ 1, %173 ], [ %138, %135 ]
-  %116 = fmul double %158, %113
-  %117 = fsub double %151, %116
-  %118 = fmul double %160, %113
-  %119 = fsub double %153, %118
-  %120 = fmul double %162, %113
-  %121 = fsub double %155, %120
-  %122 = fmul double %113, %113
-  %123 = fmul double %122, 0x3FF000000044B830
-  br label %38
-124:
-  %125 = phi double [ %109, %108 ], [ %113, %36 ]
-  %126 = phi i64 [ %110, %108 ], [ %114, %36 ]
-  %127 = icmp slt i64 %126, 0
-  br i1 %127, label %128, label %139
-128:
-  %129 = load double, ptr %177, align 8
-  %130 = fcmp olt double %125, %129
-  br i1 %130, label %131, label %139
-131:
-  %132 = fmul double %125, 2.000000e+00
-  %133 = fcmp olt double %129, %132
-  %134 = select i1 %133, double %129, double %132
-  br label %135
-135:
-  %136 = phi double [ %134, %131 ], [ %109, %108 ]
-  %137 = phi i64 [ %126, %131 ], [ %110, %108 ]
-  %138 = phi i64 [ 1, %131 ], [ %179, %108 ]
-  br label %112
-139:
-  %140 = phi i64 [ %172, %171 ], [ %176, %124 ], [ %176, %128 ]
-  %141 = phi double [ %164, %171 ], [ %125, %124 ], [ %125, %128 ]
-  %142 = phi i64 [ -1, %171 ], [ %126, %124 ], [ %126, %128 ]
-  %143 = getelementptr i8, ptr %32, i64 %140
-  store double %141, ptr %143, align 8
-  %144 = getelementptr i64, ptr %34, i64 %147
-  store i64 %142, ptr %144, align 8
-  %145 = icmp eq i64 %4, %148
-  br i1 %145, label %212, label %146
-146:
-  %147 = phi i64 [ %148, %139 ], [ 0, %1 ]
-  %148 = add nuw nsw i64 %147, 1
-  %149 = mul i64 %147, %6
-  %150 = getelementptr double, ptr %2, i64 %149
+  %104 = fmul double %100, 2.000000e+00
+  %105 = fmul double %31, %104
+  %106 = fcmp ogt double %105, %95
+  %107 = fcmp ogt double %95, 0.000000e+00
+  %108 = and i1 %107, %106
+  br i1 %108, label %109, label %114
+109:
+  %110 = fmul double %100, %104
+  %111 = fsub double %95, %110
+  %112 = fmul double %95, 0x3FED0079302DD767
+  %113 = fcmp olt double %111, %112
+  br i1 %113, label %187, label %114
+114:
+  %115 = phi double [ %188, %187 ], [ %31, %109 ], [ %31, %103 ], [ %31, %184 ]
+  %116 = phi i64 [ %87, %187 ], [ %32, %109 ], [ %32, %103 ], [ %32, %184 ]
+  %117 = icmp eq i64 %185, 0
+  br i1 %117, label %118, label %127
+118:
+  %119 = icmp slt i64 %116, 0
+  br i1 %119, label %120, label %130
+120:
+  %121 = load double, ptr %168, align 8
+  %122 = fcmp olt double %115, %121
+  br i1 %122, label %123, label %130
+123:
+  %124 = fmul double %115, 2.000000e+00
+  %125 = fcmp olt double %121, %124
+  %126 = select i1 %125, double %121, double %124
+  br label %127
+127:
+  %128 = phi double [ %115, %114 ], [ %126, %123 ]
+  %129 = phi i64 [ %185, %114 ], [ 1, %123 ]
+  br label %30
+130:
+  %131 = phi i64 [ %163, %162 ], [ %167, %118 ], [ %167, %120 ]
+  %132 = phi double [ %155, %162 ], [ %115, %118 ], [ %115, %120 ]
+  %133 = phi i64 [ -1, %162 ], [ %116, %118 ], [ %116, %120 ]
+  %134 = getelementptr i8, ptr %26, i64 %131
+  store double %132, ptr %134, align 8
+  %135 = getelementptr i64, ptr %28, i64 %138
+  store i64 %133, ptr %135, align 8
+  %136 = icmp eq i64 %4, %139
+  br i1 %136, label %189, label %137
+137:
+  %138 = phi i64 [ %139, %130 ], [ 0, %1 ]
+  %139 = add nuw nsw i64 %138, 1
+  %140 = mul i64 %138, %6
+  %141 = getelementptr double, ptr %2, i64 %140
+  %142 = load double, ptr %141, align 8
+  %143 = getelementptr i8, ptr %141, i64 8
+  %144 = load double, ptr %143, align 8
+  %145 = getelementptr i8, ptr %141, i64 16
+  %146 = load double, ptr %145, align 8
+  %147 = mul i64 %138, %10
+  %148 = getelementptr double, ptr %8, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = getelementptr i8, ptr %148, i64 8
   %151 = load double, ptr %150, align 8
-  %152 = getelementptr i8, ptr %150, i64 8
+  %152 = getelementptr i8, ptr %148, i64 16
   %153 = load double, ptr %152, align 8
-  %154 = getelementptr i8, ptr %150, i64 16
+  %154 = getelementptr double, ptr %26, i64 %138
   %155 = load double, ptr %154, align 8
-  %156 = mul i64 %147, %10
-  %157 = getelementptr double, ptr %8, i64 %156
-  %158 = load double, ptr %157, align 8
-  %159 = getelementptr i8, ptr %157, i64 8
-  %160 = load double, ptr %159, align 8
-  %161 = getelementptr i8, ptr %157, i64 16
-  %162 = load double, ptr %161, align 8
-  %163 = getelementptr double, ptr %32, i64 %147
-  %164 = load double, ptr %163, align 8
-  %165 = fmul double %158, %158
-  %166 = fmul double %162, %162
-  %167 = fadd double %165, %166
-  %168 = fmul double %160, %160
-  %169 = fadd double %168, %167
-  %170 = fcmp ogt double %169, 5.000000e-01
-  br i1 %170, label %173, label %171
+  %156 = fmul double %149, %149
+  %157 = fmul double %153, %153
+  %158 = fadd double %156, %157
+  %159 = fmul double %151, %151
+  %160 = fadd double %159, %158
+  %161 = fcmp ogt double %160, 5.000000e-01
+  br i1 %161, label %164, label %162
+162:
+  %163 = shl i64 %138, 3
+  br label %130
+164:
+  %165 = getelementptr i64, ptr %14, i64 %138
+  %166 = load i64, ptr %165, align 8
+  %167 = shl i64 %138, 3
+  %168 = getelementptr i8, ptr %12, i64 %167
+  br label %30
+169:
+  %170 = shl nsw i64 %33, 1
+  br label %184
 171:
-  %172 = shl i64 %147, 3
-  br label %139
-173:
-  %174 = getelementptr i64, ptr %14, i64 %147
-  %175 = load i64, ptr %174, align 8
-  %176 = shl i64 %147, 3
-  %177 = getelementptr i8, ptr %12, i64 %176
-  br label %112
-178:
-  %179 = phi i64 [ %102, %99 ], [ %89, %88 ]
-  %180 = icmp eq i64 %85, %175
-  br i1 %180, label %36, label %181
-181:
-  %182 = icmp slt i64 %85, 0
-  %183 = select i1 %182, i64 %18, i64 0
-  %184 = add i64 %183, %85
-  %185 = mul i64 %184, %20
-  %186 = getelementptr double, ptr %16, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = getelementptr i8, ptr %186, i64 8
-  %189 = load double, ptr %188, align 8
-  %190 = getelementptr i8, ptr %186, i64 16
-  %191 = load double, ptr %190, align 8
-  %192 = fsub double %151, %187
-  %193 = fsub double %153, %189
-  %194 = fsub double %155, %191
-  %195 = fmul double %192, %192
-  %196 = fmul double %194, %194
-  %197 = fadd double %195, %196
-  %198 = fmul double %193, %193
-  %199 = fadd double %198, %197
-  %200 = fmul double %158, %192
-  %201 = fmul double %162, %194
-  %202 = fadd double %200, %201
-  %203 = fmul double %160, %193
-  %204 = fadd double %203, %202
-  %205 = fmul double %204, 2.000000e+00
-  %206 = fmul double %113, %205
-  %207 = fcmp ogt double %206, %199
-  %208 = fcmp ogt double %199, 0.000000e+00
-  %209 = and i1 %208, %207
-  br i1 %209, label %103, label %108
-210:
-  %211 = fdiv double %199, %205
-  br label %108
-212:
+  %172 = add nsw i64 %33, 1
+  %173 = and i64 %33, 1
+  %174 = icmp eq i64 %173, 0
+  br i1 %174, label %180, label %175
+175:
+  %176 = phi i64 [ %177, %175 ], [ %172, %171 ]
+  %177 = ashr i64 %176, 1
+  %178 = and i64 %176, 2
+  %179 = icmp eq i64 %178, 0
+  br i1 %179, label %175, label %180
+180:
+  %181 = phi i64 [ %172, %171 ], [ %177, %175 ]
+  %182 = icmp sgt i64 %181, 1
+  %183 = select i1 %182, i64 %181, i64 0
+  br label %184
+184:
+  %185 = phi i64 [ %183, %180 ], [ %170, %169 ]
+  %186 = icmp eq i64 %87, %166
+  br i1 %186, label %114, label %103
+187:
+  %188 = fdiv double %95, %104
+  br label %114
+189:
   ret i64 0
 }
 declare i64 @llvm.smin.i64(i64, i64)

@@ -12,9 +12,9 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.solid import kernels
-from msf_jax.solid.geometry import ROUNDING, axes_across, cross, unit
+from msf_jax.solid.geometry import ROUNDING, axes_across, cross, distinct, unit
 from msf_jax.solid.handles import Handles
-from msf_jax.solid.kernels import Mesh, Sites, sites_of, tree_of
+from msf_jax.solid.kernels import Mesh, tree_of
 from msf_jax.topology.graphs import HalfEdges, half_edges
 
 MOST_TESTED = 200  # tests of a side against a triangle, for each triangle, to find those that cross; fans need more
@@ -99,9 +99,10 @@ class Enclosure:
         return Samples(tree, np.concatenate(owners))
 
     @cached_property
-    def sites(self) -> Sites:
-        """The samples as the kernels take them."""
-        return sites_of(np.asarray(self.samples.tree.data))
+    def sites(self) -> tuple[np.ndarray, np.ndarray]:
+        """The tree of the samples, see `kernels.tree_of`."""
+        points = np.asarray(self.samples.tree.data)
+        return tree_of(points, points)
 
     @cached_property
     def crossed(self) -> Crossed:
@@ -123,7 +124,8 @@ class Enclosure:
             off = self.vertices[corner] - self.centroids[over][:, None]
             height = np.einsum("pki,pi->pk", off, self.normals[over]) / (ROUNDING * self.extent)  # within 1, they touch
             is_through &= (height.min(axis=1) < -1) & (height.max(axis=1) > 1)
-        pairs = np.unique(np.sort(pairs[is_through], axis=1), axis=0)
+        pairs = np.sort(pairs[is_through], axis=1)
+        pairs = np.stack(np.divmod(distinct(pairs[:, 0] * len(self.faces) + pairs[:, 1]), len(self.faces)), axis=1)
         if len(pairs):
             place = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()
             one, other = place[self.faces[pairs.T]]

@@ -1,8 +1,9 @@
 """The compiled loops of a solid: nearest triangles, winding numbers, and hits of rays.
 
-They search a tree of bounding boxes of n triangles. The tree is a heap: the children of node k are 2 k and 2 k + 1, and
-node n + i is the box of triangle ``order[i]``: its lowest and its highest x, y and z. The search needs no stack. After
-node k and its descendants comes k + 1 or, if k + 1 is a left child, its first ancestor that is not a left child.
+They search a tree of bounding boxes of n triangles, or points. The tree is a heap: the children of node k are 2 k and
+2 k + 1, and node n + i is the box of triangle ``order[i]``: its lowest and its highest x, y and z. The search needs no
+stack. After node k and its descendants comes k + 1 or, if k + 1 is a left child, its first ancestor that is not a left
+child.
 
 The distance to a triangle is the distance to its nearest edge, or to its plane if the foot of the perpendicular is
 inside (Ericson 2005, 5.1.5).
@@ -47,19 +48,6 @@ def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         boxes[start:stop, 3:] = np.maximum(left[:, 3:], right[:, 3:])
         stop = start
     return boxes, order
-
-
-class Sites(NamedTuple):
-    """points: (S, 3). boxes: (2S, 6) and order: (S,), the tree of boxes of no size."""
-
-    points: Points
-    boxes: Points
-    order: Ints
-
-
-def sites_of(points: np.ndarray) -> Sites:
-    """The tree of ``points`` (S, 3)."""
-    return Sites(points, *tree_of(points, points))
 
 
 @part

@@ -10,7 +10,7 @@ from msf_jax import Config, PreprocessingOptions
 from msf_jax.base.errors import ConfigError
 from msf_jax.inside import balls
 from msf_jax.solid.geometry import unit, vertex_normals
-from msf_jax.solid.kernels import sites_of
+from msf_jax.solid.kernels import tree_of
 
 
 def test_balls_are_empty_and_touch_two_points():
@@ -18,7 +18,7 @@ def test_balls_are_empty_and_touch_two_points():
     points, faces = np.array(mesh.vertices), np.array(mesh.faces)
     normals = unit(vertex_normals(points, faces))
     every = np.arange(len(points))
-    radius, touching = balls.shrinking_balls(points, normals, sites_of(points), 0.02, 5.0, every)
+    radius, touching = balls.shrinking_balls(points, normals, tree_of(points, points), 0.02, 5.0, every)
     assert (touching >= 0).all() and (touching != every).all()
     centre = points - radius[:, None] * normals
     np.testing.assert_allclose(np.linalg.norm(points[touching] - centre, axis=1), radius, rtol=1e-9)
@@ -59,5 +59,5 @@ def test_a_ball_ends_where_rounding_finds_the_same_one_again():
         points = rng.uniform(-0.5, 0.5, (2, 3))
         normal = unit(rng.normal(size=3))
         points[1] = points[0] + apart * unit(rng.normal(size=3) - 2 * normal)
-        radius, _ = balls.shrinking_balls(points[:1], normal[None], sites_of(points), 0.01, 1.0, np.arange(1))
+        radius, _ = balls.shrinking_balls(points[:1], normal[None], tree_of(points, points), 0.01, 1.0, np.arange(1))
         assert 0 < radius[0] <= 1.0
