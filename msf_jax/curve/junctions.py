@@ -165,9 +165,10 @@ def _put(
     usual = second if second >= KEPT * first else sizes.min()
     is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * usual
     share = min(second / radii[widest], 1.0)
-    # A line tells less by as much as its branch bends on the way there.
+    # A line tells less by as much as its branch bends on the way there; it may be of use where the limb is not thin.
     bend = [np.linalg.norm(each.parabola[2]) * each.along[each.first] ** 2 for each in axes]
-    if (off > APART * share * sizes + bend).any() and not is_at_wall:
+    more = sizes / radii[widest] * np.minimum(bend, APART * sizes)
+    if (off > APART * share * sizes + more).any() and not is_at_wall:
         return False
     laid: list[tuple[np.ndarray, np.ndarray]] = []
     for path, along, size, first, parabola in axes:
