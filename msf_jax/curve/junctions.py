@@ -165,7 +165,7 @@ def _put(
     usual = second if second >= KEPT * first else sizes.min()
     is_at_wall = len(middle) == 1 and radii[middle[0]] < KEPT * usual
     share = min(second / radii[widest], 1.0)
-    # A line tells less by as much as its branch bends on the way there; it may be of use where the limb is not thin.
+    # Where a branch bends on the way there, its line is as much less sure, up to twice the limit; a thin limb's hardly.
     bend = [np.linalg.norm(each.parabola[2]) * each.along[each.first] ** 2 for each in axes]
     more = sizes / radii[widest] * np.minimum(bend, APART * sizes)
     if (off > APART * share * sizes + more).any() and not is_at_wall:
