@@ -9,7 +9,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax import metrics
-from msf_jax.base.clock import Clock
+from msf_jax.base.clock import Clock, begin
 from msf_jax.base.options import Config, Weights
 from msf_jax.base.writing import counted
 from msf_jax.curve import branches, finishing
@@ -150,8 +150,9 @@ def _skeleton(
     if not clock.reason:
         is_joined = report.joined_handles is not None
         about = *curve, lambda: skeleton.branches, is_joined, solid.lids
+        bare = begin(bare_ends, solid, vertices, edges) if is_finished else None
         found = assessed(*about) if is_finished else loops_of(*curve)
-        found["notes"] = (*report.notes, *(bare_ends(solid, vertices, edges) if is_finished else ()))
+        found["notes"] = (*report.notes, *(bare.result() if bare else ()))
     # The frozen skeleton has no other reader yet, and keeps what it knows of its leaves.
     vars(skeleton)["report"] = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return skeleton

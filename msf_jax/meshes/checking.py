@@ -186,12 +186,14 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     bad = np.flatnonzero(has_corner_twice(faces))
     if len(bad):
         raise MeshError(f"{count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them{OR_REPAIR}")
-    if (half_edges(faces).twin < 0).any():
+    twin = half_edges(faces).twin
+    if (twin < 0).any():
         vertices, faces, welded, vertex_of_input = _weld(vertices, faces)
+        twin = half_edges(faces).twin
         if welded:
             repairs.append(f"welded {welded} duplicate {'vertex' if welded == 1 else 'vertices'}")
             caller_number = np.unique(vertex_of_input, return_index=True)[1]
-    _check_edges(faces, caller_number)
+    _check_edges(faces, twin, caller_number)
 
     strays = np.empty((0, 3))
     used = np.zeros(len(vertices), dtype=bool)
@@ -204,7 +206,7 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         vertices, faces, vertex_of_input = vertices[used], number[faces], number[vertex_of_input]
         caller_number = caller_number[used]
 
-    vertices, faces, owner = _split_pinches(vertices, faces)
+    vertices, faces, owner = _split_pinches(vertices, faces, twin)
     input_of_vertex = np.concatenate([caller_number, caller_number[owner]])
     pinches = len(np.unique(owner))
     if pinches:
@@ -268,11 +270,14 @@ def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return vertices[first[order]], welded[~has_corner_twice(welded)], len(vertices) - len(first), number[inverse]
 
 
-def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
-    """Raise a `MeshError` unless every edge has two faces of consistent orientation. ``caller_number`` are the caller's
-    ids of vertices, for messages."""
+def _check_edges(faces: np.ndarray, twin: np.ndarray, caller_number: np.ndarray) -> None:
+    """Raise a `MeshError` unless every edge has two faces of consistent orientation, whose half-edges are each other's
+    ``twin`` (3F,). ``caller_number`` are the caller's ids of vertices, for messages."""
     if len(faces) == 0:
         raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
+    # The twin of a half-edge that occurs several times is none of them, but the sum of their numbers.
+    if ((twin >= 0) & (twin[twin % len(twin)] == np.arange(len(twin)))).all():
+        return
     edge, _, count = edge_codes(faces)
     origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
 
@@ -302,10 +307,12 @@ def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
         )
 
 
-def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _split_pinches(
+    vertices: np.ndarray, faces: np.ndarray, twin: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """One vertex per fan: the first fan keeps the vertex's id, the others get new vertices at the end. Returns
     vertices, faces, and the old vertex for each new one."""
-    parted, source = cut_apart(faces, half_edges(faces).twin)
+    parted, source = cut_apart(faces, twin)
     extra = np.flatnonzero(np.append(False, source[1:] == source[:-1]))
     extra = extra[np.argsort(np.unique(parted, return_index=True)[1][extra])]  # in the order of their first corners
     number = source.copy()

@@ -16,6 +16,7 @@ With s the arc length and x(s) the least-squares cubic over the nodes within a f
 """
 
 from collections.abc import Iterable, Sequence
+from functools import reduce
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -147,15 +148,16 @@ def volumes_of(
     branch, x, faces, tree = first_of(paths, len(nodes)), shape.vertices, shape.faces, spatial.KDTree(nodes)
     node = np.asarray(tree.query(x)[1]) if node_of_vertex is None else node_of_vertex
     for _ in range(MOST_SPLITS):
-        longest = np.linalg.norm(x[faces] - np.roll(x[faces], 1, axis=1), axis=2).max(axis=1)
-        long = np.flatnonzero(longest > LONGEST_FACE * radii[node[faces]].max(axis=1))
+        a = [x[corner] for corner in faces.T]  # NumPy is slow over axes of length 3
+        longest = reduce(np.maximum, [np.linalg.norm(a[k] - a[k - 1], axis=1) for k in range(3)])
+        long = np.flatnonzero(longest > LONGEST_FACE * reduce(np.maximum, [radii[node[corner]] for corner in faces.T]))
         if not 0 < len(long) <= MOST_FACES:
             break
         x, faces = remesh.subdivide(x, faces, face_index=long)[:2]
         node = np.append(node, tree.query(x[len(node) :])[1])
     # Six times the volume: the corners' part, less the feet's, and of each side, a ruled surface, the mean of its two
     # triangulations.
-    a, b = np.moveaxis(x[faces], 1, 0), np.moveaxis(nodes[node[faces]], 1, 0)
+    a, b = ([place[corner] for corner in faces.T] for place in (x, nodes[node]))
     six = np.einsum("fi,fi->f", a[0], cross(a[1], a[2])) - np.einsum("fi,fi->f", b[0], cross(b[1], b[2]))
     for p, q in ((0, 1), (1, 2), (2, 0)):
         six += np.einsum("fi,fi->f", cross(a[q], a[p]), b[p] + b[q]) / 2

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
+from msf_jax.base.clock import begin
 from msf_jax.base.writing import counted
 from msf_jax.curve import branches, handle_loops
 from msf_jax.limbs.one_branch import leaves_of
@@ -219,6 +220,8 @@ def assessed(
     are only asked for if it has many ends. Where the solid's parts were joined, ``is_joined``, that is no advice.
     ``lids`` (L,): the faces that close openings, default none."""
     about, doubts = loops_of(shape, vertices, edges, node_of_vertex), list[str]()
+    _ = shape.mesh, shape.samples  # made here, before two threads ask for them
+    overlaps = begin(_overlaps, shape, vertices, edges, node_of_vertex, is_joined, lids)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
     if len(leaves_of(edges)) >= MANY:
         slender = [branch.slenderness for branch in branches_of() if np.isfinite(branch.slenderness)]
@@ -228,7 +231,7 @@ def assessed(
     if shares["in_sheets"] > 1 / 2:  # the curve could as well be elsewhere
         doubts.append(IN_SHEETS.format(shares["in_sheets"]))
     doubts += _folds(shape, vertices, edges)
-    doubts += _overlaps(shape, vertices, edges, node_of_vertex, is_joined, lids)
+    doubts += overlaps.result()
     return about | shares | {"doubts": (*about["doubts"], *doubts)}
 
 

@@ -68,16 +68,15 @@ def vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
     They are not normalised: only the sign and the order of <n, w - v> matter. Angle weights reproduce all of the
     reference poles; area weights miss 85 of 12,128."""
-    corners = vertices[faces]
-    normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    unit = normal / np.where(length > 0, length, 1.0)
-    total = np.zeros((3, len(vertices)))
-    for k in range(3):
-        one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
-        angle = np.arctan2(length[:, 0], np.einsum("ij,ij->i", one, other))
+    corners = [vertices[corner] for corner in faces.T]  # NumPy is slow over axes of length 3
+    side = [corners[(k + 1) % 3] - corners[k] for k in range(3)]
+    normal = cross(side[0], -side[2])
+    length, total = np.linalg.norm(normal, axis=1), np.zeros((3, len(vertices)))
+    unit = (normal / np.where(length > 0, length, 1.0)[:, None]).T.copy()
+    for k, corner in enumerate(faces.T):
+        angle = np.arctan2(length, -np.einsum("ij,ij->i", side[k], side[k - 1]))
         for axis in range(3):
-            total[axis] += np.bincount(faces[:, k], weights=angle * unit[:, axis], minlength=len(vertices))
+            total[axis] += np.bincount(corner, weights=angle * unit[axis], minlength=len(vertices))
     return total.T
 
 

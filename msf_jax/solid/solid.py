@@ -181,8 +181,8 @@ class Solid:
         return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
 
     def prepare(self) -> None:
-        """Make now, beside the flow, what takes long after it: the shape's trees and crossings, and the areas."""
-        _ = self.shape.mesh, self.shape.samples, self.shape.crossed, self.vertex_areas
+        """Make now, beside the flow, what takes long after it: the shape's trees, crossings and handles, and areas."""
+        _ = self.shape.mesh, self.shape.samples, self.shape.crossed, self.shape.handles, self.vertex_areas
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
