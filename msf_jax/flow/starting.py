@@ -44,7 +44,7 @@ def init(
     options = config.preprocessing
     clock.check()
     frame, order, outside, shape = _entered(component)
-    faces = outside.faces
+    faces, prepared = outside.faces, begin(outside.prepare)
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     vertices, mesh_filter = outside.vertices, None
     if options.reconstruct_mesh:
@@ -58,7 +58,7 @@ def init(
     clock.check()
     with clock.stage("thickness"):
         meso.scale = balls.scales(meso.positions, faces)
-    if abs(meso.volume()) < LEAST_VOLUME:
+    if abs(signed_volume(meso.positions, faces)) < LEAST_VOLUME:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
             f"{RESOLUTION:.0e} of its diagonal; expected a solid"
@@ -83,7 +83,8 @@ def init(
     is_coarsened = len(outside.vertices) > 2 * meso.num_rows and not (options.reconstruct_mesh or options.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else outside
     with clock.stage("poles"):
-        _ = coarse.mesh  # made here, before two threads ask for it
+        prepared.result()
+        coarse.prepare()  # before two threads ask for it
     clock.check()
     with clock.stage("compile"):  # for the size of the surface, and for the smaller ones that it passes through
         layouts = [layout_for(meso.num_rows, packing.rows_beyond(meso.degree))]
@@ -152,9 +153,9 @@ def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:
     if not config.coarsen:
         return meso, 0
     with clock.stage("coarsening"):
-        coarsened = meso.copied()
+        coarsened, volume = meso.copied(), meso.volume()
         edits.collapse_short_edges(coarsened, config.coarsen, keep_faces=True)
-        if abs(coarsened.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
+        if abs(coarsened.volume() - volume) > MOST_COARSENED * abs(volume):
             return meso, 0
         return coarsened.compacted(), coarsened.num_rows - coarsened.num_live
 

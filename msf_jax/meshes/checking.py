@@ -313,6 +313,8 @@ def _split_pinches(
     """One vertex per fan: the first fan keeps the vertex's id, the others get new vertices at the end. Returns
     vertices, faces, and the old vertex for each new one."""
     parted, source = cut_apart(faces, twin)
+    if len(source) == len(vertices):
+        return vertices, faces, source[:0]
     extra = np.flatnonzero(np.append(False, source[1:] == source[:-1]))
     extra = extra[np.argsort(np.unique(parted, return_index=True)[1][extra])]  # in the order of their first corners
     number = source.copy()

@@ -382,7 +382,7 @@ def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarr
     half = np.flatnonzero(twin >= 0)
     after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the twin
     fan = graphs.labels(len(twin), half, after[half])
-    owner = faces.ravel()[np.unique(fan, return_index=True)[1]]
+    owner = faces.ravel()[np.flatnonzero(np.diff(np.maximum.accumulate(fan), prepend=-1))]  # at its first corner
     order = np.argsort(owner, kind="stable")
     return np.argsort(order)[fan].reshape(-1, 3), owner[order]
 

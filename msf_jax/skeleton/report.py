@@ -220,7 +220,7 @@ def assessed(
     are only asked for if it has many ends. Where the solid's parts were joined, ``is_joined``, that is no advice.
     ``lids`` (L,): the faces that close openings, default none."""
     about, doubts = loops_of(shape, vertices, edges, node_of_vertex), list[str]()
-    _ = shape.mesh, shape.samples  # made here, before two threads ask for them
+    shape.prepare()  # before two threads ask for it
     overlaps = begin(_overlaps, shape, vertices, edges, node_of_vertex, is_joined, lids)
     shares = shares_of(shape, vertices, edges, node_of_vertex)
     if len(leaves_of(edges)) >= MANY:
@@ -298,15 +298,16 @@ def bare_ends(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> tuple[st
     face, other = np.arange(3 * len(shape.faces)) // 3, shape.mesh.twins // 3
     is_flat = (shape.normals[face] * shape.normals[other]).sum(axis=1) > 1 - RESOLUTION
     group = graphs.labels(len(shape.faces), face[is_flat], other[is_flat])
-    area = triangle_areas(shape.triangles)
-    whole, reach = np.bincount(group, area), np.zeros(group.max() + 1)
-    middle = np.stack([np.bincount(group, area * axis) for axis in shape.centroids.T], axis=1)
-    away = shape.triangles - (middle / np.maximum(whole, 1e-300)[:, None])[group][:, None]
+    some = np.flatnonzero(np.bincount(group)[group] >= 4)  # a hexagon has four triangles, and 0.83 of the disc around it
+    group, corners = group[some], shape.triangles[some]
+    area, reach = triangle_areas(corners), np.zeros(group.max(initial=-1) + 1)
+    whole = np.bincount(group, area)
+    middle = np.stack([np.bincount(group, area * axis) for axis in shape.centroids[some].T], axis=1)
+    away = corners - (middle / np.maximum(whole, 1e-300)[:, None])[group][:, None]
     np.maximum.at(reach, group, np.linalg.norm(away, axis=2).max(axis=1))
     tree, ends, found = spatial.KDTree(x), x[leaves_of(edges)], []
-    # A hexagon has four triangles, and 0.83 of the disc around it.
-    for number in np.flatnonzero((np.bincount(group) >= 4) & (whole > 0.8 * np.pi * reach**2)):
-        (lid,) = lids_of(shape.vertices, shape.faces, np.flatnonzero(group == number))
+    for number in np.flatnonzero(whole > 0.8 * np.pi * reach**2):
+        (lid,) = lids_of(shape.vertices, shape.faces, some[group == number])
         away = lid.rim - lid.middle  # the walls of a limb are inside of its rim, those of a pocket outside
         away = away[np.linalg.norm(away, axis=1) > 0.9 * lid.reach]
         beside = lid.middle + 1.1 * away - 0.1 * lid.reach * lid.normal

@@ -45,6 +45,10 @@ class Enclosure:
         self.triangles = self.vertices[self.faces]
         self.centroids = (self.triangles[:, 0] + self.triangles[:, 1] + self.triangles[:, 2]) / 3
 
+    def prepare(self) -> None:
+        """Make now, beside other work, what takes long: the trees."""
+        _ = self.mesh, self.samples
+
     @cached_property
     def reaches(self) -> np.ndarray:
         """(F,) the largest distance from the middle of each triangle to one of its corners."""

@@ -182,7 +182,8 @@ class Solid:
 
     def prepare(self) -> None:
         """Make now, beside the flow, what takes long after it: the shape's trees, crossings and handles, and areas."""
-        _ = self.shape.mesh, self.shape.samples, self.shape.crossed, self.shape.handles, self.vertex_areas
+        self.shape.prepare()
+        _ = self.shape.crossed, self.shape.handles, self.vertex_areas
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
