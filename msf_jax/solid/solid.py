@@ -67,7 +67,7 @@ def bodies(shape: Enclosure) -> list[Body]:
     faces = shape.faces
     rows, parts = by_label(graphs.pieces(faces, len(shape.vertices))), []
     if len(rows) == 1:
-        return [Body(np.unique(faces), rows[0], rows[0], False)]
+        return [Body(np.flatnonzero(np.bincount(faces.ravel())), rows[0], rows[0], False)]
     for mine in rows:
         member, corners = np.unique(faces[mine], return_inverse=True)
         parts.append(Enclosure(shape.vertices[member], corners.reshape(-1, 3)))

@@ -29,7 +29,8 @@ def labels_of_faces(faces: np.ndarray, num: int) -> np.ndarray:
 
 def pieces(faces: np.ndarray, num: int) -> np.ndarray:
     """(F,) the connected piece of each of ``faces`` (F, 3) of ``num`` vertices, by number from 0 on."""
-    return np.unique(labels_of_faces(faces, num)[faces[:, 0]], return_inverse=True)[1]
+    label = labels_of_faces(faces, num)[faces[:, 0]]
+    return (np.cumsum(np.bincount(label) > 0) - 1)[label]
 
 
 def lengths(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
