@@ -6,7 +6,7 @@ import math
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any
@@ -23,6 +23,22 @@ class Stopped(BaseException):
 def begin(function: Callable[..., Any], *arguments: Any) -> Future:
     """Compute on the worker, with the caller's settings of Python and NumPy."""
     return _worker.submit(contextvars.copy_context().run, function, *arguments)
+
+
+def begin_in_turn(functions: Sequence[Callable[[], Any]]) -> Future:
+    """Call the ``functions`` on the worker, one after the other. What is begun meanwhile comes before the next one."""
+    done = Future()
+
+    def call(number: int) -> None:
+        try:
+            functions[number]()
+        except BaseException as error:
+            done.set_exception(error)
+        else:
+            begin(call, number + 1) if number + 1 < len(functions) else done.set_result(None)
+
+    begin(call, 0)
+    return done
 
 
 class Clock:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
-from msf_jax.base.clock import Clock, Stopped, begin
+from msf_jax.base.clock import Clock, Stopped
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted
 from msf_jax.base.options import Config, Weights, is_traced, traced
 from msf_jax.flow import assembly
@@ -43,7 +43,7 @@ def contract(
         solid = Solid(checked.vertices, checked.faces)
         pins_given, pins = checked_pins(pins, checked)
         of_vertices = weights_of_vertices(weights, checked)
-        prepared = begin(solid.prepare)
+        prepared = solid.begin()
         states, reasons, parts = [], [], []
         for number, component in enumerate(checked.components):
             pins_here = np.flatnonzero(np.isin(checked.members[number], pins))

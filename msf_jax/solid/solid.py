@@ -9,11 +9,13 @@ the end of a limb. It bounds no ball, and no section: where a plane across the l
 oblique one, a part of the limb is missing.
 """
 
-from functools import cached_property
+from concurrent.futures import Future
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.base.clock import begin_in_turn
 from msf_jax.solid import sections
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import ROUNDING, cross, signed_volume, triangle_areas, unit
@@ -180,10 +182,10 @@ class Solid:
         shape, outside = self.shape, np.sort(np.concatenate([body.outside for body in bodies(self.shape)]))
         return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
 
-    def prepare(self) -> None:
-        """Make now, beside the flow, what takes long after it: the shape's trees, crossings and handles, and areas."""
-        self.shape.prepare()
-        _ = self.shape.crossed, self.shape.handles, self.vertex_areas
+    def begin(self) -> Future:
+        """Begin to make, beside the flow, what takes long after it: the shape's trees, crossings and handles, areas."""
+        of_shape = [partial(getattr, self.shape, name) for name in ("mesh", "samples", "crossed", "handles")]
+        return begin_in_turn([*of_shape, lambda: self.vertex_areas])
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
