@@ -56,4 +56,4 @@ def sort_mesh(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.n
     renamed = rank[faces]
     first = renamed.argmin(axis=1)[:, None]
     turned = np.take_along_axis(renamed, (first + np.arange(3)) % 3, axis=1)  # the smallest corner first
-    return order, turned[np.argsort(turned[:, 0] * len(vertices) + turned[:, 1])]  # no two faces have the same half-edge
+    return order, turned[np.argsort(turned[:, 0] * len(vertices) + turned[:, 1])]  # no two have the same half-edge

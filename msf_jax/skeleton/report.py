@@ -298,7 +298,7 @@ def bare_ends(solid: Solid, vertices: np.ndarray, edges: np.ndarray) -> tuple[st
     face, other = np.arange(3 * len(shape.faces)) // 3, shape.mesh.twins // 3
     is_flat = (shape.normals[face] * shape.normals[other]).sum(axis=1) > 1 - RESOLUTION
     group = graphs.labels(len(shape.faces), face[is_flat], other[is_flat])
-    some = np.flatnonzero(np.bincount(group)[group] >= 4)  # a hexagon has four triangles, and 0.83 of the disc around it
+    some = np.flatnonzero(np.bincount(group)[group] >= 4)  # a hexagon has four triangles, 0.83 of the disc around it
     group, corners = group[some], shape.triangles[some]
     area, reach = triangle_areas(corners), np.zeros(group.max(initial=-1) + 1)
     whole = np.bincount(group, area)

@@ -1,6 +1,7 @@
 """A run that has to end: by Ctrl-C or its seconds, with the curve so far, whatever it does then."""
 
 import signal
+import threading
 import time
 
 import pytest
@@ -10,7 +11,7 @@ import msf_jax
 from msf_jax import Config, FlowError, FlowOptions, Interrupted
 from msf_jax.app.cli import main
 from msf_jax.base import clock
-from msf_jax.base.clock import Clock, Stopped
+from msf_jax.base.clock import Clock, Stopped, begin, begin_in_turn
 from msf_jax.curve import finishing
 from msf_jax.flow import loop, starting
 
@@ -93,3 +94,15 @@ def test_what_follows_the_end_has_a_grace():
     over._end = time.monotonic()
     with pytest.raises(Stopped):
         over.check()
+
+
+def test_what_is_begun_meanwhile_comes_before_the_next_of_several():
+    done, pause = list[str](), threading.Event()
+    several = begin_in_turn([lambda: pause.wait(60), lambda: done.append("next")])
+    begin(done.append, "meanwhile")
+    pause.set()
+    several.result(60)
+    assert done == ["meanwhile", "next"]
+    with pytest.raises(ZeroDivisionError):
+        begin_in_turn([lambda: 1 // 0, lambda: done.append("after an error")]).result(60)
+    assert len(done) == 2

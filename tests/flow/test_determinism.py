@@ -15,7 +15,7 @@ import pytest
 from run_cases import flow_of
 
 import msf_jax
-from msf_jax.flow import loop, starting
+from msf_jax.flow import starting
 from tests.benchmarks import ground_truth
 
 PROCESSES = int(os.environ.get("MSF_JAX_PROCESSES", "2"))
@@ -51,8 +51,7 @@ def test_limbs_from_another_thread_are_the_same(monkeypatch):
         return done
 
     skeletons = [flow_of("straight_coarse").skeleton]
-    for module in (loop, starting):
-        monkeypatch.setattr(module, "begin", at_once)
+    monkeypatch.setattr(starting, "begin", at_once)
     skeletons.append(msf_jax.skeletonize(mesh))
     assert names == ["prepare", "_find_limbs"]
     np.testing.assert_array_equal(skeletons[0].vertices, skeletons[1].vertices)
