@@ -6,7 +6,6 @@ import modules on demand, and JAX only after the mesh was accepted.
 """
 
 import argparse
-import atexit
 import gc
 import io
 import os
@@ -65,12 +64,12 @@ def _fail(message: str, code: int) -> int:
 
 def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
-    atexit.register(gc.freeze)  # at its end, Python would look through all objects of JAX for cycles, for 0.3 s
     with held_interrupts():
         import jax
 
         import msf_jax
         import msf_jax.flow.loop
+    gc.freeze()  # at the end, Python would look through all modules for cycles, for 0.3 s
     jax.config.update("jax_enable_x64", not arguments.float32)
     msf_jax.cache_compilations()
 
