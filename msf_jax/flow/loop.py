@@ -43,14 +43,13 @@ def contract(
         solid = Solid(checked.vertices, checked.faces)
         pins_given, pins = checked_pins(pins, checked)
         of_vertices = weights_of_vertices(weights, checked)
-        prepared = solid.begin()
         states, reasons, parts = [], [], []
         for number, component in enumerate(checked.components):
             pins_here = np.flatnonzero(np.isin(checked.members[number], pins))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = None
             try:
-                state = init(component, number, config, clock, pins_here, of_members)
+                state = init(component, number, config, clock, pins_here, of_members, solid)
                 while (end := ending(state, config)) is None:
                     clock.check()
                     step(state, weights, config, clock)
@@ -78,7 +77,7 @@ def contract(
             solid = Solid(checked.vertices, checked.faces)
         elif not clock.reason:
             with clock.stage("report"):
-                prepared.result()
+                solid.begun.result()
         run = assembly.assemble(checked, solid, pins_given, states, reasons, parts, weights, config, clock)
     if clock.was_pressed:
         count = len(run.history)

@@ -19,6 +19,7 @@ from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, signed_volume, triangle_areas
+from msf_jax.solid.solid import Solid
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rounded to the frame's grid
@@ -36,15 +37,17 @@ def init(
     clock: Clock,
     pins: np.ndarray | None = None,
     weights: np.ndarray | None = None,
+    solid: Solid | None = None,
 ) -> State:
     """The first state of a component: in its own frame, resampled if the config says so, with its poles.
 
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
+    What the report needs of the ``solid`` is begun after what the flow needs first.
     """
     options = config.preprocessing
     clock.check()
     frame, order, outside, shape = _entered(component)
-    faces, prepared = outside.faces, begin(outside.prepare)
+    faces = outside.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     vertices, mesh_filter = outside.vertices, None
     if options.reconstruct_mesh:
@@ -52,12 +55,13 @@ def init(
             exact = options.exact_reconstruction
             vertices, mesh_filter = _rebuilt(vertices, faces, options.reconstruct_mesh, exact)
             vertices[pins] = outside.vertices[pins]
+    thickness, prepared = begin(balls.scales, vertices, faces), begin(outside.prepare)
+    if solid is not None:
+        _ = solid.begun
     meso = Meso.from_mesh(vertices, faces)
     meso.is_fixed[pins] = True
     meso.weights = None if weights is None else weights[order]
     clock.check()
-    with clock.stage("thickness"):
-        meso.scale = balls.scales(meso.positions, faces)
     if abs(signed_volume(meso.positions, faces)) < LEAST_VOLUME:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -68,6 +72,8 @@ def init(
             classes = outside.handles.half_edge_classes()
             meso.classes = ring_tables.beside_rings(meso.rings, faces, classes)
     clock.check()
+    with clock.stage("thickness"):
+        meso.scale = thickness.result()
     max_rows = GROWTH * meso.num_rows + GROWTH_MARGIN
     if options.resample:
         with clock.stage("resampling"):

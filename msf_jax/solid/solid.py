@@ -182,9 +182,10 @@ class Solid:
         shape, outside = self.shape, np.sort(np.concatenate([body.outside for body in bodies(self.shape)]))
         return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
 
-    def begin(self) -> Future:
-        """Begin to make, beside the flow, what takes long after it: the shape's trees, crossings and handles, areas."""
-        of_shape = [partial(getattr, self.shape, name) for name in ("mesh", "samples", "crossed", "handles")]
+    @cached_property
+    def begun(self) -> Future:
+        """What takes long after the flow, made beside it: the shape's trees, handles and crossings, and the areas."""
+        of_shape = [partial(getattr, self.shape, name) for name in ("mesh", "samples", "handles", "crossed")]
         return begin_in_turn([*of_shape, lambda: self.vertex_areas])
 
     def enter(self, points: np.ndarray) -> np.ndarray:
