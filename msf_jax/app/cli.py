@@ -34,6 +34,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
     parser = whole_parser()
     arguments = parser.parse_args(argv)
+    arguments.is_process = argv is None
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a name may have characters that the terminal's encoding has not
             stream.reconfigure(errors="backslashreplace")
@@ -69,7 +70,8 @@ def _start_jax(arguments: argparse.Namespace) -> None:
 
         import msf_jax
         import msf_jax.flow.loop
-    gc.freeze()  # at the end, Python would look through all modules for cycles, for 0.3 s
+    if arguments.is_process:  # at its end, Python would look through all modules for cycles, for 0.3 s
+        gc.freeze()
     jax.config.update("jax_enable_x64", not arguments.float32)
     msf_jax.cache_compilations()
 

@@ -3,6 +3,7 @@ worker thread, which computes what a run asks for later."""
 
 import contextvars
 import math
+import os
 import signal
 import threading
 import time
@@ -13,7 +14,15 @@ from typing import Any
 
 GRACE = 1.0  # seconds that a run which has to end has left, to finish the curve so far
 
-_worker = ThreadPoolExecutor(1, "msf_jax")
+
+def _make_worker() -> None:
+    global _worker
+    _worker = ThreadPoolExecutor(1, "msf_jax")
+
+
+_make_worker()
+if hasattr(os, "register_at_fork"):  # a forked process has none of the threads
+    os.register_at_fork(after_in_child=_make_worker)
 
 
 class Stopped(BaseException):
@@ -21,21 +30,26 @@ class Stopped(BaseException):
 
 
 def begin(function: Callable[..., Any], *arguments: Any) -> Future:
-    """Compute on the worker, with the caller's settings of Python and NumPy."""
-    return _worker.submit(contextvars.copy_context().run, function, *arguments)
+    """Compute on the worker, with the caller's settings of Python and NumPy; here, if the program ends meanwhile."""
+    try:
+        return _worker.submit(contextvars.copy_context().run, function, *arguments)
+    except RuntimeError:  # a run in another thread than the main one, which has ended
+        done = Future()
+        done.set_result(function(*arguments))
+        return done
 
 
 def begin_in_turn(functions: Sequence[Callable[[], Any]]) -> Future:
-    """Call the ``functions`` on the worker, one after the other. What is begun meanwhile comes before the next one."""
+    """Call the ``functions`` on the worker, one after the other. What is begun meanwhile, as it is needed first, comes
+    before the next one."""
     done = Future()
 
     def call(number: int) -> None:
         try:
             functions[number]()
+            begin(call, number + 1) if number + 1 < len(functions) else done.set_result(None)
         except BaseException as error:
             done.set_exception(error)
-        else:
-            begin(call, number + 1) if number + 1 < len(functions) else done.set_result(None)
 
     begin(call, 0)
     return done

@@ -3,6 +3,7 @@ steps of a run are in `guide/architecture.md`."""
 
 import reprlib
 from collections.abc import Iterable
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -42,14 +43,14 @@ def contract(
             checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
         solid = Solid(checked.vertices, checked.faces)
         pins_given, pins = checked_pins(pins, checked)
-        of_vertices = weights_of_vertices(weights, checked)
+        of_vertices, begin_rest = weights_of_vertices(weights, checked), cache(solid.begin)
         states, reasons, parts = [], [], []
         for number, component in enumerate(checked.components):
             pins_here = np.flatnonzero(np.isin(checked.members[number], pins))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = None
             try:
-                state = init(component, number, config, clock, pins_here, of_members, solid)
+                state = init(component, number, config, clock, pins_here, of_members, begin_rest)
                 while (end := ending(state, config)) is None:
                     clock.check()
                     step(state, weights, config, clock)
@@ -77,7 +78,7 @@ def contract(
             solid = Solid(checked.vertices, checked.faces)
         elif not clock.reason:
             with clock.stage("report"):
-                solid.begun.result()
+                begin_rest().result()
         run = assembly.assemble(checked, solid, pins_given, states, reasons, parts, weights, config, clock)
     if clock.was_pressed:
         count = len(run.history)

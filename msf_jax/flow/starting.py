@@ -1,5 +1,8 @@
 """The start of a component's flow: its frame, the filter, coarsening or resampling, handles and poles."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from msf_jax.base.clock import Clock, begin
@@ -19,7 +22,6 @@ from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import RESOLUTION, signed_volume, triangle_areas
-from msf_jax.solid.solid import Solid
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 LEAST_VOLUME = 1e-9  # diagonals cubed: of a component whose coordinates are rounded to the frame's grid
@@ -37,12 +39,12 @@ def init(
     clock: Clock,
     pins: np.ndarray | None = None,
     weights: np.ndarray | None = None,
-    solid: Solid | None = None,
+    begin_rest: Callable[[], Any] | None = None,
 ) -> State:
     """The first state of a component: in its own frame, resampled if the config says so, with its poles.
 
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
-    What the report needs of the ``solid`` is begun after what the flow needs first.
+    ``begin_rest``, if given, begins what the end of the run needs: it is called when what is needed first was begun.
     """
     options = config.preprocessing
     clock.check()
@@ -56,8 +58,8 @@ def init(
             vertices, mesh_filter = _rebuilt(vertices, faces, options.reconstruct_mesh, exact)
             vertices[pins] = outside.vertices[pins]
     thickness, prepared = begin(balls.scales, vertices, faces), begin(outside.prepare)
-    if solid is not None:
-        _ = solid.begun
+    if begin_rest is not None:
+        begin_rest()
     meso = Meso.from_mesh(vertices, faces)
     meso.is_fixed[pins] = True
     meso.weights = None if weights is None else weights[order]

@@ -275,7 +275,7 @@ def _check_edges(faces: np.ndarray, twin: np.ndarray, caller_number: np.ndarray)
     ``twin`` (3F,). ``caller_number`` are the caller's ids of vertices, for messages."""
     if len(faces) == 0:
         raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
-    # The twin of a half-edge that occurs several times is none of them, but the sum of their numbers.
+    # Half-edges that occur several times have one twin, whose twin is at most one of them, and may be no number at all.
     if ((twin >= 0) & (twin[twin % len(twin)] == np.arange(len(twin)))).all():
         return
     edge, _, count = edge_codes(faces)
@@ -314,7 +314,7 @@ def _split_pinches(
     vertices, faces, and the old vertex for each new one."""
     parted, source = cut_apart(faces, twin)
     if len(source) == len(vertices):
-        return vertices, faces, source[:0]
+        return vertices.copy(), faces.copy(), source[:0]
     extra = np.flatnonzero(np.append(False, source[1:] == source[:-1]))
     extra = extra[np.argsort(np.unique(parted, return_index=True)[1][extra])]  # in the order of their first corners
     number = source.copy()

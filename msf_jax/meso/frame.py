@@ -50,7 +50,7 @@ def frame_of(vertices: np.ndarray) -> UnitFrame:
 
 
 def sort_mesh(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The order (V,) of ``vertices`` by x, then y, then z, and the sorted faces of the sorted vertices."""
+    """The order (V,) of ``vertices`` by x, then y, then z, and the sorted ``faces``, of a closed surface, of these."""
     order = np.lexsort(vertices.T[::-1])
     rank = np.argsort(order)
     renamed = rank[faces]

@@ -182,9 +182,8 @@ class Solid:
         shape, outside = self.shape, np.sort(np.concatenate([body.outside for body in bodies(self.shape)]))
         return shape if len(outside) == len(shape.faces) else Enclosure(shape.vertices, shape.faces[outside])
 
-    @cached_property
-    def begun(self) -> Future:
-        """What takes long after the flow, made beside it: the shape's trees, handles and crossings, and the areas."""
+    def begin(self) -> Future:
+        """Begin to make, beside the flow, what takes long after it: the shape's trees, handles, crossings; areas."""
         of_shape = [partial(getattr, self.shape, name) for name in ("mesh", "samples", "handles", "crossed")]
         return begin_in_turn([*of_shape, lambda: self.vertex_areas])
 

@@ -1,6 +1,9 @@
 """A run that has to end: by Ctrl-C or its seconds, with the curve so far, whatever it does then."""
 
+import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -106,3 +109,25 @@ def test_what_is_begun_meanwhile_comes_before_the_next_of_several():
     with pytest.raises(ZeroDivisionError):
         begin_in_turn([lambda: 1 // 0, lambda: done.append("after an error")]).result(60)
     assert len(done) == 2
+
+
+PROGRAM = """
+import os, threading, time
+from msf_jax.base.clock import begin, begin_in_turn
+begin(int).result()
+if os.fork() == 0:
+    os._exit(begin(int).result(60))
+print(os.waitstatus_to_exitcode(os.wait()[1]), end=" ")
+def late():
+    threading.main_thread().join()
+    time.sleep(0.5)
+    print(begin(sum, [1, 2]).result(), begin_in_turn([int, int]).result(), flush=True)
+threading.Thread(target=late).start()
+"""
+
+
+@pytest.mark.system
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_the_worker_is_there_in_a_forked_process_and_at_the_end_of_the_program():
+    found = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=300)
+    assert found.stdout.split() == ["0", "3", "None"], found.stderr

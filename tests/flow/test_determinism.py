@@ -53,12 +53,12 @@ def test_limbs_from_another_thread_are_the_same(monkeypatch):
     skeletons = [flow_of("straight_coarse").skeleton]
     monkeypatch.setattr(starting, "begin", at_once)
     skeletons.append(msf_jax.skeletonize(mesh))
-    assert names == ["prepare", "_find_limbs"]
+    assert names == ["scales", "prepare", "_find_limbs"]
     np.testing.assert_array_equal(skeletons[0].vertices, skeletons[1].vertices)
     np.testing.assert_array_equal(skeletons[0].edges, skeletons[1].edges)
     flow = msf_jax.Config(least_slenderness=0.0, curve=msf_jax.CurveOptions(extend_tips=False))
     assert msf_jax.skeletonize(mesh, config=flow).num_leaves >= skeletons[0].num_leaves
-    assert names[2:] == ["prepare"]
+    assert names[3:] == ["scales", "prepare"]
 
 
 def start(threads, seed="0"):
