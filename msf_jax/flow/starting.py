@@ -39,12 +39,12 @@ def init(
     clock: Clock,
     pins: np.ndarray | None = None,
     weights: np.ndarray | None = None,
-    begin_rest: Callable[[], Any] | None = None,
+    begin_rest: Callable[[], Any] = list,
 ) -> State:
     """The first state of a component: in its own frame, resampled if the config says so, with its poles.
 
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
-    ``begin_rest``, if given, begins what the end of the run needs: it is called when what is needed first was begun.
+    ``begin_rest`` begins what the end of the run needs: it is called when what is needed first was begun.
     """
     options = config.preprocessing
     clock.check()
@@ -58,8 +58,7 @@ def init(
             vertices, mesh_filter = _rebuilt(vertices, faces, options.reconstruct_mesh, exact)
             vertices[pins] = outside.vertices[pins]
     thickness, prepared = begin(balls.scales, vertices, faces), begin(outside.prepare)
-    if begin_rest is not None:
-        begin_rest()
+    begin_rest()
     meso = Meso.from_mesh(vertices, faces)
     meso.is_fixed[pins] = True
     meso.weights = None if weights is None else weights[order]
